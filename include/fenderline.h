@@ -37,7 +37,7 @@
 #include <stdint.h>
 
 /**
- * Given for the length of a text: it ends with a NUL.
+ * Length of a text that is NUL-terminated.
  */
 #define FL_NUL SIZE_MAX
 
@@ -83,8 +83,7 @@
 #define FL_HOST_COSIMULATION 1
 
 /**
- * fl_settings.coriolis: as `fenderline run` has it with the scenario's integrator; FL_CORIOLIS_BY_ENGINE where
- * there is no scenario.
+ * fl_settings.coriolis: as in `fenderline run` with the scenario's integrator; FL_CORIOLIS_BY_ENGINE without a scenario.
  */
 #define FL_CORIOLIS_DEFAULT 0
 
@@ -255,12 +254,12 @@ typedef enum {
 } fl_status;
 
 /**
- * Parts from which an engine is to be made.
+ * A builder: parts from which engines are made.
  */
 typedef struct fl_builder fl_builder;
 
 /**
- * An engine. Of its own, with nothing shared but the table of handles.
+ * A contact engine. Engines share nothing but the table of handles.
  */
 typedef struct fl_engine fl_engine;
 
@@ -358,7 +357,7 @@ typedef struct {
      */
     double starboard_m;
     /**
-     * Direction in which it faces, in the body's frame: 0 forward, positive to starboard (rad).
+     * Direction of its outward normal, in the body's frame: 0 forward, positive to starboard (rad).
      */
     double facing_rad;
     /**
@@ -505,7 +504,7 @@ typedef struct {
      */
     uint32_t flags;
     /**
-     * 0.
+     * Always 0.
      */
     uint32_t reserved;
     /**
@@ -681,9 +680,9 @@ fl_status fl_builder_add_material(fl_builder *builder,
                                   uint32_t *index);
 
 /**
- * Adds a body under a unique name, with its outline: `vertices` pairs of x (forward) and y (to starboard of
- * the centre of gravity) (m), in either direction, convex or not. Its index, counted from 0, goes to `index`
- * where that is not NULL. Its masses are checked by fl_builder_build().
+ * Adds a body under a unique name, with its outline: `vertices` pairs of x (forward) and y (to starboard) from the
+ * centre of gravity (m), in either sense, convex or not. Its index, counted from 0, is stored to `index` unless that
+ * is NULL. fl_builder_build() checks its masses.
  */
 fl_status fl_builder_add_body(fl_builder *builder,
                               const char *name,
@@ -694,10 +693,10 @@ fl_status fl_builder_add_body(fl_builder *builder,
                               uint32_t *index);
 
 /**
- * Adds a fender under a unique name, with its reaction curve: `points` pairs of deflection (m) and reaction
- * (N), from (0, 0) on, the deflection rising. Without points its force is the paper's, its material's
- * stiffness times the area of the overlap. Its index, counted from 0, goes to `index` where that is not
- * NULL. Its numbers are checked by fl_builder_build().
+ * Adds a fender under a unique name, with its reaction curve: `points` pairs of deflection (m) and reaction (N), which
+ * begin with (0, 0), with rising deflections. Without points its force is the paper's: the material's stiffness times
+ * the area of the overlap. Its index, counted from 0, is stored to `index` unless that is NULL. fl_builder_build()
+ * checks its numbers.
  */
 fl_status fl_builder_add_fender(fl_builder *builder,
                                 const char *name,
@@ -708,7 +707,7 @@ fl_status fl_builder_add_fender(fl_builder *builder,
                                 uint32_t *index);
 
 /**
- * Lets two bodies touch, with a material between them.
+ * Enables contact between two bodies, with a material.
  */
 fl_status fl_builder_add_pair(fl_builder *builder,
                               uint32_t body_1,
@@ -716,9 +715,10 @@ fl_status fl_builder_add_pair(fl_builder *builder,
                               uint32_t material);
 
 /**
- * Lets all pairs of bodies touch that fl_builder_add_pair() does not name, with a material.
+ * Enables contact between all pairs of bodies that fl_builder_add_pair() does not name, with a material.
  */
-fl_status fl_builder_add_all_other_pairs(fl_builder *builder, uint32_t material);
+fl_status fl_builder_add_all_other_pairs(fl_builder *builder,
+                                         uint32_t material);
 
 /**
  * Builds an engine from the parts added so far and stores it to `*engine`; NULL if that fails. Destroy it with

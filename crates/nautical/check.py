@@ -1,5 +1,5 @@
-"""Reads what `cargo run -p fenderline-nautical --example sentences` prints with parsers that we did not write, two for
-each kind of sentence, and holds what they read against the numbers that went in.
+"""Reads the output of `cargo run -p fenderline-nautical --example sentences` with independent parsers, two for each kind
+of sentence, and compares the values with the input.
 
 NMEA 0183: pynmea2 and pynmeagps. AIS: pyais and simpleais (`pip install pynmea2 pynmeagps pyais simpleais`).
 """
@@ -18,11 +18,11 @@ ROUND = 360
 
 
 def near(read, wanted, tolerance, what, turn=None):
-    """Equal to within half of the last digit that the sentence has."""
+    """Checks that a value is equal to within half of the sentence's last digit."""
     off = abs(float(read) - float(wanted))
     if turn:
         off = min(off % turn, turn - off % turn)
-    assert off <= tolerance, f"{what}: {read} read, {wanted} meant"
+    assert off <= tolerance, f"{what}: {read} read, {wanted} expected"
 
 
 def pynmea2_reads(line):
@@ -57,85 +57,84 @@ def pynmeagps_reads(line):
     }[m.msgID]()
 
 
-def meant(kind, said, reference):
-    """What the fields of a sentence should be: texts, or number, tolerance and whether it is an angle."""
-    knots = math.hypot(said["ahead"], said["across"]) / KNOT_MPS
-    course = said["heading"] + math.degrees(math.atan2(said["across"], said["ahead"]))
+def expected(kind, values, reference):
+    """The expected fields of a sentence: texts, or number, tolerance and, for an angle, the full turn."""
+    knots = math.hypot(values["ahead"], values["across"]) / KNOT_MPS
+    course = values["heading"] + math.degrees(math.atan2(values["across"], values["ahead"]))
     relative = reference == "R"
     return {
-        "HDT": lambda: [(said["heading"], 0.051, ROUND)],
-        "ROT": lambda: [(said["turn"], 0.051)],
-        "RMC": lambda: ["A", "2026-11-21", (said["lat"], 1e-7), (said["lon"], 1e-7, ROUND), (knots, 0.0051),
+        "HDT": lambda: [(values["heading"], 0.051, ROUND)],
+        "ROT": lambda: [(values["turn"], 0.051)],
+        "RMC": lambda: ["A", "2026-11-21", (values["lat"], 1e-7), (values["lon"], 1e-7, ROUND), (knots, 0.0051),
                         (course, 0.051, ROUND)],
         "VTG": lambda: [(course, 0.051, ROUND), (knots, 0.0051), (knots * 1.852, 0.0051)],
-        "VBW": lambda: [(said[key] / KNOT_MPS, 0.0051) for key in ("water", "ahead", "across")],
-        "MWV": lambda: [reference, (said["wind" if relative else "true_wind"], 0.051, ROUND),
+        "VBW": lambda: [(values[key] / KNOT_MPS, 0.0051) for key in ("water", "ahead", "across")],
+        "MWV": lambda: [reference, (values["wind" if relative else "true_wind"], 0.051, ROUND),
                         ((12.5 if relative else 10) / KNOT_MPS, 0.051)],
         "DPT": lambda: [(15, 0.051), (-9, 0.051)],
-        "RSA": lambda: [(said["rudder"], 0.051), "A"],
-        "RPM": lambda: [(said["rpm"], 0.051)],
+        "RSA": lambda: [(values["rudder"], 0.051), "A"],
+        "RPM": lambda: [(values["rpm"], 0.051)],
     }[kind]()
 
 
-def nmea(line, said):
-    """One sentence, by both parsers."""
+def nmea(line, values):
+    """Checks one sentence with both parsers."""
     for parser in (pynmea2_reads, pynmeagps_reads):
         kind, fields = parser(line)
-        wanted = meant(kind, said, fields[0])
+        wanted = expected(kind, values, fields[0])
         assert len(fields) == len(wanted), line
         for read, want in zip(fields, wanted):
             if isinstance(want, str):
-                assert read == want, f"{parser.__name__}: {read} read, {want} meant in {line}"
+                assert read == want, f"{parser.__name__}: {read} read, {want} expected in {line}"
             else:
                 near(read, *want[:2], f"{parser.__name__} {kind}", *want[2:])
     return kind
 
 
-def ais(parts, said):
-    """One message of one or two sentences, by both parsers."""
+def ais(parts, values):
+    """Checks one message of one or two sentences with both parsers."""
     (other,) = simpleais.parse_many(parts)
     for m in (pyais.decode(*parts).asdict(), other):
         kind = m["msg_type"] if isinstance(m, dict) else m["type"]
         assert str(m["mmsi"]).startswith("99900000"), m
         if kind == 1:
-            near(m["lat"], said["lat"], 1e-6, "AIS latitude")
-            near(m["lon"], said["lon"], 1e-6, "AIS longitude", ROUND)
-            near(m["heading"], said["heading"], 0.51, "AIS heading", ROUND)
-            course = said["heading"] + math.degrees(math.atan2(said["across"], said["ahead"]))
+            near(m["lat"], values["lat"], 1e-6, "AIS latitude")
+            near(m["lon"], values["lon"], 1e-6, "AIS longitude", ROUND)
+            near(m["heading"], values["heading"], 0.51, "AIS heading", ROUND)
+            course = values["heading"] + math.degrees(math.atan2(values["across"], values["ahead"]))
             near(m["course"], course, 0.051, "AIS course", ROUND)
-            near(m["speed"], math.hypot(said["ahead"], said["across"]) / KNOT_MPS, 0.051, "AIS speed")
+            near(m["speed"], math.hypot(values["ahead"], values["across"]) / KNOT_MPS, 0.051, "AIS speed")
         else:
             assert kind == 5 and m["shipname"] == "CONTAINER SHIP, 298" and m["callsign"] == "FENDER", m
             assert [m[to] for to in ("to_bow", "to_stern", "to_port", "to_starboard")] == [150, 148, 23, 23], m
             assert m["draught"] == 9.0 and m["destination"] == "BERTH", m
     read = pyais.decode(*parts).asdict()
     if kind == 1:
-        # What is sent is 4.733 sqrt(deg/min), rounded; pyais gives back whole degrees a minute, simpleais takes no root
-        # of it.
-        sent = round(4.733 * math.sqrt(abs(said["turn"])))
-        near(read["turn"], math.copysign((sent / 4.733) ** 2, said["turn"]), 0.501, "AIS turn")
+        # The message has 4.733 sqrt(deg/min), rounded. pyais returns whole degrees per minute; simpleais does not square.
+        sent = round(4.733 * math.sqrt(abs(values["turn"])))
+        near(read["turn"], math.copysign((sent / 4.733) ** 2, values["turn"]), 0.501, "AIS turn")
     else:
         assert int(read["ship_type"]) == 70, read
     return f"AIS {kind}"
 
 
 def main():
-    read, said, parts = {}, None, []
+    read, values, parts = {}, None, []
     for line in sys.stdin.read().splitlines():
         if line.startswith("{"):
-            said = json.loads(line)
+            values = json.loads(line)
             continue
         if line.startswith("$"):
-            kind = nmea(line, said)
+            kind = nmea(line, values)
         else:
             parts.append(line)
             if len(parts) < int(line.split(",")[1]):
                 continue
-            kind, parts = ais(parts, said), []
+            kind, parts = ais(parts, values), []
         read[kind] = read.get(kind, 0) + 1
     wanted = {"HDT", "ROT", "RMC", "VTG", "VBW", "MWV", "DPT", "RSA", "RPM", "AIS 1", "AIS 5"}
     assert set(read) == wanted, wanted - set(read)
-    print(f"{sum(read.values())} messages of {len(read)} kinds read as they were meant, each by two parsers: "
+    print(f"{sum(read.values())} messages of {len(read)} kinds read correctly, each by two parsers: "
           "pynmea2 and pynmeagps, pyais and simpleais")
 
 

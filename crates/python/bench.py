@@ -1,11 +1,11 @@
-"""Times of the Python package; reported, never a test.
+"""Benchmarks of the Python package.
 
     python crates/python/bench.py
 
-- what a step call costs over the same step called from Rust
-- 10,000 tug impacts of varying speed and angle on one thread and on all, with the share of the processors that
-  they got: on a machine that does other work too the wall clock tells of that work
-- steps a second of the docking environment with a random policy, one core
+- the cost of a step call, beside the same step called from Rust
+- 10,000 tug impacts of varying speed and angle on one thread and on all, with the processor time that they got, as
+  wall-clock time includes waiting for other work on the machine
+- steps per second of the docking environment with a random policy, on one core
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ def step_call() -> None:
     )
     engine = fenderline.Engine(scenario)
     engine.step(0.1)
-    # The least of many short spells: on a busy machine the others were interrupted.
+    # The minimum of many short runs: on a busy machine the others are interrupted.
     count, step = 500, engine.step
     best_rust = best_python = np.inf
     for _ in range(500):
@@ -44,7 +44,7 @@ def step_call() -> None:
 
 
 def timed(work: Callable[[], Any]) -> tuple[float, float, float]:
-    """Seconds by the wall, of processors, and of processors in this thread."""
+    """Wall-clock time, processor time, and processor time of this thread (s)."""
     wall, cpu, own = time.perf_counter(), time.process_time(), time.thread_time()
     work()
     return time.perf_counter() - wall, time.process_time() - cpu, time.thread_time() - own
@@ -58,7 +58,7 @@ def impacts() -> None:
     }
     scenario = fenderline.example("tug_4kn")
     threads = os.cpu_count() or 1
-    # The least of five, in turn: whatever else the machine did, it did it in the others.
+    # The minimum of five, alternating, as other work may disturb some of them.
     on_one, on_all = [], []
     for _ in range(5):
         on_one.append(timed(lambda: fenderline.run_many(scenario, variants, threads=1)))
@@ -69,10 +69,10 @@ def impacts() -> None:
         f"{all_wall:.2f} s on {threads} ({all_cpu:.2f} s): {one_wall / all_wall:.2f} times as fast, "
         f"{all_cpu / all_wall:.2f} processors busy; load {os.getloadavg()[0]:.1f}"
     )
-    # The calling thread waits while the others run: what it takes itself is the part that is not shared out.
+    # The calling thread waits while the others run: its own time is the serial part.
     ideal = one_cpu / (serial + (all_cpu - serial) / threads)
     print(
-        f"  not shared out: {serial:.3f} s; with {threads} processors to itself it would be {ideal:.2f} times as fast"
+        f"  serial part: {serial:.3f} s; with {threads} processors to itself it would be {ideal:.2f} times as fast"
     )
 
 

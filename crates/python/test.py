@@ -22,7 +22,7 @@ OWN = ROOT / "crates" / "python"
 
 def run(*command: str | Path, **environment: str) -> None:
     print("$", *command, flush=True)
-    # No user's packages, no user's configuration of pip's target, no __pycache__ in the source tree.
+    # No packages of the user, no questions by pip, no __pycache__ in the source tree.
     clean = {"PYTHONNOUSERSITE": "1", "PYTHONDONTWRITEBYTECODE": "1", "PIP_NO_INPUT": "1"}
     subprocess.run(
         [str(part) for part in command],
@@ -54,14 +54,14 @@ def main() -> None:
     pip = [python, "-m", "pip", "--disable-pip-version-check", "install", "--quiet"]
     run(*pip, "-r", OWN / "requirements-test.txt")
     run(*pip, ".", CARGO_TARGET_DIR=str(target))
-    # What the package's numbers are held against.
+    # The program with which the package's numbers are compared.
     run(os.environ.get("CARGO", "cargo"), "build", "--release", "--package", "fenderline")
     program = target / "release" / ("fenderline.exe" if os.name == "nt" else "fenderline")
     pytest = [python, "-m", "pytest"]
     run(*pytest, FENDERLINE_PROGRAM=str(program))
     run(*pytest, "--doctest-modules", "--pyargs", "fenderline")
     mypy_config = ["--mypy-config-file", ROOT / "pyproject.toml"]
-    # `python -m` puts the current folder first: the package is the installed one, as there is none here.
+    # `python -m` searches the current folder first, but this one has no package: the installed one is found.
     run(python, "-m", "mypy.stubtest", *mypy_config, "fenderline")
     cache = ["--cache-dir", folder / "mypy"]
     run(python, "-m", "mypy", *cache, OWN / "tests", OWN / "bench.py", ROOT / "examples" / "python")

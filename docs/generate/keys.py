@@ -29,8 +29,8 @@ def page(program: str, title: str, options: list[str], about: str) -> str:
         f"{about} {schema['description']}\n",
         f"This page is made from what `fenderline {' '.join(command)}` prints.\n",
         "A plain number is in the unit of the column *unit*; a string carries its own unit, such as `\"4 kn\"`. "
-        "Limits are in the unit of the column. A key without a default is required unless its meaning says what holds "
-        "without it.\n",
+        "Limits are in the unit of the column. A key that has no default and is not marked as required states in its "
+        "meaning what holds without it, or when it is required.\n",
     ]
     tables(schema, "", parts, {})
     return "\n".join(parts)
@@ -82,10 +82,10 @@ def row(name: str, key: dict, required: bool) -> list[str]:
 
 
 def split_unit(description: str) -> tuple[str, str]:
-    """A description ends in its unit in brackets, perhaps followed by what holds without the key."""
+    """A description ends in its unit in brackets, perhaps followed by what holds without the key, or when it is required."""
     before, bracket, rest = description.rpartition(" [")
     unit, closing, after = rest.partition("]")
-    if not bracket or not closing or (after and not after.startswith(" Without it:")):
+    if not bracket or not closing or (after and not after.startswith((" Without it:", " Required unless"))):
         return description, ""
     return before + after, f"{unit}"
 

@@ -1,7 +1,7 @@
 /*
- * A tug pushes against a fender on a quay for ten minutes, made by calls. Her simulator is a co-simulation
- * master's: it shows her one step late and never tells her thrust. She comes to rest as deep in the fender as
- * thrust and stiffness say: 500 kN / 6.5 MN/m = 0.0769 m.
+ * A tug pushes against a fender on a quay for ten minutes; the engine is made by calls. The host is like a
+ * co-simulation master: it passes her state one step late and never passes her thrust. She comes to rest at
+ * the static deflection: 500 kN / 6.5 MN/m = 0.0769 m.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -56,14 +56,14 @@ int main(void)
 {
     uint32_t tug;
     fl_engine *engine = tug_at_a_quay(&tug);
-    fl_state now = {0}, shown = now;
+    fl_state now = {0}, previous = now;
     fl_contact contact = {.size = sizeof contact};
     for (int step = 0; step < 6000; step++) {
         fl_wrench wrenches[2];
-        must(fl_engine_set_state(engine, tug, &shown));
+        must(fl_engine_set_state(engine, tug, &previous));
         must(fl_engine_step(engine, STEP_S));
         must(fl_engine_wrenches(engine, wrenches, 2));
-        shown = now;
+        previous = now;
         now.north_m += now.north_mps * STEP_S;
         now.north_mps += (THRUST_N + wrenches[tug].north_n) / MASS_KG * STEP_S;
     }

@@ -1,9 +1,9 @@
 /*
- * A ship simulator of fifty lines with contact forces: forward Euler at 0.1 s, mass and nothing else.
+ * A ship simulator of fifty lines with contact forces: forward Euler at 0.1 s, no other forces.
  *
  *     ship SCENARIO.toml STEPS
  *
- * prints the contact force on each body, step by step. By the paper's method the bits are those of
+ * prints the contact force on each body at each step. With the paper's method the bits are those of
  * `fenderline run` with the integrator "euler". examples/c/README.md says how to compile it.
  */
 #include <stdio.h>

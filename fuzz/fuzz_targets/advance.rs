@@ -1,5 +1,5 @@
-//! Bodies, fenders, curves, loads and steps as they come: the coupled method neither panics nor gives
-//! anything but finite states, N ≥ 0 and F₁ = −F₂.
+//! Random bodies, fenders, curves, loads and steps by the coupled method: no panic, finite states, N ≥ 0 and
+//! F₁ = −F₂.
 #![no_main]
 
 use fenderline_contact::{
@@ -51,7 +51,7 @@ fn check(model: &Model, work: &Workspace) {
         assert!(wrench.force_n.x.is_finite() && wrench.force_n.y.is_finite(), "{wrench:?}");
         assert!(wrench.moment_nm.is_finite(), "{wrench:?}");
     }
-    // Two bodies: opposite bit for bit. More: what is added up in another order, to rounding.
+    // Of two bodies, opposite bit for bit. Of more, opposite to rounding, as sums have another order.
     if let [one, two] = wrenches {
         assert_eq!(one.force_n, -two.force_n);
     }
@@ -101,7 +101,7 @@ fn outline(input: &mut Input<'_>) -> Option<Outline> {
     Outline::new(&corners).ok().map(|(outline, _)| outline)
 }
 
-/// 1 t to 1e8 t, the same in surge and sway or not.
+/// 1 t to 1e8 t, equal in surge and sway or not.
 fn mass(input: &mut Input<'_>) -> Mobility {
     let mass_kg = power_of_ten(input, 3.0, 11.0);
     let yaw_inertia_kgm2 = mass_kg * power_of_ten(input, 0.0, 4.0);
@@ -155,7 +155,7 @@ fn fender(input: &mut Input<'_>, key: u32, bodies: u32) -> Fender {
     }
 }
 
-/// An area law, or up to six points of a curve that may fall as a buckling fender's does.
+/// An area law, or a curve of up to six points, which may fall like a buckling fender's.
 fn law(input: &mut Input<'_>, projection_m: f64) -> FenderLaw {
     let points = input.byte() % 7;
     if points == 0 {

@@ -1,5 +1,5 @@
-//! Two convex polygons on a walk past one another: the overlap is sound at every step, and the same
-//! warm, cold and with the two exchanged.
+//! Two convex polygons that move past one another: at every step the overlap is valid, and the same warm,
+//! cold and with the two swapped.
 #![no_main]
 
 use fenderline_contact::{Clip, ConvexPolygon, PairClip, Pose, vec2};
@@ -29,7 +29,7 @@ fuzz_target!(|bytes: &[u8]| {
 });
 
 fn compare(warm: &mut PairClip, a: &ConvexPolygon, a_pose: Pose, b: &ConvexPolygon, b_pose: Pose) {
-    // Rounding of a vertex, 1e-16 of its size, along a boundary of that size, with a wide margin.
+    // Rounding of vertices, 1e-16 of their size, along a boundary of that size, with a wide margin.
     let size_m = a.radius_m()
         + b.radius_m()
         + a.center_m().length()
@@ -46,17 +46,17 @@ fn compare(warm: &mut PairClip, a: &ConvexPolygon, a_pose: Pose, b: &ConvexPolyg
         assert!(clip.area_m2().is_finite() && clip.area_m2() > 0.0, "area {}", clip.area_m2());
         assert!(clip.centroid_m().is_finite() && clip.chord_m().is_finite());
     }
-    let told = || {
+    let inputs = || {
         let (a, b) = (a.vertices(), b.vertices());
         format!("tolerance {rounding_m2}\n{a:?}\n{a_pose:?}\n{b:?}\n{b_pose:?}")
     };
     let largest_m2 = a.area_m2().min(b.area_m2()) * (1.0 + 1e-9) + rounding_m2;
     let (warm_m2, cold_m2, swapped_m2) = (area(&warm), area(&cold), area(&swapped));
-    assert!(cold_m2 <= largest_m2, "{cold_m2} of at most {largest_m2}; {}", told());
+    assert!(cold_m2 <= largest_m2, "{cold_m2}, but at most {largest_m2}; {}", inputs());
     let apart_m2 = (warm_m2 - cold_m2).abs();
-    assert!(apart_m2 <= rounding_m2, "warm {warm_m2}, cold {cold_m2}; {}", told());
+    assert!(apart_m2 <= rounding_m2, "warm {warm_m2}, cold {cold_m2}; {}", inputs());
     let apart_m2 = (swapped_m2 - cold_m2).abs();
-    assert!(apart_m2 <= rounding_m2, "{cold_m2}, exchanged {swapped_m2}; {}", told());
+    assert!(apart_m2 <= rounding_m2, "{cold_m2}, swapped {swapped_m2}; {}", inputs());
     if let (Some(warm), Some(cold)) = (warm, cold)
         && cold.area_m2() > 1e-3 * size_m * size_m
     {

@@ -1,5 +1,4 @@
-//! Any text as a scenario file: an answer without panic and in good time, and what is accepted can
-//! be built and stepped.
+//! Any text as a scenario file: no panic and no hang, and an accepted scenario can be built and stepped.
 #![no_main]
 
 use fenderline_scenario::Scenario;

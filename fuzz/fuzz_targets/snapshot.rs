@@ -1,5 +1,5 @@
-//! Bytes that claim to be a snapshot: either an error that changes nothing, or a memory that steps
-//! to finite forces.
+//! Any bytes as a snapshot: either an error that changes nothing, or a memory whose steps give finite
+//! forces.
 #![no_main]
 
 use std::sync::LazyLock;
@@ -42,7 +42,7 @@ fuzz_target!(|bytes: &[u8]| {
         assert_eq!(memory, before, "a failed restore changed the memory");
         return;
     }
-    assert_eq!(memory.snapshot(), claimed, "what was restored is not what was given");
+    assert_eq!(memory.snapshot(), claimed, "the restored memory gives another snapshot");
     let mut work = Workspace::new(&scene.model);
     for _ in 0..4 {
         step(&scene.model, &mut memory, &mut work, states, STEP_S).expect("good states");
@@ -54,7 +54,7 @@ fuzz_target!(|bytes: &[u8]| {
     }
 });
 
-/// Overwrites bytes: three of the input for each, two for the place and one for the value.
+/// Overwrites bytes. Each takes three of the input: two for the place and one for the value.
 fn mutated(real: &[u8], mut input: Input<'_>) -> Vec<u8> {
     let mut bytes = real.to_vec();
     while !input.is_empty() {
@@ -64,7 +64,7 @@ fn mutated(real: &[u8], mut input: Input<'_>) -> Vec<u8> {
     bytes
 }
 
-/// Puts a right check sum (FNV-1a, 64 bit) over the last eight bytes.
+/// Overwrites the last eight bytes with a valid check sum (FNV-1a, 64 bit).
 fn with_check_sum(mut bytes: Vec<u8>) -> Vec<u8> {
     let end = bytes.len() - 8;
     let sum = Fnv1a::of(&bytes[..end]);
@@ -145,7 +145,7 @@ impl Scene {
                 state.position_m += state.velocity_mps * STEP_S;
             }
         }
-        assert!(memory.touching_patches() >= 3, "the scene touches");
+        assert!(memory.touching_patches() >= 3, "the scene has contacts");
         Scene { model, saved }
     }
 }

@@ -1,6 +1,6 @@
-//! A fuzzer's bytes, read as numbers.
+//! Reads a fuzzer's bytes as numbers.
 
-/// Reads bytes from the front; zeros once they are used up, so that any input means something.
+/// Reads bytes from the front, then zeros, so that any input is valid.
 #[derive(Clone, Debug)]
 pub struct Input<'a>(&'a [u8]);
 
@@ -29,8 +29,8 @@ impl<'a> Input<'a> {
         u16::from_le_bytes([self.byte(), self.byte()])
     }
 
-    /// A coordinate in [−128, 128) on a grid of 1/256: numbers that a sum or product holds exactly,
-    /// so that edges on one another and corners on edges come up often.
+    /// A coordinate in [−128, 128) on a grid of 1/256. Sums and products are exact, so that coincident edges
+    /// and corners on edges are common.
     pub fn coordinate_m(&mut self) -> f64 {
         f64::from(self.word() as i16) / 256.0
     }
@@ -44,7 +44,7 @@ impl<'a> Input<'a> {
         }
     }
 
-    /// All bytes that are left.
+    /// The remaining bytes.
     #[must_use]
     pub fn rest(self) -> &'a [u8] {
         self.0

@@ -1,4 +1,4 @@
-//! What the fuzz targets share: bytes read as numbers, and convex polygons made of them.
+//! Shared by the fuzz targets: bytes read as numbers, and convex polygons made from them.
 
 pub mod input;
 pub mod polygon;

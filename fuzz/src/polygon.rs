@@ -1,4 +1,4 @@
-//! Convex polygons made of a fuzzer's bytes.
+//! Convex polygons made from a fuzzer's bytes.
 
 use fenderline_contact::{ConvexPolygon, Vec2};
 
@@ -19,7 +19,7 @@ pub fn polygon(input: &mut Input<'_>) -> Option<ConvexPolygon> {
     (hull.len() >= 3).then(|| ConvexPolygon::new(&hull))
 }
 
-/// Andrew's monotone chain; corners in the positive sense, straight ones left out. Exact for
+/// Andrew's monotone chain: corners in the positive sense, without straight ones. Exact for
 /// coordinates on [`Input::coordinate_m`]'s grid.
 fn hull(mut points: Vec<Vec2>) -> Vec<Vec2> {
     points.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));

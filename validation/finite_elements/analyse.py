@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Fenders by finite elements: the whole analysis by one command.
+"""Fenders by finite elements: the whole analysis in one command.
 
     python3 validation/finite_elements/analyse.py              all studies, the comparison, tables and data files
-    python3 validation/finite_elements/analyse.py --small      coarse meshes against the stored results, for CI
+    python3 validation/finite_elements/analyse.py --small      compares coarse meshes with the stored results, for CI
     python3 validation/finite_elements/analyse.py --compare    the comparison and the tables alone, from stored results
 
-What it needs comes from PyPI in the versions of requirements.txt, into an environment of its own under `target`.
+Packages come from PyPI in the versions of requirements.txt, into an environment under `target`.
 """
 
 import argparse
@@ -19,7 +19,7 @@ ROOT = HERE.parent.parent
 
 
 def in_own_environment():
-    """Starts itself again in its own environment, which it makes where need be."""
+    """Restarts in its own environment, which is created if needed."""
     wanted = (HERE / "requirements.txt").read_text()
     folder = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "finite-elements"
     python = folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")

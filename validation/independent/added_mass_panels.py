@@ -4,10 +4,10 @@
     python3 -m venv venv && venv/bin/pip install capytaine==3.0.0 scipy
     venv/bin/python validation/independent/added_mass_panels.py
 
-Capytaine solves the potential flow; the sea's surface is a rigid lid (frequency zero), as manoeuvring is slow. The ship is
-298 x 46 x 9 m with a block coefficient of 0.694. Her real hull is not known, so two are taken: one as deep at her ends as
-amidships, one with rounded sections that rise by nine tenths at the ends. A hull between them is likely. Prints
-added mass over the displacement, and over the moment of inertia at a gyradius of 0.25 L, for two meshes of each.
+Capytaine solves the potential flow. The water surface is a rigid lid (frequency zero), because manoeuvring is slow. The ship
+is 298 x 46 x 9 m with a block coefficient of 0.694. Her real hull is not known, so two are computed: one with the full
+draught at the ends, one with rounded sections that rise by nine tenths at the ends. The real hull is probably between them.
+Prints added mass over the displacement, and over the moment of inertia at a gyradius of 0.25 L, for two meshes of each.
 """
 
 import logging

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Identities that coupled/ must meet by itself, with no engine to compare with.
+"""Identities that coupled/ must satisfy on its own, without the engine.
 
     python3 check_coupled_method.py
 """
@@ -36,7 +36,7 @@ def scene(fender=None, load=None, speed=0.0, material=None, duration=60.0, other
 
 
 def star(rng):
-    """A polygon that is not convex, walked from x to y."""
+    """A polygon that is not convex, in the order from x to y."""
     count = rng.randint(5, 9)
     angles = [(k + rng.uniform(0.0, 0.9)) * math.tau / count for k in range(count)]
     return [(r * math.cos(a), 0.8 * r * math.sin(a)) for a in angles for r in (rng.uniform(1.0, 3.0),)]
@@ -103,7 +103,7 @@ class Faces(unittest.TestCase):
 class Runs(unittest.TestCase):
     def test_a_pushed_block_rests_at_its_static_depth(self):
         for load in (1e5, 2e5):
-            # Friction, as a ship on one fender would slip off it.
+            # With friction: a ship on one fender would slip off it.
             simulation = Simulation(scene(load=[0, load], material={"friction_static": 0.3}, duration=600.0), 0.02)
             simulation.run()
             self.assertAlmostEqual(simulation.bodies[0].y - 0.001, load / 2e6, delta=1e-4)
@@ -120,7 +120,7 @@ class Runs(unittest.TestCase):
         self.assertAlmostEqual(-simulation.bodies[0].own_speeds()[1], 0.3 * 0.7, delta=1e-3)
 
     def test_two_bodies_alone_keep_their_momentum(self):
-        """Linear to rounding; angular, x cross P + H, to the time step: momentum is carried along with the body."""
+        """Linear momentum to rounding; angular momentum, x cross P + H, to the error of the time step."""
         barge = {"outline": SQUARE, "mass": 2e6, "gyradius": 7, "added_mass": {"surge": 0.1, "sway": 0.5, "yaw": 0.2},
                  "position": [7, 30], "heading": 0.4, "velocity": {"surge": 0.1, "sway": -0.9, "yaw": 0.01}}
         turned = []
@@ -146,7 +146,7 @@ class Runs(unittest.TestCase):
 
     def test_a_block_that_is_dragged_slides_at_dynamic_friction(self):
         data = scene(load=[9e4, 2e5], material={"friction_static": 0.3}, duration=12.0)
-        # Too long to be turned by what drags at her side.
+        # So long that friction at her side does not turn her.
         data["body"]["block"]["gyradius"] = 1e4
         simulation = Simulation(data, 0.005)
         simulation.run()

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Identities that paper_method.py must meet by itself, with no engine to compare with.
+"""Identities that paper_method.py must satisfy on its own, without the engine.
 
     python3 check_paper_method.py
 """
@@ -88,7 +88,7 @@ class Contact(unittest.TestCase):
             self.assertAlmostEqual(simulation.bodies[1].velocity[0], -0.1, places=12)
 
     def test_flat_head_on_is_a_half_sine(self):
-        """Fully elastic, so the limiter acts at the very end only: depth v/ω, over in π/ω."""
+        """Fully elastic, so that the limiter acts at the end only: depth v/ω, duration π/ω."""
         step_s = 1e-4
         scenario = block_against_wall(1.0, 0.0, step_s)
         scenario["time"]["duration"] = 1.0
@@ -127,7 +127,7 @@ class Contact(unittest.TestCase):
 
 
 class Frames(unittest.TestCase):
-    """The oblique hit seen otherwise is the same hit."""
+    """The oblique hit is the same in other axes."""
 
     def compare(self, other, signs):
         rows, others = contacts_of(oblique_hit()), contacts_of(other)

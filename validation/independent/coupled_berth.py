@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The scenarios of scenarios/berth without hydrodynamics, by the coupled method as `coupled/` has it.
+"""The scenarios of scenarios/berth without hydrodynamics, by the coupled method of `coupled/`.
 
     python3 coupled_berth.py                  runs all at their coarse steps and compares with berth/*.csv: a minute
     python3 coupled_berth.py make [NAME ...]  runs them at their fine steps too and writes berth/*.csv anew, and
@@ -32,10 +32,10 @@ STEPS = {
     "two_ships_on_pneumatic_fenders": (0.005, 0.02),
 }
 
-# What two machines' sines may make of a run, as a share of a column's largest value of that unit.
+# Permitted difference between two machines, whose sines may differ, as a share of the largest value of a unit.
 SAME = 1e-3
 
-# What two right programs may differ by at their fine steps, and what their steps are known to leave.
+# Permitted difference of the two programs at their fine steps, and the known error of these steps.
 TOLERANCE, UNCERTAINTY = 0.005, 0.003
 
 
@@ -101,7 +101,7 @@ def compare():
 
 
 def validation_rows():
-    """The file that `fenderline validate` reads: of each scenario the contact that bears most, and every body."""
+    """The file for `fenderline validate`: for each scenario the contact with the largest force, and every body."""
     text = [HEADING]
     for name in STEPS:
         title = name.replace("_", " ")

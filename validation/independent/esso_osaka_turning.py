@@ -4,8 +4,8 @@
     python3 validation/independent/esso_osaka_turning.py
 
 Form and coefficients are those of Miyauchi et al. (2022), J. Mar. Sci. Technol. 27, read in the authors' public
-implementation (github.com/NAOE-5thLab/mmg-1p1r-simulator): the parameters from which their search begins, Fujii's rudder,
-their wake in a turn. 10 revolutions a second, no wind, rudder over at once. Prints advance and tactical diameter
+implementation (github.com/NAOE-5thLab/mmg-1p1r-simulator): the initial parameters of their search, Fujii's rudder,
+their wake in a turn. 10 revolutions per second, no wind, rudder over at once. Prints advance and tactical diameter
 in lengths, U/U0, r' and the drift angle in degrees, for validation/esso_osaka.toml.
 """
 

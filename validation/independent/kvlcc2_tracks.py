@@ -5,12 +5,12 @@
 
 FOLDER is `data/01_raw` of github.com/martinlarsalbert/System-identification-of-Vessel-Manoeuvring-Models (Alexandersson et
 al., Ocean Engineering 266, 2022), which holds the records that MARIN (2007) and HSVA (2006) gave to the workshop SIMMAN 2008.
-They are not ours to hand on: read them there.
+They may not be passed on here: read them there.
 
-MARIN's files are in full scale: time, x, y, roll, heading, velocities by the earth's axes, roll rate, yaw rate, rudder,
-revolutions a minute. A rudder below zero turns her to starboard. HSVA's are of the model: time, x, y, heading at the fourth
-place. A turn begins with the first sample in which the rudder has left its place; a zig-zag's overshoot is the largest
-heading less the angle of its name.
+MARIN's files are in full scale: time, x, y, roll, heading, velocities in earth axes, roll rate, yaw rate, rudder,
+revolutions per minute. A negative rudder angle turns the ship to starboard. HSVA's files are in model scale: time, x, y, and
+the heading in the fourth column. A turn begins with the first sample in which the rudder moves. The overshoot of a zig-zag is
+the largest heading minus the zig-zag's angle.
 """
 
 import math
@@ -27,7 +27,7 @@ def records(path):
             row = [float(word) for word in line.split()]
         except ValueError:
             continue
-        # Times have three digits: late samples repeat them.
+        # Times have three digits, so that late samples repeat them.
         if len(row) >= 11 and (not rows or row[0] > rows[-1][0]):
             rows.append(row)
     return rows
@@ -68,7 +68,7 @@ def turn(rows):
 
 
 def overshoots(headings, angle):
-    """First and second: the extremes between zeros of the heading, the approach left out."""
+    """First and second overshoot: the extremes between zeros of the heading, without the approach."""
     found, extreme = [], 0.0
     for before, heading in zip(headings, headings[1:]):
         extreme = max(extreme, abs(before))

@@ -2,16 +2,16 @@
 """Turning circles and zig-zags of KVLCC2 and KCS by the MMG standard method, written a second time.
 
     python3 validation/independent/mmg_standard.py             prints every measure
-    python3 validation/independent/mmg_standard.py --check     holds validation/kvlcc2.toml and kcs.toml against them
+    python3 validation/independent/mmg_standard.py --check     compares validation/kvlcc2.toml and kcs.toml with them
     python3 validation/independent/mmg_standard.py --printed-digits
-                                                               what the last digits of KVLCC2's coefficients leave open
+                                                               the effect of the last digits of KVLCC2's coefficients
 
 The equations are those of Yasukawa & Yoshimura, Introduction of MMG standard method for ship maneuvering predictions,
 J. Mar. Sci. Technol. 20 (2015), eq. 1 to 32. Coefficients are read from vessels/*.toml: this tests the program's formulas
-and trials, not the data. Unlike the program, forces stand about midship in one function, the equations of motion are
-solved there, the step is fixed, and measures are interpolated between steps. Ahead only.
+and trials, not the data. Unlike in the program, one function has all forces, the equations of motion are
+solved about midship, the step is fixed, and measures are interpolated between steps. Ahead only.
 
-KCS has her coefficients over the drift angle; there gamma_R goes by the sign of the drift at the rudder, as in the program.
+KCS has coefficients by the drift angle; gamma_R depends on the sign of the drift at the rudder, as in the program.
 """
 
 import math
@@ -155,7 +155,7 @@ class Ship:
         )
 
     def step(self, state, delta, order, dt):
-        """Runge-Kutta; the rudder goes at its own rate, or at once where it has none."""
+        """Runge-Kutta; the rudder turns at its own rate, or at once if it has none."""
         def rudder(time):
             if self.rate is None:
                 return order
@@ -196,7 +196,7 @@ class Ship:
             before = state[2]
             state, delta = self.step(state, delta, order, dt)
             heading = state[2]
-            # The heading passes the check angle on the rudder's side: the rudder goes over.
+            # The heading passes the check angle on the rudder's side: the rudder is reversed.
             if extreme is None and side * heading >= check:
                 order, extreme = -order, 0.0
                 side = -side
@@ -224,7 +224,7 @@ def all_numbers():
 
 
 def estimates_of(found):
-    """What an estimate of her from main particulars is held against: the mean of both sides."""
+    """The reference for estimates from main particulars: the mean of both sides."""
     means = {}
     for name in ("kvlcc2", "kcs"):
         for measure, trial in (("advance", "turn_35/{}/advance"), ("diameter", "turn_35/{}/diameter"),
@@ -236,8 +236,8 @@ def estimates_of(found):
 
 
 def printed_digits():
-    """Each measure of the model of 7 m, and what half a unit of the last digit of every printed coefficient changes of it:
-    the root of the sum of squares."""
+    """Each measure of the model of 7 m, and its change by half a unit of the last digit of every printed coefficient: the
+    root of the sum of squares."""
     # Printed to two digits after the point; all others to three.
     two_digits = {"w0", "eps", "kappa"}
     places = ("w0", "tp", "eps", "kappa", "lr", "tr", "ah", "xh", "lift", "D")

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""The paper method of Moreno et al. (TransNav 17(4), 2023), put right, written a second time.
+"""The paper method of Moreno et al. (TransNav 17(4), 2023), corrected, written a second time.
 
 An independent implementation of sections 1 to 4 of docs/contact_model.md, in plain Python, as simply as
-we could. It shares no code with the engine and takes other ways to the same definitions: geometry in
+we could. It shares no code with the engine and computes the same definitions in other ways: geometry in
 world axes about the midpoint of the two bodies, Sutherland-Hodgman clipping of every edge against
 every edge, crossing points by segment-segment tests, no caching, no warm start. Convex outlines,
 forward Euler and the paper method only; the standard library only.
@@ -60,7 +60,7 @@ def sign(value):
 
 
 # ---------------------------------------------------------------------------------------------
-# Geometry of one contact (section 1). Polygons are convex and walked from x towards y.
+# Geometry of one contact (section 1). Polygons are convex, in the order from x towards y.
 
 
 def area_and_centroid(polygon):
@@ -116,7 +116,7 @@ class Overlap:
     """Area, centroid, normal and depth of B1 and B2 where they overlap."""
 
     def __init__(self, body_1, body_2, last_normal):
-        # A local origin half-way between the bodies: nothing is lost far from the world's origin.
+        # A local origin half-way between the bodies, for precision far from the world's origin.
         origin = scale(add(body_1.position, body_2.position), 0.5)
         polygon_1, polygon_2 = body_1.polygon(origin), body_2.polygon(origin)
         overlap = clip(polygon_1, polygon_2)
@@ -160,7 +160,7 @@ class Body:
         return add(self.velocity, (-self.yaw_rate * r[1], self.yaw_rate * r[0]))
 
     def carried(self, last_point):
-        """How far the material point that was at `last_point` in the last step has moved since."""
+        """The displacement since the last step of the material point that was then at `last_point`."""
         in_body = turned(sub(last_point, self.last_position), -self.last_heading)
         return sub(add(self.position, turned(in_body, self.heading)), last_point)
 
@@ -190,7 +190,7 @@ class PairOfBodies:
         self.memory = None  # while they do not touch
 
     def step(self, step_s):
-        """Force on both bodies from the states at the start of the step; the reported row."""
+        """Force on both bodies from the states at the start of the step, with its row of contacts.csv."""
         body_1, body_2 = self.bodies
         material, memory = self.material, self.memory
         overlap = Overlap(body_1, body_2, memory["normal"] if memory else None)
@@ -217,7 +217,7 @@ class PairOfBodies:
             inverse_y += body.inverse_mass + r_n * r_n * body.inverse_inertia
             k_nt -= r_n * r_t * body.inverse_inertia
 
-        # Normal force (eq. 3 with the damper's sign put right), limited (eq. 26).
+        # Normal force (eq. 3 with the damper's sign corrected), limited (eq. 26).
         area_rate = (overlap.area - memory["area"]) / step_s
         n_trial = max(0.0, material["stiffness"] * overlap.area + material["damping"] * area_rate)
         leave_at = material["restitution"] * max(memory["v_n0"], 0.0)
@@ -234,7 +234,7 @@ class PairOfBodies:
         else:
             t_trial = -k_s * shear
 
-        # Tangential limiter (eq. 26): T may shrink, never turn round.
+        # Tangential limiter (eq. 26): T may decrease but not change its sign.
         leave_at = material["restitution"] * abs(memory["v_t0"])
 
         def force_that_gives(v_t_after):

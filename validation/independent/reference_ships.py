@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Turning circles and zig-zags of three ships whose manoeuvring models are public, against which estimates from main
-particulars are held.
+"""Turning circles and zig-zags of three ships with public manoeuvring models: references for estimates from main
+particulars.
 
     python3 validation/independent/reference_ships.py            # prints every number
-    python3 validation/independent/reference_ships.py --check    # holds the rows of validation/*.toml that cite it
+    python3 validation/independent/reference_ships.py --check    # compares the rows of validation/*.toml that cite it
 
 Coefficients read in the public toolbox MSS (github.com/cybergalactic/MSS, CRAFT/SHIP/models), integrated here by
 Runge-Kutta, without its limits of the rudder's angle:
@@ -16,8 +16,8 @@ Runge-Kutta, without its limits of the rudder's angle:
   twice.
 
 Prints, as means of both sides for a rudder of 35 degrees: advance and tactical diameter in lengths; first overshoot of
-10/10 and 20/20 in degrees. Then the speed of approach, and what of propeller and rudder the sources do not have and their
-forces give: the diameter by the thrust at bollard with a K_T of 0.34, the area by the rudder's force at small angles with
+10/10 and 20/20 in degrees. Then the speed of approach, and data of propeller and rudder that are not in the sources but follow from their
+forces: the diameter by the thrust at bollard with a K_T of 0.34, the area by the rudder's force at small angles with
 Fujii's gradient at an aspect ratio of 1.6, the speed of approach as inflow, and a_H = 3.6 Cb B/L.
 """
 

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""Shallow water: a tanker whose derivatives were tested there, and the factors of four sets of corrections, written apart
-from the program.
+"""Shallow water: a tanker with derivatives measured in it, and the factors of four sets of corrections, independent of the
+program.
 
     python3 validation/independent/shallow_water.py
 
-The tanker of 190 000 dwt (van Berlekom & Goddard, Trans. SNAME 80, 1972) as the public toolbox MSS has her
+The tanker of 190 000 dwt (van Berlekom & Goddard, Trans. SNAME 80, 1972) from the public toolbox MSS
 (github.com/cybergalactic/MSS, CRAFT/SHIP/models/tanker.m): each derivative is that in deep water plus a term in
-z = T/(h - T). Prints each over itself in deep water, and turning circle and zig-zag by Runge-Kutta at 16 kn approach, 80
+z = T/(h - T). Prints each as a ratio to its value in deep water, and turning circle and zig-zag by Runge-Kutta at 16 kn approach, 80
 rpm, without the toolbox' limit of the rudder's angle.
 
-Factors: Ankudinov and Taimuri et al. (2020) as github.com/nikpau/mmgdynamics has them, with T/B for B/T in K2; effective
+Factors: Ankudinov and Taimuri et al. (2020) as in github.com/nikpau/mmgdynamics, with T/B for B/T in K2; effective
 aspect ratio with the k in its denominator.
 """
 

@@ -2,9 +2,9 @@
 """Formulas of wind, current, waves, cables and floating, written a second time.
 
     python3 validation/independent/ship_formulas.py            prints every number
-    python3 validation/independent/ship_formulas.py --check    holds the rows of validation/*.toml against them
+    python3 validation/independent/ship_formulas.py --check    compares the rows of validation/*.toml with them
 
-Each function names the source of its formula and where that was read. The ship is the paper's container ship:
+Each function names the source of its formula and where it was read. The ship is the paper's container ship:
 298 x 46 x 9 m, Cb 0.694 by the length overall, A_L 9000 m2, A_F 1700 m2. A row that cites this script has the number here,
 to its last printed digit.
 """
@@ -76,7 +76,7 @@ def current():
     found = {}
     for name, ratio in (("100", 100.0), ("2", 2.0), ("1.2", 1.2)):
         found[f"current/{name}"] = unit * (deep + (3.2 - deep) / ratio**2)
-        # What the simulation, with its own coefficient in deep water, is held against.
+        # The reference for the simulation, which has its own coefficient in deep water.
         found[f"current/simulated/{name}"] = found[f"current/{name}"]
     return found
 
@@ -121,13 +121,13 @@ def jonswap():
 
 def floating():
     """T = 2 pi k/sqrt(g GM) with k = 0.40 B, and 2 pi sqrt(3 m/(rho g Awp)) for an added mass of twice the displacement, with
-    a waterplane of 10 612 m2: closed forms of a float; k and the added mass are assumptions here and in the program."""
+    a waterplane of 10 612 m2: closed forms of a floating body; k and the added mass are assumed here and in the program."""
     found = {f"roll/{gm}": 2 * math.pi * 0.40 * B / math.sqrt(G * gm) for gm in (1, 2, 5)}
     return found | {"heave": 2 * math.pi * math.sqrt(3 * VOLUME / (G * 10_612.0))}
 
 
 def tug():
-    """F/BP = sqrt(1 - (D/BP)^2), D = 1/2 rho Cd L T V^2: a tug that lies across the flow has what her bollard pull leaves.
+    """F/BP = sqrt(1 - (D/BP)^2), D = 1/2 rho Cd L T V^2: the force that a tug across the flow has left of her bollard pull.
     60 t, 32 x 4.5 m, Cd 0.73. A derivation of ours: no published envelope was found."""
     pull = 60e3 * G
     drag = 0.5 * SEA * 0.73 * 32.0 * 4.5
@@ -161,7 +161,7 @@ def cable():
             low, high = (middle, high) if hang(horizontal, middle)[1] > depth else (low, middle)
         return 0.5 * (low + high)
 
-    # Bisection on 40 x 40 sums of 20,000 is slow; a secant on the span needs few.
+    # Nested bisection would need 40 x 40 sums of 20,000; a secant on the span needs few.
     a, b = 4.0e5, 6.0e5
     fa, fb = (hang(h, lying_for_depth(h))[0] - span for h in (a, b))
     for _ in range(12):
@@ -205,7 +205,7 @@ def all_numbers():
 
 
 def check(found, script="ship_formulas.py"):
-    """Each row that cites the script against its number, to half of the row's last digit."""
+    """Compares each row that cites the script with its number, to half a unit of the row's last digit."""
     bad, count = 0, 0
     for path in sorted(Path(__file__).parents[1].glob("*.toml")):
         text = path.read_text(encoding="utf-8")

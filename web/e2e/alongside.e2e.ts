@@ -1,19 +1,19 @@
 /**
- * A pilot and a tugmaster, each in a page of their own, bring the ship alongside through what the pages show and
- * offer; the instructor hurries time, pauses, rewinds, branches. Two people who read a board and press buttons.
+ * A pilot and a tugmaster, each with a page, bring the ship alongside: they only read the docking board and press
+ * buttons. The instructor runs faster, pauses, rewinds and branches.
  */
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { type Browser, type Served, SHOTS, browse, open, serve } from "./browser";
 
-/** Where the tugmaster's tug works; the pilot's other is told to the other end. */
+/** Where the tugmaster's tug works. The pilot sends the other tug to the other end. */
 const MASTERS_END = "bow";
 const PILOTS_END = "stern";
 const PACE = "4";
 const LONGEST_S = 280;
 
-/** Stopped abreast of her berth: what is left is theirs. */
+/** The ship starts at rest abreast of her berth. */
 const ABREAST = [
   "body.ship.position=[0, -28]",
   'body.ship.heading="0 deg"',
@@ -59,7 +59,7 @@ async function board(page: Page): Promise<{ bow: End; stern: End }> {
 
 type Word = { order: "Push" | "Stop" | "Pull"; percent: 25 | 50 | 75 };
 
-/** What a careful pilot would have the tug at an end do: close by a fiftieth of the distance a second, landing slowly. */
+/** A careful pilot's order to the tug at an end: close by a fiftieth of the distance per second, and land slowly. */
 function word({ off, closing }: End): Word {
   const wanted = off < 0.15 ? 0.02 : Math.min(0.2, Math.max(0.05, off * 0.02));
   const short = wanted - closing;
@@ -71,7 +71,7 @@ function word({ off, closing }: End): Word {
 }
 
 const said = new Map<string, string>();
-/** Presses only what differs from what was last ordered, as a hand does. */
+/** Presses a button only if the order differs from the last one. */
 async function once(key: string, order: string, press: () => Promise<void>): Promise<void> {
   if (said.get(key) === order) return;
   said.set(key, order);
@@ -79,16 +79,16 @@ async function once(key: string, order: string, press: () => Promise<void>): Pro
 }
 
 async function masterObeys({ order, percent }: Word): Promise<void> {
-  // Her tug is a vessel: sent by her own pilot, as the ship's pilot sends the other.
+  // This tug is a vessel and is ordered by her own master.
   await tells(tug, MASTERS_END, { order, percent });
 }
 
-/** Tells every tug that this page may tell. */
+/** Orders every tug that this page may order. */
 async function tells(page: Page, end: "bow" | "stern", { order, percent }: Word): Promise<void> {
   for (const card of await page.getByRole("region", { name: /^Tug / }).all()) {
     const name = (await card.getAttribute("aria-label"))?.replace("Tug ", "") ?? "";
     if (!(await card.getByRole("button", { name: `${name} push` }).isEnabled())) continue;
-    // The tug that is told where to go is sent to the end that is hers.
+    // A tug whose place can be chosen is sent to her end.
     const place = card.getByRole("combobox");
     if ((await place.count()) > 0)
       await once(
@@ -136,7 +136,7 @@ test("a pilot and a tugmaster bring her alongside", async () => {
   let [landing, settled] = [0, 0];
   while (Date.now() - begun < LONGEST_S * 1000) {
     const now = await board(pilot);
-    // Each end for itself would turn her: who is ahead of the other waits.
+    // The end that is ahead of the other waits, so that the ship does not turn.
     const lead = now.bow.off - now.stern.off;
     const held = {
       bow: { ...now.bow, closing: now.bow.closing + Math.max(0, -lead) * 0.02 },
@@ -160,7 +160,7 @@ test("a pilot and a tugmaster bring her alongside", async () => {
   );
   expect(Math.max(last.bow.off, last.stern.off)).toBeLessThan(0.3);
   expect(landing).toBeLessThan(0.3);
-  // What a ship at her fenders looks like, close by and with her lines; for a person to look at.
+  // Screenshots of the ship at her fenders, for a person to look at.
   await pilot.getByRole("button", { name: "Ship and berth (0)" }).click();
   await pilot.waitForTimeout(3000);
   for (const tab of ["Docking", "Lines", "Alarms", "Charts", "Fenders"]) {
@@ -213,7 +213,7 @@ test("frames are on the page within 100 ms, and it draws smoothly", async () => 
   await instructor.bringToFront();
   await instructor.getByRole("button", { name: "To the end of the branch" }).click();
   await instructor.getByRole("button", { name: "Resume (K)" }).click();
-  // Only the page in front is drawn: the others' clocks would stand.
+  // A browser draws only the page in front.
   await instructor.waitForTimeout(12_000);
   const { median, p99, fps } = await instructor
     .locator(".link-state")

@@ -1,10 +1,10 @@
-/** The docking board where it matters: never green with the hull on the quay, nor before somebody has seen that it was. */
+/** The docking board is never green while the hull is on the quay, nor before that alarm is acknowledged. */
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { type Browser, type Served, SHOTS, browse, open, serve } from "./browser";
 
-/** Along the quay where it has no fenders, with her side 2 m into the concrete: she is pressed out slowly. */
+/** The ship starts 2 m inside a part of the quay without fenders, and is pressed out slowly. */
 const ON_CONCRETE = [
   "body.ship.position=[-130, -13]",
   'body.ship.heading="0 deg"',
@@ -41,7 +41,7 @@ test("the board is red with the hull on the quay, and not green before the alarm
   );
   expect(await end(pilot).getAttribute("class")).toContain("alarm");
   await pilot.screenshot({ path: join(SHOTS, "board-structure.png") });
-  // She is pressed off the concrete; that it was touched stays on everybody's board.
+  // She is pressed off the concrete; every board still shows that it was touched.
   await pilot.waitForFunction(
     () => document.querySelector('.end[aria-label="Bow"] .lamp')?.textContent === "TOUCHED",
     undefined,

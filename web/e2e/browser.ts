@@ -32,9 +32,9 @@ const DIST = new URL("../dist/", import.meta.url).pathname;
 const STARTS_MS = 30_000;
 
 /**
- * Starts the program that `FENDERLINE_BIN` names on a free port, with the pages of `dist` and recordings in a folder of
- * their own, and reads the links that it prints. The tugmaster is of the first tug. `set`: keys of the scenario that are
- * other than in its file.
+ * Starts the program that `FENDERLINE_BIN` names on a free port, with the pages of `dist` and recordings in a new folder,
+ * and reads the links that it prints. The tugmaster's link is that of the first tug. `set`: keys of the scenario to
+ * override.
  */
 export async function serve(set: string[] = []): Promise<Served> {
   const program = process.env.FENDERLINE_BIN;
@@ -106,7 +106,7 @@ export async function browse(
   return { context, close: () => context.close() };
 }
 
-/** Opens the page of a role and waits until it has data. What goes wrong in the page fails the test. */
+/** Opens the page of a role and waits until it has data. Errors in the page fail the test. */
 export async function open(
   context: BrowserContext,
   served: Served,

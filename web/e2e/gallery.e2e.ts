@@ -1,13 +1,13 @@
 /**
- * The gallery: the instructor opens every scenario of it from the page, pilots see each at once; a session that was saved
- * is opened again.
+ * The gallery: the instructor opens every scenario from the page, and pilots see it at once; a saved session is opened
+ * again.
  */
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { type Browser, type Served, SHOTS, browse, open, serve } from "./browser";
 
-/** By their titles, and whether there is something to come alongside of. */
+/** Titles, and whether there is a berth. */
 const GALLERY: Record<string, { berth: boolean }> = {
   Berthing: { berth: true },
   Unberthing: { berth: true },
@@ -33,7 +33,7 @@ afterAll(async () => {
   await served.close();
 });
 
-/** Opens what the list of the session's view has under a title; the button asks once whether that is meant. */
+/** Opens the entry with a title; its button asks for confirmation. */
 async function load(title: string): Promise<void> {
   await instructor.bringToFront();
   await instructor.getByRole("tab", { name: "Session" }).click();
@@ -53,7 +53,7 @@ for (const [begins, { berth }] of Object.entries(GALLERY)) {
     await instructor.locator("header", { hasText: title }).waitFor();
     await instructor.getByRole("button", { name: "Resume (K)" }).click();
     await instructor.waitForTimeout(2500);
-    // A link is for a role, not for a scenario; of tugs only those are there that have the same name.
+    // A link is for a role, not for a scenario. A tugmaster's link needs a tug of the same name.
     await pilot.bringToFront();
     await pilot.locator("header", { hasText: title }).waitFor();
     await pilot.getByRole("tab", { name: "Docking" }).click();
@@ -69,7 +69,7 @@ for (const [begins, { berth }] of Object.entries(GALLERY)) {
   });
 }
 
-test("a session is saved under a name, and goes on where it ended when it is opened again", async () => {
+test("a session is saved under a name, and continues where it ended when it is opened again", async () => {
   await instructor.bringToFront();
   await instructor.getByRole("button", { name: "Pause (K)" }).click();
   await instructor.locator(".run-state", { hasText: "PAUSED" }).waitFor();

@@ -1,4 +1,4 @@
-/** Somebody who has never seen the page: hints alone lead to a ship that steers; and a page whose data stops says so. */
+/** A new user: the hints alone lead to a ship that steers. And a page whose data stops says so. */
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { type Browser, type Served, SHOTS, browse, open, serve } from "./browser";
@@ -48,7 +48,7 @@ test("hints lead a newcomer to the helm, the rudder, the engine and a tug within
   await page.close();
 });
 
-test("a page whose data stops says so, and goes on when they come again", async () => {
+test("a page whose data stops says so, and continues when data arrives again", async () => {
   const page = await browser.context.newPage();
   let [cut, dropped] = [false, 0];
   await page.routeWebSocket(/\/live/, (socket) => {
@@ -72,7 +72,7 @@ test("a page whose data stops says so, and goes on when they come again", async 
   await page.close();
 });
 
-test("a link that opens nothing is told so, and one without a token what a link looks like", async () => {
+test("a page with a bad token shows the server's reason, one without a token explains links", async () => {
   const page = await browser.context.newPage();
   await page.goto(`${served.url}/?token=nonsense`);
   await page

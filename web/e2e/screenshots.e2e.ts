@@ -1,7 +1,6 @@
 /**
- * Screenshots of every view in the three palettes, to be looked at by a person: `npm run e2e` writes them to
- * `screenshots/` (or `SCREENSHOTS`). Tested with them: nothing that is shown sticks out of its page, and what is
- * touched is 44 px or more.
+ * Screenshots of every view in the three palettes, for a person to look at: `npm run e2e` writes them to `screenshots/`
+ * (or `SCREENSHOTS`). Also tested: nothing extends beyond the page, and touch targets are 44 px or more.
  */
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
@@ -25,7 +24,7 @@ beforeAll(async () => {
 });
 afterAll(() => served.close());
 
-/** A ship that is being pushed alongside is worth looking at: sets one off, and lets go of her again. */
+/** Sets the ship in motion with engine, rudder and tugs, so that the views have something to show. */
 async function underWay(): Promise<void> {
   const { context, close } = await browse(SIZES.desk);
   const pilot = await open(context, served, "pilot", errors);
@@ -48,7 +47,7 @@ async function palette(page: Page, name: string): Promise<void> {
   await page.waitForTimeout(150);
 }
 
-/** Names of what is touched and shown but smaller than 44 px, and of what sticks out of the page. */
+/** Names of visible touch targets smaller than 44 px, and of elements that extend beyond the page. */
 const faults = (page: Page) =>
   page.evaluate(() => {
     const found: string[] = [];
@@ -56,7 +55,7 @@ const faults = (page: Page) =>
       if (each.offsetParent === null) continue;
       const box = each.getBoundingClientRect();
       const name = each.getAttribute("aria-label") ?? each.textContent ?? "";
-      // A slider's track may be thinner where its thumb is not alone in setting it.
+      // A slider's track may be thinner if there are other ways to set the value.
       if (box.width < 43.5 || (box.height < 43.5 && !each.closest(".thruster .track")))
         found.push(`${name}: ${box.width.toFixed(0)} × ${box.height.toFixed(0)}`);
       const card = each.closest(".card")?.getBoundingClientRect();

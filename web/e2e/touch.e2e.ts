@@ -1,4 +1,4 @@
-/** Fingers on the plan: one moves it, two zoom it about what is between them. */
+/** Touch on the plan: one finger moves it, two zoom it about their middle. */
 import type { CDPSession, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { type Browser, type Served, browse, open, serve } from "./browser";
@@ -22,7 +22,7 @@ afterAll(async () => {
 
 type Place = [number, number];
 
-/** Puts fingers down at the first places, moves them through the others, lifts them. */
+/** Puts fingers down at the first positions, moves them through the others, and lifts them. */
 async function touch(...places: Place[][]): Promise<void> {
   const points = (at: Place[]) => at.map(([x, y], id) => ({ x, y, id }));
   for (const [i, at] of places.entries()) {
@@ -59,7 +59,7 @@ test("a pinch zooms the plan in and out, a finger moves it", async () => {
   const still = await view();
   await touch([[x, y]], [[x + 30, y]], [[x + 60, y]]);
   const moved = await view();
-  // Metres that 60 pixels are; the ship, which the plan follows, goes a little on meanwhile.
+  // 60 pixels in metres. The plan follows the ship, which moves a little meanwhile.
   expect(
     Math.hypot(moved.north - still.north, moved.east - still.east) * moved.scale,
   ).toBeGreaterThan(50);

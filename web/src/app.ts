@@ -1,4 +1,4 @@
-/** The page: bar, plan, panel with its tabs, control strip; what a role sees of them; keys; the drawing loop. */
+/** The page: bar, plan, panel with tabs, control strip, and which of them each role sees; keys; the drawing loop. */
 import { Connection, type LinkState } from "./connection";
 import type { Group, KeyAction } from "./controls/group";
 import { Helm } from "./controls/helm";
@@ -27,12 +27,12 @@ import { Strips } from "./views/strips";
 import type { View } from "./views/view";
 
 const SAID_MS = 6000;
-/** Frames a second are counted over so long. */
+/** Period over which drawn frames per second are counted. */
 const FPS_MS = 1000;
 
 interface Tab {
   name: string;
-  /** Its key; none for the instructor's own. */
+  /** Its key; the instructor's own tabs have none. */
   key: string | null;
   view: View;
   button: HTMLButtonElement;
@@ -51,7 +51,7 @@ export class App implements Page {
   private tabs: Tab[] = [];
   private groups: Group[] = [];
   private shownTab = "";
-  /** Why the server closed the door, where it said so. */
+  /** The reason that the server gave when it closed the connection. */
   private why = "";
   private fps = { since: 0, count: 0, shown: 0, jank: 0, last: 0 };
 
@@ -107,11 +107,11 @@ export class App implements Page {
     this.connection.open();
     document.addEventListener("keydown", (event) => this.pressed(event));
     requestAnimationFrame((now) => this.draw(now));
-    // Silence has to be seen even where nothing is drawn.
+    // Missing data must be reported even in a tab that is not drawn.
     setInterval(() => this.watch(), 250);
   }
 
-  // ---------------------------------------------------------------------------------------- what views may use
+  // ---------------------------------------------------------------------------------------- for views
 
   async order(action: Action): Promise<boolean> {
     const done = this.answered(await this.connection.send(action));
@@ -124,7 +124,7 @@ export class App implements Page {
     this.hinted(action);
   }
 
-  /** The hint for what was ordered is no longer needed. */
+  /** Marks the hint for an order as done. */
   private hinted(action: Action): void {
     const hint = isOrder(action.do) ? ON_PAGE[action.do].hint : action.do;
     if (hint !== null) this.did(hint);
@@ -222,7 +222,7 @@ export class App implements Page {
     const plan = new Plan(this.live);
     this.plan = plan;
     const views: [string, string | null, View][] = [
-      ["Docking", "d", new Docking(this)],
+      ["Docking", "d", new Docking(this, hello)],
       ["Conning", "c", new Conning(this.live)],
       ["Fenders", "e", new Fenders(hello)],
       ["Lines", "w", new Lines(this, hello)],
@@ -287,7 +287,7 @@ export class App implements Page {
       const helm = tugHelm(this, hello, hello.role.tug);
       if (helm) groups.push(helm);
     }
-    if (hello.role.name === "instructor") groups.push(new Run(this));
+    if (hello.role.name === "instructor") groups.push(new Run(this, hello));
     if (hello.role.name === "pilot" || hello.role.name === "instructor") {
       if (own) groups.push(new Helm(this, own, ship, hello));
       const tugs = new Tugs(this, hello);
@@ -308,7 +308,7 @@ export class App implements Page {
       });
     const nothing =
       hello.role.name === "observer"
-        ? "You watch: an observer commands nothing."
+        ? "You watch: an observer gives no commands."
         : hello.role.name === "tugmaster"
           ? `This scenario has no tug named ${hello.role.tug}.`
           : "There is nothing to command here.";
@@ -331,7 +331,7 @@ export class App implements Page {
       setClass(tab.view.root, "shown", tab.name === name);
       setAttribute(tab.button, "aria-selected", String(tab.name === name));
     }
-    // Fills what is shown without waiting for the next tick, which does not come while paused.
+    // Does not wait for the next tick: there is none while the session is paused.
     if (this.live.frame && this.live.hello)
       this.tabs.find((tab) => tab.name === name)?.view.tick(this.live.frame, this.live.hello);
   }
@@ -363,7 +363,7 @@ export class App implements Page {
     setClass(this.alarmButton, "caution", worst === "caution");
   }
 
-  // ------------------------------------------------------------------------------------------------ as time goes
+  // ------------------------------------------------------------------------------------------------ ticks and drawing
 
   private tick(): void {
     const { frame, hello } = this.live;
@@ -384,7 +384,7 @@ export class App implements Page {
     this.plan?.tick(frame);
     for (const group of this.groups) group.tick(frame, hello);
     for (const { name, view } of this.tabs) {
-      // Alarms count while nobody looks at them.
+      // Alarms are counted even if their tab is not shown.
       if (name === this.shownTab || name === "Alarms") view.tick(frame, hello);
     }
   }
@@ -460,7 +460,7 @@ export class App implements Page {
     if (event.ctrlKey || event.altKey || event.metaKey || document.querySelector("dialog[open]"))
       return;
     const target = event.target as HTMLElement;
-    // Sliders and text fields keep the keys that are theirs.
+    // Sliders and text fields keep their own keys.
     if (target.matches("input[type=text], select, textarea")) return;
     if (target.matches("input[type=range]") && event.key.startsWith("Arrow")) return;
     const key =

@@ -1,17 +1,17 @@
-/** The websocket: opened with the token of the link, opened again when it breaks; commands and their answers. */
+/** The websocket: opened with the token of the link and reopened when it breaks; commands and their answers. */
 import type { Action, Command, FromServer } from "./protocol";
 
 export type LinkState = "connecting" | "open" | "broken";
 
 export interface Heard {
   message(message: FromServer): void;
-  /** `why`: what the server said when it closed the door; else empty. */
+  /** `why`: the reason that the server gave for closing; else empty. */
   link(state: LinkState, why: string): void;
 }
 
 const FIRST_WAIT_MS = 400;
 const LONGEST_WAIT_MS = 4000;
-/** A dragged control says where it is this often, the last place always. */
+/** Time between two commands of a dragged control. Its last position is always sent. */
 const DRAG_MS = 100;
 const ANSWER_MS = 5000;
 
@@ -26,7 +26,7 @@ export class Connection {
   private nextId = 1;
   private waiting = new Map<number, Waiting>();
   private dragged = new Map<string, { action: Action | null }>();
-  /** How often it has been tried in vain since it was last open. */
+  /** Failed attempts since the connection was last open. */
   failures = 0;
 
   constructor(
@@ -43,7 +43,7 @@ export class Connection {
     });
     socket.addEventListener("message", (event) => {
       if (typeof event.data !== "string") return;
-      // A door that opens only to be shut again is no success: what counts is that something is said.
+      // A connection that is closed at once is no success: only a message is.
       this.wait_ms = FIRST_WAIT_MS;
       this.failures = 0;
       const message = JSON.parse(event.data) as FromServer;
@@ -62,7 +62,7 @@ export class Connection {
     });
   }
 
-  /** Sends a command; resolves to `null` when it counts, to the reason when it was refused. */
+  /** Sends a command. Resolves to `null` if it was carried out, to the reason if it was refused. */
   send(action: Action): Promise<string | null> {
     const socket = this.socket;
     if (socket?.readyState !== WebSocket.OPEN)
@@ -79,7 +79,7 @@ export class Connection {
     });
   }
 
-  /** Sends at most every so often for one control; the last of a row is always sent. */
+  /** Sends commands of one control at a limited rate; the last one is always sent. */
   drag(control: string, action: Action, answered: (reason: string | null) => void): void {
     const slot = this.dragged.get(control);
     if (slot) {

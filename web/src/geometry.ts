@@ -1,4 +1,4 @@
-/** Plane geometry: bodies' places on the earth, the plan's camera. */
+/** Plane geometry: positions of bodies on the earth, and the plan's camera. */
 import type { BodyNow, Pair } from "./protocol";
 import { wrapped } from "./units";
 
@@ -8,17 +8,17 @@ export const times = (a: Pair, by: number): Pair => [a[0] * by, a[1] * by];
 export const dot = (a: Pair, b: Pair): number => a[0] * b[0] + a[1] * b[1];
 export const length = (a: Pair): number => Math.hypot(a[0], a[1]);
 
-/** Turned by an angle, positive to starboard: body axes to the earth's. */
+/** Turns by an angle, positive to starboard: from body axes to earth axes. */
 export function turned(by_rad: number, [x, y]: Pair): Pair {
   const [c, s] = [Math.cos(by_rad), Math.sin(by_rad)];
   return [x * c - y * s, x * s + y * c];
 }
 
-/** Where a body-fixed place is on the earth. */
+/** The earth-fixed position of a body-fixed point. */
 export const onEarth = (body: BodyNow, at: Pair): Pair =>
   add([body[0], body[1]], turned(body[2], at));
 
-/** A body between two ticks; its heading goes the short way. */
+/** A body between two ticks; its heading turns the short way. */
 export function between(from: BodyNow, to: BodyNow, share: number): BodyNow {
   const mix = (a: number, b: number) => a + (b - a) * share;
   return [
@@ -31,11 +31,11 @@ export function between(from: BodyNow, to: BodyNow, share: number): BodyNow {
   ];
 }
 
-/** What of the earth the plan shows. */
+/** The part of the earth that the plan shows. */
 export interface Camera {
   centre: Pair;
   pixels_per_m: number;
-  /** The bearing that is up [rad]. */
+  /** The bearing at the top of the screen [rad]. */
   up_rad: number;
   width: number;
   height: number;
@@ -55,7 +55,7 @@ export function toEarth(camera: Camera, [x, y]: Pair): Pair {
   return add(camera.centre, turned(camera.up_rad, [ahead, right]));
 }
 
-/** The camera zoomed by a factor about a point of the screen, which stays over its place. */
+/** The camera zoomed by a factor about a point of the screen, which keeps its place on the earth. */
 export function zoomed(camera: Camera, by: number, about: Pair): Camera {
   const pixels_per_m = Math.min(60, Math.max(0.01, camera.pixels_per_m * by));
   const place = toEarth(camera, about);
@@ -63,7 +63,7 @@ export function zoomed(camera: Camera, by: number, about: Pair): Camera {
   return { ...after, centre: add(after.centre, minus(place, toEarth(after, about))) };
 }
 
-/** The camera that shows all the places, with margins in pixels above, at the sides and below. */
+/** The camera that shows all points, with margins in pixels above, at the sides and below. */
 export function fitted(
   camera: Camera,
   places: Pair[],
@@ -86,7 +86,7 @@ export function fitted(
   return { ...camera, pixels_per_m, centre: turned(camera.up_rad, middle) };
 }
 
-/** The round length for a scale bar that is at most so many metres: 1, 2 or 5 times a power of ten. */
+/** The largest round length (1, 2 or 5 times a power of ten) for a scale bar of at most this many metres. */
 export function roundLength(most_m: number): number {
   const power = 10 ** Math.floor(Math.log10(most_m));
   return [5, 2, 1].map((n) => n * power).find((n) => n <= most_m) ?? power;

@@ -1,4 +1,4 @@
-/** What `?` shows: the keys of this page, and how to use it without them. */
+/** The help that `?` shows: the page's keys, and how to use it without them. */
 import type { KeyAction } from "./controls/group";
 import { button, h, setText } from "./ui/dom";
 
@@ -37,27 +37,27 @@ export class Help {
         h(
           "li",
           {},
-          "A control has two marks: the knob or the pressed button is what is ordered, the bar is what the machine does now.",
+          "A control has two marks: the knob or the pressed button is the order, the bar is what the machine does now.",
         ),
         h(
           "li",
           {},
-          "The plan: drag to move, pinch or turn the wheel to zoom. Magenta is where the ship goes if nothing changes, her hull at every minute.",
+          "The plan: drag to move, pinch or turn the wheel to zoom. Magenta is the predicted path of the ship if nothing changes, with her hull at every minute.",
         ),
         h(
           "li",
           {},
-          "Purple arrows are forces of fenders and tugs; a filled dot sticks, a hollow one slips. Fenders and lines go from green over amber to red at what they are rated for.",
+          "Purple arrows are forces of fenders and tugs; a filled dot marks a contact that sticks, a hollow one a contact that slips. Fenders and lines change from green over amber to red at their rating.",
         ),
         h(
           "li",
           {},
-          "Docking: the colours follow the limit at the foot of the board, which is yours to set; further off it is more, by what she can still lose. Its speeds are those of the ends of her flat side towards the berth; on the plan those of stem and stern, sideways.",
+          "Docking: the colours follow the speed limit at the foot of the board, which you can change. Farther off the limit is higher, by the speed that she can still lose. The board has the speeds of the ends of her flat side towards the berth; the plan has the sideways speeds at bow and stern.",
         ),
         h(
           "li",
           {},
-          "Tugs: ⊥, fwd or aft is which way a tug leads when she pulls, square to the side or towards bow or stern; who has a line first takes up its slack.",
+          "Tugs: ⊥, fwd and aft set the direction in which a tug pulls: square to the side, or towards bow or stern. A tug with a line takes up its slack first.",
         ),
       ),
       h("h3", {}, "Keys"),
@@ -72,7 +72,7 @@ export class Help {
     });
   }
 
-  /** What the exercise is about. */
+  /** The text of the exercise. */
   brief(text: string): void {
     setText(this.briefing, text);
   }

@@ -1,11 +1,11 @@
-/** Hints for who is here for the first time: one at a time, at the control that it is about, gone once it was used. */
+/** Hints for new users: one at a time, at the control that it is about, until that control is used. */
 import type { Role } from "./protocol";
 import { button, h, setText } from "./ui/dom";
 
 interface Hint {
-  /** What makes it go, as controls tell by `did`. */
+  /** The action that ends it; controls report actions by `did`. */
   until: string;
-  /** Where it points: the first that is seen. */
+  /** Where it points: the first of these that is visible. */
   at: string[];
   text: string;
 }
@@ -44,7 +44,7 @@ const HINTS: Record<Role["name"], Hint[]> = {
     {
       until: "tug",
       at: [".tugmaster .ring"],
-      text: "The ring says whither, the slider how hard. Drag either.",
+      text: "The ring sets the direction, the slider the power. Drag either.",
     },
   ],
   instructor: [
@@ -91,7 +91,7 @@ export class Hints {
     setInterval(() => this.place(), 200);
   }
 
-  /** For a role, at an exercise: `fresh` where the page did not show it before. What it is about is always told. */
+  /** Starts the hints of a role. `fresh`: the page did not show this exercise before. Its text is always shown. */
   start(role: Role["name"], briefing: string, fresh: boolean): void {
     const key = `hints seen ${role}`;
     if (this.key === key && !fresh) return;
@@ -129,7 +129,7 @@ export class Hints {
     const anchor = step?.at
       .flatMap((selector) => [...document.querySelectorAll<HTMLElement>(selector)])
       .find((each) => each.offsetParent !== null && !each.classList.contains("hidden"));
-    // Who has the helm already needs not be told to take it.
+    // No hint to take the helm for a user who has it already.
     if (step && !anchor && step.until === "claim") {
       const taken = document.querySelector(".claim .release:not(.hidden)");
       if (taken) this.did("claim");

@@ -1,4 +1,4 @@
-/** What the strip charts show: figures of the ship twice a second, kept from the moment the page was opened. */
+/** The data of the strip charts: values of the ship twice a second, from the time when the page was opened. */
 import type { Frame, Hello } from "./protocol";
 import { rateOfTurn, toKnots } from "./units";
 
@@ -23,7 +23,7 @@ export class History {
 
   add(frame: Frame, hello: Hello, ship: number): void {
     const last = this.samples.at(-1);
-    // Rewound: what was after is another branch's.
+    // After a rewind later samples belong to another branch.
     if (last && frame.t_s < last.t_s) this.samples = this.samples.filter((s) => s.t_s < frame.t_s);
     if (last && frame.t_s >= last.t_s && frame.t_s - last.t_s < EVERY_S - 1e-6) return;
     const now = frame.vessels[ship];

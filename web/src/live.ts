@@ -1,8 +1,8 @@
-/** What the page knows: the scenario, the last two ticks, the way that is predicted, and how late it all is. */
+/** The page's data: the scenario, the last two ticks, the predicted path, and the delay of frames. */
 import { between } from "./geometry";
 import type { BodyNow, Control, Frame, Hello, Prediction, VesselInfo } from "./protocol";
 
-/** Frames that fail to come for so long while the run goes are a fault that the page shows. */
+/** A running session without frames for this long is reported as a fault. */
 export const STALE_MS = 1500;
 const FORGET_AFTER = 200;
 
@@ -15,8 +15,8 @@ export class Latency {
   }
 
   /**
-   * Median and 99th percentile [ms] over the last frames. `clocks`: the two clocks differ by more than a second, so
-   * that only the spread over the quickest frame is known.
+   * Median and 99th percentile of the delay of the last frames [ms]. `clocks`: the two clocks differ by more than a
+   * second, so that delays are relative to that of the quickest frame.
    */
   figures(): { median: number; p99: number; clocks: boolean } | null {
     if (this.recent.length === 0) return null;
@@ -35,7 +35,7 @@ export class Live {
   frame: Frame | null = null;
   previous: Frame | null = null;
   prediction: Prediction | null = null;
-  /** From the tick to its first drawing. */
+  /** From the tick to its first drawing [ms]. */
   readonly latency = new Latency();
   private received_ms = 0;
   private interval_ms = 100;
@@ -50,7 +50,7 @@ export class Live {
 
   tick(frame: Frame, now_ms: number): void {
     const went = frame.tick - (this.frame?.tick ?? frame.tick);
-    // After a rewind, a branch or a gap there is nothing to draw between.
+    // After a rewind, a new branch or a gap the page does not interpolate.
     this.previous =
       went > 0 && went <= 50 && frame.bodies.length === this.frame?.bodies.length
         ? this.frame
@@ -64,21 +64,21 @@ export class Live {
     this.undrawn = true;
   }
 
-  /** Called by the first drawing after a frame: how long ago its tick was. */
+  /** Called by the first drawing after a frame: notes the age of its tick. */
   drawn(wall_ms: number): void {
     if (!this.undrawn || !this.frame) return;
     this.undrawn = false;
     if (!this.frame.run.paused) this.latency.add(wall_ms - this.frame.at_ms);
   }
 
-  /** How far it is from the last tick but one to the last. */
+  /** Position between the last two ticks, from 0 to 1. */
   share(now_ms: number): number {
     return this.previous
       ? Math.min(1, Math.max(0, (now_ms - this.received_ms) / this.interval_ms))
       : 1;
   }
 
-  /** Bodies where they are drawn now. */
+  /** The bodies at the position of this drawing. */
   bodies(now_ms: number): BodyNow[] {
     const { frame, previous } = this;
     if (!frame) return [];
@@ -87,14 +87,14 @@ export class Live {
     return frame.bodies.map((to, i) => between(previous.bodies[i] ?? to, to, share));
   }
 
-  /** Silence while the run goes [ms], or `null` where all is well. */
+  /** Time without frames while the session runs [ms]; `null` if there is no fault. */
   silence(now_ms: number): number | null {
     if (!this.frame || this.frame.run.paused) return null;
     const silent = now_ms - this.received_ms;
     return silent > STALE_MS ? silent : null;
   }
 
-  /** Index of the vessel whose helm this page has: a tugmaster's own where she is a vessel, or else the ship. */
+  /** Index of the vessel that this page steers: the tugmaster's own if she is a vessel, otherwise the ship. */
   conned(): number {
     const role = this.hello?.role;
     const own =
@@ -104,7 +104,7 @@ export class Live {
     return own >= 0 ? own : this.ship();
   }
 
-  /** Index of the ship that everything is about: the pilot's. */
+  /** Index of the pilot's ship. */
   ship(): number {
     const vessels = this.hello?.vessels ?? [];
     const own = vessels.findIndex((v) => !v.is_tug);
@@ -130,7 +130,7 @@ export function same(a: Control, b: Control): boolean {
   return "session" in b;
 }
 
-/** What the page is built from: where it changes, the page is built anew, and not when a claim does. */
+/** The part of the greeting that the page is built from. If it changes, the page is rebuilt; a change of claims does not. */
 export function structure(hello: Hello): string {
   const { role, file, bodies, vessels, fenders, lines, tugs, gallery, links } = hello;
   return JSON.stringify([role, file, bodies, vessels, fenders, lines, tugs, gallery, links]);

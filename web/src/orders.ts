@@ -40,14 +40,14 @@ export type Order = { [Name in OrderName]: { do: Name } & Orders[Name] }[OrderNa
 export type Card = "rudder" | "engine" | "thrusters";
 
 interface OnPage {
-  /** The hint that is no longer needed once this was ordered. */
+  /** The hint that ends with this order. */
   hint: string | null;
   button?: { card: Card; text: string };
 }
 
 /**
- * What the page does with each order. A `button` is for an order to a vessel without further arguments, and shown where
- * the vessel has the gear for it; another order with a `button` does not compile.
+ * How the page uses each order. A `button` is for an order to a vessel without further arguments; it is shown if the
+ * vessel has the gear for it. Another order with a `button` does not compile.
  */
 export const ON_PAGE: {
   [Name in OrderName]: Name extends PlainOrder
@@ -88,7 +88,7 @@ export function buttonsOn(card: Card): { order: PlainOrder; text: string }[] {
   );
 }
 
-/** The limits that the server has for a number of an order. */
+/** The server's limits for a number of an order. */
 export function limits<Name extends OrderName>(
   hello: Hello,
   order: Name,
@@ -100,7 +100,7 @@ export function limits<Name extends OrderName>(
   return found;
 }
 
-/** Names that only one of page and server knows; none where both are of one version. */
+/** Names of orders that only the page or only the server has; none if both are of one version. */
 export function unknownOrders(hello: Hello): string[] {
   const theirs = hello.orders.map(({ name }) => name);
   return [

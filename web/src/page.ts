@@ -1,15 +1,15 @@
-/** What views and controls may use of the page. */
+/** The page as views and controls see it. */
 import type { Live } from "./live";
 import type { Action } from "./protocol";
 
 export interface Page {
   live: Live;
-  /** Sends a command; shows the reason where it is refused. Resolves to whether it counts. */
+  /** Sends a command and shows the reason if it is refused. Resolves to whether it was carried out. */
   order(action: Action): Promise<boolean>;
-  /** The same for a control that is being dragged: sent now and then, and its last place always. */
+  /** The same for a dragged control, at a limited rate; its last position is always sent. */
   drag(control: string, action: Action): void;
-  /** A message that goes by itself. */
+  /** Shows a message for a while. */
   say(text: string, level?: "note" | "refusal"): void;
-  /** Something that a hint waits for was done. */
+  /** Reports an action that a hint may wait for. */
   did(what: string): void;
 }

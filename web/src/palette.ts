@@ -1,4 +1,4 @@
-/** Day, dusk and night. The document takes them as custom properties, canvases by name. */
+/** Day, dusk and night palettes. The document uses them as custom properties, canvases by name. */
 
 export type PaletteName = "day" | "dusk" | "night";
 
@@ -133,7 +133,7 @@ export const PALETTES: Record<PaletteName, Palette> = {
 
 export const PALETTE_NAMES: PaletteName[] = ["day", "dusk", "night"];
 
-/** Sets the document's palette; canvases are told by `data-palette` on the root. */
+/** Sets the document's palette. Canvases read `data-palette` on the root. */
 export function applyPalette(name: PaletteName): void {
   const root = document.documentElement;
   root.dataset.palette = name;
@@ -153,7 +153,7 @@ function mixed(a: string, b: string, share: number): string {
   return `rgb(${from.map((x, i) => Math.round(x + ((to[i] ?? x) - x) * share)).join(" ")})`;
 }
 
-/** The colour of a load as a share of what it may be: green to 0.3, amber at 0.7, red from 1. */
+/** The colour of a load as a share of its limit: green to 0.3, amber at 0.7, red from 1. */
 export function loadColour(share: number, colours: Palette): string {
   if (share <= 0.3) return colours.ok;
   if (share <= 0.7) return mixed(colours.ok, colours.caution, (share - 0.3) / 0.4);

@@ -32,18 +32,20 @@ export interface Hello {
   tugs: TugInfo[];
   /** The table of orders: words, units and limits. */
   orders: OrderInfo[];
+  /** The limits of other commands. */
+  limits: CommandLimits;
   /** Places at the side of the pilot's ship where a tug may work. */
   places: Place[];
-  /** What this page may command: see [`Control`]. */
+  /** The controls that this page may use. */
   mine: Control[];
-  /** Who holds what, everywhere; `null`: nobody. */
+  /** The holder of each control; `null`: it is free. */
   claims: { control: Control; holder: string | null; connected: boolean }[];
   /** Scenarios that the instructor can open. */
   gallery: { file: string; title: string; text: string }[];
-  /** The berth that distances are to: a line [m] and the side where the water is, on a body (a quay, a ship). */
+  /** The berth: a line [m] and the side of the water, on a body (a quay, a ship). Distances are to this line. */
   berth: { body: number; from: Pair; to: Pair; facing: Pair } | null;
   depth_m: number | null;
-  /** To the instructor only: the links that open each role, to be handed out; paths on this server. */
+  /** For the instructor only: a link for each role, as a path on this server. */
   links?: { role: Role; path: string }[];
 }
 
@@ -53,13 +55,13 @@ export type Role =
   | { name: "tugmaster"; tug: string }
   | { name: "observer" };
 
-/** A helm: a vessel by her name, or a tug by hers. One client holds it at a time. */
+/** A control: a vessel or a tug, by name. One client holds it at a time. */
 export type Control = { vessel: string } | { tug: string } | { session: true };
 
 export interface OrderInfo {
   /** The word in `do`. */
   name: string;
-  /** The field that names whom it is for. */
+  /** The field that names the target. */
   target: "vessel" | "tug" | "line";
   /** The gear that the target must have. */
   needs: string | null;
@@ -75,10 +77,21 @@ export interface ArgumentInfo {
   unit: string;
   /** The least and the greatest value. */
   limits: Pair | null;
-  /** The value where it is not given. */
+  /** The value if it is not given. */
   default: number | null;
   required: boolean;
   meaning: string;
+}
+
+/** Least and greatest value. */
+export interface CommandLimits {
+  /** Force over a tug's bollard pull, in an order in words. */
+  tug_power: Pair;
+  wind_mps: Pair;
+  current_mps: Pair;
+  approach_limit_mps: Pair;
+  /** Simulated time over wall time. */
+  pace: Pair;
 }
 
 export interface BodyInfo {
@@ -101,7 +114,7 @@ export interface VesselInfo {
   full_rps: number | null;
   thrusters: { name: string; along_m: number; force_n: number }[];
   azimuths: { name: string; at_m: Pair; bollard_n: number }[];
-  /** She is a tug that assists the named vessel, or the pilot's own ship. */
+  /** She is a tug that assists the named vessel or the pilot's ship. */
   is_tug: boolean;
   /** She has a line to the pilot's ship. */
   has_towline: boolean;
@@ -126,15 +139,16 @@ export interface LineInfo {
   name: string;
   ship: number;
   fairlead_m: Pair;
-  /** Of its other end: a place on the earth, or on a body. */
+  /** Its other end: a point on the earth or on a body. */
   end: { place_m: Pair } | { body: number; at_m: Pair };
   breaking_n: number;
-  /** The tension from which on it is an alarm: half of the breaking load. */
+  /** Tension at which an alarm is raised: half of the breaking load. */
   working_n: number;
-  has_winch: boolean;
+  /** Rate of a manual order to its winch [m/s]; `null`: it has none. */
+  winch_mps: number | null;
 }
 
-/** A vector tug: a force on her ship, drawn where she works. Tugs that are vessels are in `vessels`. */
+/** A vector tug: only her force on the ship is simulated. Tugs that are vessels are in `vessels`. */
 export interface TugInfo {
   name: string;
   /** Index into `vessels` of the ship that she serves. */
@@ -146,7 +160,7 @@ export interface TugInfo {
   pull_at_m: Pair;
 }
 
-/** One tick. The page draws between the last two. */
+/** One tick. The page interpolates between the last two. */
 export interface Frame {
   type: "frame";
   tick: number;
@@ -160,9 +174,9 @@ export interface Frame {
   contacts: ContactNow[];
   lines: LineNow[];
   tugs: TugNow[];
-  /** At the pilot's ship, 0 where there is none: from where, and how fast. */
+  /** Wind at the pilot's ship: where it comes from, and its speed; 0 without wind. */
   wind: { speed_mps: number; from_rad: number };
-  /** Towards where. */
+  /** Current at the pilot's ship: where it flows to, and its speed. */
   current: { speed_mps: number; to_rad: number };
   waves: { height_m: number; period_s: number; from_rad: number } | null;
   /** The speed limit at the fenders, of docking board and alarms [m/s]. */
@@ -174,9 +188,9 @@ export interface Frame {
 
 export interface RunState {
   paused: boolean;
-  /** Simulated over wall time. */
+  /** Simulated time over wall time. */
   pace: number;
-  /** Ticks that came later than half a step, and the latest of them [ms]. */
+  /** Number of ticks that were late by more than half a step, and the largest delay [ms]. */
   late_ticks: number;
   latest_ms: number;
   branch: number;
@@ -184,7 +198,7 @@ export interface RunState {
   /** The last tick of this branch: beyond `tick` while rewound. */
   last_tick: number;
   clients: number;
-  /** What the instructor is having opened while this goes on: `reads` it, or `plays` a recording again; how much of that. */
+  /** The file that is being opened, what the server does (`reads` it, or `plays` a recording again), and the share done. */
   opening: { file: string; at: "reads" | "plays"; share: number } | null;
 }
 
@@ -201,7 +215,7 @@ export interface VesselNow {
     direction_order_rad: number;
     direction_rad: number;
   }[];
-  /** Who steers: `hands`, `course`, `speed`, `course+speed`, `station`, `assist`. */
+  /** Mode of steering: `hands`, `course`, `speed`, `course+speed`, `station`, `assist`. */
   pilot: string;
   course_rad: number | null;
   speed_order_mps: number | null;
@@ -216,22 +230,22 @@ export interface VesselNow {
   squat_m: number;
   under_keel_m: number | null;
   aground: boolean;
-  /** How she lies to the berth, where there is one. */
+  /** Her position at the berth, if there is one. */
   berth: BerthNow | null;
-  /** Of a tug that is a vessel: what she is ordered to do at the ship. */
+  /** For a tug that is a vessel: her order at the ship. */
   assist: AssistNow | null;
   faults: Fault[];
 }
 
 /**
- * What an end of a ship is at, worst last: off the fenders, carried by them, behind their line with none there, farther
- * past the last one than they are apart, where a hull was on the structure and nobody has acknowledged it, at a fender
- * beyond its rating or failed, with the hull on the structure.
+ * State of an end of a ship, the worst last: clear of the fenders; in contact with them; behind their line where there is
+ * none; beyond the last one by more than their spacing; where a hull touched the structure and nobody has acknowledged
+ * it; at a fender that failed or is beyond its rating; with the hull on the structure.
  */
 export type BerthEnd =
   "off" | "at_fenders" | "no_fender" | "past_end" | "touched" | "over_rated" | "structure";
 
-/** The docking board's signal for an end: the worse of her speed and of what the end is at. */
+/** The docking board's signal for an end: the worse of its speed and its state. */
 export interface Lamp {
   light: "ok" | "caution" | "alarm";
   text: string;
@@ -245,15 +259,15 @@ export interface BerthNow {
   limit_mps: number;
   bow_lamp: Lamp;
   stern_lamp: Lamp;
-  /** Off the line [m]. */
+  /** Distance from the line [m]. */
   bow_m: number;
   stern_m: number;
-  /** Towards it, as seen from the berth. */
+  /** Speed towards the berth [m/s]. */
   bow_mps: number;
   stern_mps: number;
-  /** Ahead along it. */
+  /** Speed along the berth, positive ahead [m/s]. */
   along_mps: number;
-  /** Positive with the bow nearer. */
+  /** Angle to the berth, positive with the bow nearer [rad]. */
   angle_rad: number;
 }
 
@@ -261,11 +275,11 @@ export interface AssistNow {
   order: TugWord;
   /** Of the order, over her bollard pull. */
   power: number;
-  /** Where she works, if it is one of the places that words name. */
+  /** Where she works, if that is one of the named places. */
   place: Place | null;
-  /** How far she has come with her order. */
+  /** Progress of her order. */
   state: "stands_off" | "comes_alongside" | "alongside" | "pushes" | "takes_up_slack" | "pulls";
-  /** At the ship: of her push, or in her line. Not her thrust, which may only move herself. */
+  /** Force on the ship: her push, or the tension of her line. Not her thrust, part of which moves herself. */
   force_n: number;
 }
 
@@ -273,7 +287,7 @@ export interface FenderNow {
   deflection_m: number;
   reaction_n: number;
   energy_j: number;
-  /** Over its rating; 0 where no rating is given. */
+  /** Share of the rating; 0 if no rating is given. */
   of_energy: number;
   of_reaction: number;
   peak_of_energy: number;
@@ -310,24 +324,24 @@ export interface TugNow {
   order_n: number;
   order_direction_rad: number;
   force_n: number;
-  /** Of the force on the ship, from her bow. */
+  /** Direction of the force on the ship, from the ship's bow. */
   direction_rad: number;
   limited: boolean;
 }
 
 export interface Alarm {
   level: "caution" | "alarm";
-  /** What kind it is: one of each stands at a time for one thing. */
+  /** Kind and subject. At most one alarm with a key is active. */
   key: string;
   text: string;
-  /** When it came, or grew to an alarm. */
+  /** Time when it was raised, or became an alarm. */
   since_s: number;
-  /** Its cause stands; an alarm without one waits to be acknowledged. */
+  /** Its cause is present. Otherwise it only waits to be acknowledged. */
   stands: boolean;
   acknowledged: boolean;
 }
 
-/** Once a second: where the pilot's ship goes if nothing is ordered. */
+/** Once a second: the predicted path of the pilot's ship without further orders. */
 export interface Prediction {
   type: "prediction";
   tick: number;
@@ -339,7 +353,7 @@ export interface Prediction {
 export interface Ack {
   type: "ack";
   id: number;
-  /** The tick in which it counts. */
+  /** The tick in which it takes effect. */
   tick: number;
 }
 
@@ -349,7 +363,7 @@ export interface Refused {
   reason: string;
 }
 
-/** To be shown for a while: a client came or went, the run was rewound. */
+/** A text to be shown for a while: a client joined or left, the session was rewound. */
 export interface Notice {
   type: "notice";
   text: string;
@@ -359,19 +373,19 @@ export interface Notice {
 
 export interface Command {
   type: "command";
-  /** Chosen by the page; comes back in the answer. */
+  /** Chosen by the page; the answer has the same. */
   id: number;
   action: Action;
 }
 
-/** Whatever a page may send: an order of the table, or one of the other commands. */
+/** Every command: an order of the table, or one of the others. */
 export type Action = Order | OtherAction;
 
-/** What a pilot tells a tug; `stop`: no force, `stand_off`: keep clear of the side. */
+/** Words for a tug. `stop`: no force; `stand_off`: keep clear of the side. */
 export type TugWord = "push" | "pull" | "stop" | "stand_off";
-/** How a tug lays herself: square to the side, or 45° towards the ship's bow or stern. */
+/** Direction of a tug: square to the side, or 45° towards the ship's bow or stern. */
 export type Lead = "square" | "forward" | "aft";
-/** Where at the ship's side a tug works; those that the ship has are in `Hello.places`. */
+/** Place of a tug at the ship's side. `Hello.places` has those of the present ship. */
 export type Place =
   | "nearest"
   | "port shoulder"
@@ -387,20 +401,20 @@ export type OtherAction =
   // Claims.
   | { do: "claim"; control: Control }
   | { do: "release"; control: Control }
-  // The instructor's.
+  // For the instructor only.
   | { do: "pause" }
   | { do: "resume" }
   | { do: "single_step" }
   | { do: "pace"; pace: number }
   | { do: "rewind"; tick: number }
-  /** Go on from where it is rewound to, as a new branch. */
+  /** Continues from the rewound state as a new branch. */
   | { do: "branch" }
   | { do: "show_branch"; id: number }
-  /** Answered when it begins; `run.opening` tells how far it is, `refused` without a number why it came to nothing. */
+  /** Acknowledged when it begins. `run.opening` has the progress. If it fails, a `refused` without `id` has the reason. */
   | { do: "load"; file: string }
   | { do: "stop_opening" }
   | { do: "save"; name: string }
-  // An alarm was seen: by pilot and instructor, and by a tugmaster his own tug's.
+  // Acknowledges an alarm: pilot and instructor any, a tugmaster those of the own tug.
   | { do: "acknowledge"; key: string }
   /** The speed limit at the fenders, of docking board and alarms: by pilot and instructor. */
   | { do: "approach_limit"; speed_mps: number }

@@ -1,7 +1,7 @@
-/** Figures as they are written on a bridge. */
+/** Values as they are written on a ship's bridge. */
 
 export const KNOT_MPS = 1852 / 3600;
-/** Tugs and lines are talked of in tonnes of force. */
+/** Forces of tugs and lines are given in tonnes. */
 export const TONNE_N = 9806.65;
 const DEG = 180 / Math.PI;
 
@@ -36,7 +36,7 @@ export const tonnes = (newtons: number): string =>
   `${fixed(newtons / TONNE_N, newtons < 10 * TONNE_N ? 1 : 0)} t`;
 export const percent = (share: number): string => `${fixed(share * 100, 0)} %`;
 
-/** A rudder angle, a turn: its size and its side. */
+/** An angle as its size and its side. */
 export function sided(rad: number, decimals = 0): string {
   const text = Math.abs(rad * DEG).toFixed(decimals);
   if (Number(text) === 0) return `${text}°`;
@@ -58,7 +58,7 @@ export const energy = (joules: number): string => `${fixed(joules / 1e3, 0)} kJ`
 /** A name of a scenario as it is shown. */
 export const spoken = (name: string): string => name.replaceAll("_", " ");
 
-/** Time of a run: h:mm:ss. */
+/** Simulated time as h:mm:ss. */
 export function clock(t_s: number): string {
   const all = Math.max(0, Math.floor(t_s));
   const two = (n: number) => String(n).padStart(2, "0");

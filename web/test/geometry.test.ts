@@ -29,7 +29,7 @@ test("bodies are placed by their heading, from north, positive to starboard", ()
   near(onEarth(eastward, [0, 5]), [5, 20]);
 });
 
-test("between two ticks a heading goes the short way through north", () => {
+test("between two ticks a heading turns the short way through north", () => {
   const at = (heading: number): BodyNow => [0, 0, heading, 0, 0, 0];
   const half = between(at(6.2), at(0.1), 0.5)[2];
   expect(Math.cos(half)).toBeCloseTo(Math.cos((6.2 - 2 * Math.PI + 0.1) / 2), 12);
@@ -42,11 +42,11 @@ describe("the camera", () => {
     near(toScreen(camera(0), [100, 60]), [420, 300]);
   });
 
-  test("head up: the bearing that is up is up", () => {
+  test("head up: the chosen bearing is at the top", () => {
     near(toScreen(camera(Math.PI / 2), [100, 60]), [400, 280]);
   });
 
-  test("screen and earth are each other's inverse, however it is turned", () => {
+  test("the map from earth to screen has an exact inverse at any bearing", () => {
     for (const up of [0, 1, 2.5, -2])
       near(toEarth(camera(up), toScreen(camera(up), [123, -45])), [123, -45]);
   });
@@ -58,7 +58,7 @@ describe("the camera", () => {
     }
   });
 
-  test("fitted, all places are within the margins", () => {
+  test("a fitted camera shows all points within the margins", () => {
     const places: Pair[] = [
       [0, 0],
       [230, 10],

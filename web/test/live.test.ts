@@ -38,7 +38,7 @@ function frame(tick: number, north: number, paused = false): Frame {
   };
 }
 
-test("bodies are drawn between the last two ticks, and stand at the last when no more come", () => {
+test("bodies are interpolated between the last two ticks, and stop at the last one", () => {
   const live = new Live();
   live.tick(frame(1, 0), 1000);
   live.tick(frame(2, 10), 1100);
@@ -47,14 +47,14 @@ test("bodies are drawn between the last two ticks, and stand at the last when no
   expect(live.bodies(1300)[0]?.[0]).toBe(10);
 });
 
-test("a rewind is jumped to, not glided to", () => {
+test("a rewind is not interpolated", () => {
   const live = new Live();
   live.tick(frame(500, 90), 1000);
   live.tick(frame(100, 10), 1100);
   expect(live.bodies(1100)[0]?.[0]).toBe(10);
 });
 
-test("silence counts while the run goes, and not while it is paused", () => {
+test("missing frames are a fault while the session runs, not while it is paused", () => {
   const live = new Live();
   live.tick(frame(1, 0), 0);
   expect(live.silence(STALE_MS)).toBeNull();
@@ -63,7 +63,7 @@ test("silence counts while the run goes, and not while it is paused", () => {
   expect(live.silence(100_000)).toBeNull();
 });
 
-test("latency is told as such where clocks agree, and as a spread where they do not", () => {
+test("the delay is absolute if the clocks agree, and relative if they do not", () => {
   const together = new Latency();
   for (const ms of [10, 12, 14]) together.add(ms);
   expect(together.figures()).toEqual({ median: 12, p99: 14, clocks: false });

@@ -15,7 +15,7 @@ function contrast(a: string, b: string): number {
   return (high + 0.05) / (low + 0.05);
 }
 
-test("by day text has the contrast that a screen in the sun needs, by dusk that of WCAG AA", () => {
+test("text has the contrast for a screen in the sun by day, that of WCAG AA at dusk", () => {
   expect(contrast(PALETTES.day.text, PALETTES.day.panel)).toBeGreaterThan(15);
   expect(contrast(PALETTES.day.dim, PALETTES.day.panel)).toBeGreaterThan(7);
   for (const key of ["text", "dim", "ok", "caution", "alarm"] as const)
@@ -24,7 +24,7 @@ test("by day text has the contrast that a screen in the sun needs, by dusk that 
     expect(contrast(PALETTES.day[key], PALETTES.day.panel), key).toBeGreaterThan(4.5);
 });
 
-test("by night nothing is white, nothing is blue, and text can still be read", () => {
+test("at night nothing is white or blue, and text is readable", () => {
   for (const [key, hex] of Object.entries(PALETTES.night)) {
     const blue = Number.parseInt(hex.slice(5, 7), 16);
     expect(blue, `${key} ${hex}`).toBeLessThan(0x40);
@@ -33,7 +33,7 @@ test("by night nothing is white, nothing is blue, and text can still be read", (
   expect(contrast(PALETTES.night.text, PALETTES.night.panel)).toBeGreaterThan(4);
 });
 
-test("loads go from green over amber to red, each palette by its own", () => {
+test("loads change from green over amber to red in each palette", () => {
   for (const colours of Object.values(PALETTES) as Palette[]) {
     expect(loadColour(0, colours)).toBe(colours.ok);
     const rgb = (hex: string) =>

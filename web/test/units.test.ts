@@ -21,24 +21,24 @@ test("a heading has three digits and is never 360", () => {
   expect(heading(359.6 * RAD, 0)).toBe("000°");
 });
 
-test("an angle is wrapped into half a turn to either side", () => {
+test("angles are wrapped into (−π, π]", () => {
   expect(wrapped(3 * Math.PI)).toBeCloseTo(Math.PI, 12);
   expect(wrapped(-1.5 * Math.PI)).toBeCloseTo(0.5 * Math.PI, 12);
   expect(wrapped(0.1)).toBeCloseTo(0.1, 12);
 });
 
-test("no zero has a minus", () => {
+test("zero has no minus sign", () => {
   expect(fixed(-0.04, 1)).toBe("0.0");
   expect(fixed(-0.06, 1)).toBe("-0.1");
 });
 
-test("rudder angles say their side, and midships none", () => {
+test("rudder angles have a side, midships has none", () => {
   expect(sided(-10 * RAD)).toBe("P 10°");
   expect(sided(20 * RAD)).toBe("S 20°");
   expect(sided(-0.2 * RAD)).toBe("0°");
 });
 
-test("figures are in the units of a bridge", () => {
+test("values are in the units of a bridge", () => {
   expect(knots(1852 / 3600)).toBe("1.0 kn");
   expect(tonnes(9806.65)).toBe("1.0 t");
   expect(tonnes(60 * 9806.65)).toBe("60 t");

@@ -1,5 +1,5 @@
 //! `cargo xtask attack`: every hostile check of the repository for a given time, from a given seed. Each part is a test
-//! that also runs in seconds with all others; here it is told for how long.
+//! that otherwise runs for seconds with all other tests.
 
 use std::path::PathBuf;
 use std::process::{Command, ExitCode, Stdio};
@@ -10,15 +10,15 @@ use crate::fuzz;
 use crate::live_load;
 use crate::step::Done;
 
-/// Time for all parts together where the caller does not say (s): that of continuous integration.
+/// Default time for all parts together (s), also in continuous integration.
 pub(crate) const SECONDS: u64 = 600;
-/// The seed where the caller does not say.
+/// The default seed.
 pub(crate) const SEED: u64 = 20_261_122;
 
-/// What is attacked.
+/// One part of the attacks.
 struct Part {
     name: &'static str,
-    /// What is done to it, for who reads the output.
+    /// What it does, for the output.
     what: &'static str,
     attack: Kind,
 }
@@ -26,7 +26,7 @@ struct Part {
 enum Kind {
     /// A test of a package, by its file and the start of its name.
     Test { package: &'static str, file: &'static str, test: &'static str },
-    /// The same for a test that is told how many: so many a second by each key, on a machine as slow as ours.
+    /// Tests that take a number of cases instead of a time: for each environment variable the cases per second.
     Counted {
         package: &'static str,
         file: &'static str,
@@ -48,7 +48,7 @@ const fn test(package: &'static str, file: &'static str, test: &'static str) -> 
 const PARTS: [Part; 12] = [
     Part {
         name: "files",
-        what: "scenarios with something changed, checked and run",
+        what: "changed scenarios, checked and run",
         attack: test("fenderline", "attack_files", "a_changed_scenario"),
     },
     Part {
@@ -88,7 +88,7 @@ const PARTS: [Part; 12] = [
     },
     Part {
         name: "server",
-        what: "broken heads and any command from every link",
+        what: "malformed request heads, and any command from every link",
         attack: test("fenderline", "attack_server", ""),
     },
     Part {
@@ -98,23 +98,23 @@ const PARTS: [Part; 12] = [
     },
     Part {
         name: "providers",
-        what: "programs that answer with anything, at any time, or not at all",
+        what: "providers that reply with anything, at any time, or not at all",
         attack: test("fenderline", "attack_providers", ""),
     },
     Part {
         name: "hosts",
-        what: "simulators in C that teleport, lie about speeds, step from 1e-9 to 1e6 s and alter saved states",
-        attack: test("fenderline-capi", "attack_hosts", "hosts_that_lie"),
+        what: "hosts in C that teleport, pass wrong velocities, step by 1e-9 to 1e6 s and alter saved states",
+        attack: test("fenderline-capi", "attack_hosts", "inconsistent_hosts"),
     },
     Part {
         name: "fmi",
-        what: "states of FMI 3 altered and absurd, inputs and steps of any size, calls in any order",
+        what: "altered and invented FMI 3 states, inputs and steps of any size, calls in any order",
         attack: test("fenderline-fmu", "attack_fmi3", "altered_states"),
     },
-    Part { name: "python", what: "hosts that lie, through Python", attack: Kind::Python },
+    Part { name: "python", what: "inconsistent hosts, through Python", attack: Kind::Python },
     Part {
         name: "fuzz",
-        what: "engine, clip, scenario and snapshot, by coverage",
+        what: "engine, clip, scenario and snapshot, guided by coverage",
         attack: Kind::Fuzz,
     },
 ];
@@ -122,22 +122,22 @@ const PARTS: [Part; 12] = [
 /// `cargo xtask attack [together] [SECONDS] [SEED] [PART...]`.
 pub(crate) fn attack_command(arguments: &[&str]) -> ExitCode {
     let mut left = arguments.iter().copied().peekable();
-    let at_once = left.next_if_eq(&"together").is_some();
-    let mut number = |otherwise: u64| match left.peek().map(|text| text.parse()) {
+    let in_parallel = left.next_if_eq(&"together").is_some();
+    let mut number = |default: u64| match left.peek().map(|text| text.parse()) {
         Some(Ok(number)) => {
             left.next();
             number
         }
-        _ => otherwise,
+        _ => default,
     };
     let (seconds, seed) = (number(SECONDS), number(SEED));
-    let asked: Vec<&str> = left.collect();
-    if let Some(unknown) = asked.iter().find(|name| PARTS.iter().all(|part| part.name != **name)) {
+    let named: Vec<&str> = left.collect();
+    if let Some(unknown) = named.iter().find(|name| PARTS.iter().all(|part| part.name != **name)) {
         let names: Vec<&str> = PARTS.iter().map(|part| part.name).collect();
         eprintln!("there is no part `{unknown}`; there are {}", names.join(", "));
         return ExitCode::from(2);
     }
-    let done = if at_once { together } else { attack }(seconds, seed, &asked);
+    let done = if in_parallel { together } else { attack }(seconds, seed, &named);
     match done {
         Ok(_) => ExitCode::SUCCESS,
         Err(why) => {
@@ -147,25 +147,25 @@ pub(crate) fn attack_command(arguments: &[&str]) -> ExitCode {
     }
 }
 
-/// Those that are asked for, or all where none is.
-fn parts(asked: &[&str]) -> Vec<&'static Part> {
-    PARTS.iter().filter(|part| asked.is_empty() || asked.contains(&part.name)).collect()
+/// The named parts; all if none is named.
+fn parts(named: &[&str]) -> Vec<&'static Part> {
+    PARTS.iter().filter(|part| named.is_empty() || named.contains(&part.name)).collect()
 }
 
-/// Each part for the whole time, all at once, with its output in `target/attack`: an hour of each in an hour.
+/// Runs the parts in parallel, each for the whole time, with its output in `target/attack`.
 ///
 /// # Errors
 /// Which parts did not survive.
-fn together(seconds: u64, seed: u64, asked: &[&str]) -> Result<Done, String> {
+fn together(seconds: u64, seed: u64, named: &[&str]) -> Result<Done, String> {
     let folder = PathBuf::from("target/attack");
     std::fs::create_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
     let own = std::env::current_exe().map_err(|e| format!("this program: {e}"))?;
     let mut running = Vec::new();
-    for part in parts(asked) {
+    for part in parts(named) {
         let output = folder.join(part.name).with_extension("txt");
-        let told = |e| format!("{}: {e}", output.display());
-        let file = std::fs::File::create(&output).map_err(told)?;
-        let errors = file.try_clone().map_err(told)?;
+        let failed = |e| format!("{}: {e}", output.display());
+        let file = std::fs::File::create(&output).map_err(failed)?;
+        let errors = file.try_clone().map_err(failed)?;
         let mut command = Command::new(&own);
         command.args(["attack", &seconds.to_string(), &seed.to_string(), part.name]);
         command.stdin(Stdio::null()).stdout(file).stderr(errors);
@@ -181,10 +181,10 @@ fn together(seconds: u64, seed: u64, asked: &[&str]) -> Result<Done, String> {
     let mut lost = Vec::new();
     for (name, output, mut child) in running {
         let status = child.wait().map_err(|e| format!("{name}: {e}"))?;
-        let said =
+        let printed =
             std::fs::read_to_string(&output).map_err(|e| format!("{}: {e}", output.display()))?;
         println!("-- {name}: {}", if status.success() { "survived" } else { "DID NOT SURVIVE" });
-        said.lines().filter(|line| line.contains(" tried") || line.contains("seed ")).for_each(
+        printed.lines().filter(|line| line.contains(" tried") || line.contains("seed ")).for_each(
             |line| {
                 println!("   {}", line.trim_start_matches(['-', '.', ' ']));
             },
@@ -196,12 +196,12 @@ fn together(seconds: u64, seed: u64, asked: &[&str]) -> Result<Done, String> {
     if lost.is_empty() { Ok(Done::Good) } else { Err(format!("lost: {}", lost.join(", "))) }
 }
 
-/// One part after the other; the time is shared out evenly.
+/// Runs one part after the other; each has an equal share of the time.
 ///
 /// # Errors
 /// What did not survive.
-pub(crate) fn attack(seconds: u64, seed: u64, asked: &[&str]) -> Result<Done, String> {
-    let parts = parts(asked);
+pub(crate) fn attack(seconds: u64, seed: u64, named: &[&str]) -> Result<Done, String> {
+    let parts = parts(named);
     let each = (seconds / parts.len() as u64).max(1);
     for part in parts {
         println!("-- {}: {}; {each} s, seed {seed}", part.name, part.what);
@@ -223,12 +223,12 @@ fn attack_part(part: &Part, seconds: u64, seed: u64) -> Result<(), String> {
         Kind::Counted { package, file, tests, counts } => {
             let mut command = cargo(["test", "--quiet", "--package", package, "--test", file]);
             command.args(["--", "--nocapture"]).args(tests);
-            for (key, a_second) in counts {
-                command.env(key, (a_second * seconds).to_string());
+            for (key, per_second) in counts {
+                command.env(key, (per_second * seconds).to_string());
             }
             run(command.env("FENDERLINE_SEED", seed.to_string()))
         }
-        // Times are told: other programs may have the processor too.
+        // Times are reported, not required: other programs may use the processor too.
         Kind::LiveLoad => live_load::live_load(seconds, true),
         Kind::Python => python(seconds, seed),
         Kind::Fuzz => match fuzz::fuzz((seconds / fuzz::TARGETS.len() as u64).max(1))? {
@@ -241,7 +241,7 @@ fn attack_part(part: &Part, seconds: u64, seed: u64) -> Result<(), String> {
     }
 }
 
-/// By the environment that the tests of the package made.
+/// In the virtual environment that the tests of the package made.
 fn python(seconds: u64, seed: u64) -> Result<(), String> {
     let target =
         std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| "target".into(), PathBuf::from);

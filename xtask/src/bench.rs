@@ -1,5 +1,5 @@
-//! `cargo xtask bench`: the engine against its peers, and its instructions a step. Reported, never
-//! gating: the times of one machine say little about another.
+//! `cargo xtask bench`: the engine against its peers, and its instructions per step. The results are reported and never
+//! fail a build: times on one machine say little about another.
 
 use std::process::ExitCode;
 
@@ -8,10 +8,10 @@ use crate::tools;
 
 const BENCHES: [&str; 7] = ["clip", "step", "border", "accuracy", "mmg", "berth", "callgrind"];
 
-/// Runs the benches that are named; all where none is.
+/// Runs the named benches; all if none is named.
 pub(crate) fn bench(names: &[&str]) -> ExitCode {
     if let Some(unknown) = names.iter().find(|name| !BENCHES.contains(name)) {
-        eprintln!("`{unknown}` is none of the benches {}", BENCHES.join(", "));
+        eprintln!("there is no bench `{unknown}`; there are {}", BENCHES.join(", "));
         return ExitCode::from(2);
     }
     let wanted = if names.is_empty() { BENCHES.as_slice() } else { names };
@@ -25,7 +25,7 @@ pub(crate) fn bench(names: &[&str]) -> ExitCode {
             continue;
         }
         let bench: &[&str] = match name {
-            // Beside the crate that has the right to call it.
+            // An example of the crate that it measures.
             "border" => &["--package", "fenderline-capi", "--example", "cost"],
             _ => &["--package", "fenderline-bench", "--", name],
         };

@@ -1,8 +1,8 @@
-//! `cargo xtask book`: the book of `docs/`, built into `target/book`. A warning, a dead link, or a text that names a file
-//! or a function that does not exist is a failure.
+//! `cargo xtask book`: the book of `docs/`, built into `target/book`. A warning, a dead link, or a text that names a
+//! file or a function that does not exist is a failure.
 //!
-//! Sphinx and its theme come from PyPI, in the versions of `docs/requirements.txt`. Reference pages and figures are made
-//! by `docs/generate` from what the program prints; nothing that is generated is committed.
+//! Sphinx and its theme come from PyPI, in the versions of `docs/requirements.txt`. `docs/generate` makes reference
+//! pages and figures from the program's output. Nothing generated is committed.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -16,7 +16,7 @@ use crate::virtual_environment::{environment, target_folder};
 /// As a step of `cargo xtask test`, and alone.
 pub(crate) const STEP: Step = Step { name: "the book", run: book };
 
-/// Where the generated data go that the book is made from.
+/// Folder for the data that the book is made from.
 const DATA: &str = "book-data";
 
 fn book() -> Result<Done, String> {
@@ -41,7 +41,7 @@ fn book() -> Result<Done, String> {
     let book = target.join("book");
     let mut sphinx = Command::new(&python);
     sphinx.args(["-B", "-m", "sphinx", "--builder", "html", "--fail-on-warning", "--quiet"]);
-    // Pages are read anew: whether a link is dead does not depend on what was built before.
+    // Read all pages, so that the check of links does not depend on an earlier build.
     sphinx
         .args(["--fresh-env", "--jobs", "auto", "--doctree-dir"])
         .arg(target.join("book-doctrees"));

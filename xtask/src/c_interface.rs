@@ -1,6 +1,6 @@
-//! `cargo xtask c`: the C interface as C uses it. Examples and guide are compiled with all warnings as errors,
-//! run under the address and undefined-behaviour sanitizers, and their numbers held against `fenderline run`;
-//! then random sequences of calls.
+//! `cargo xtask c`: the C interface, used from C. Examples and guide are compiled with all warnings as errors, run
+//! under the address and undefined-behaviour sanitizers, and their numbers are compared with `fenderline run`. Random
+//! sequences of calls follow.
 
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitCode, Stdio};
@@ -10,15 +10,15 @@ use crate::guide;
 use crate::step::Done;
 use crate::tools;
 
-/// Sequences of random calls where the caller does not say.
+/// Default number of random sequences of calls.
 pub(crate) const SEQUENCES: u64 = 100_000;
-/// How many of them a run under sanitizers plays too, and one under valgrind, which are slower.
+/// Divisors for the runs under sanitizers and under valgrind, which are slower.
 const SANITIZED_SHARE: u64 = 4;
 const VALGRIND_SHARE: u64 = 1000;
 
 const WARNINGS: [&str; 4] = ["-Wall", "-Wextra", "-Werror", "-pedantic"];
 const SANITIZERS: [&str; 2] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
-/// What the static library needs of the system.
+/// System libraries that the static library needs.
 const SYSTEM: [&str; 3] = ["-lpthread", "-ldl", "-lm"];
 
 /// The scenario whose run the first example repeats, and its steps.
@@ -71,7 +71,7 @@ fn examples_in(build: &Build) -> Result<(), String> {
 
     let tug = build.compile("by_calls", Path::new("examples/c/by_calls.c"), &SANITIZERS)?;
     let printed = run_quietly(&mut Command::new(&tug))?;
-    // Thrust over stiffness, and thrust: a host that integrates by itself keeps to them as the engine does.
+    // At rest the deflection is thrust over stiffness, and the force is the thrust.
     let rest = printed.lines().last().unwrap_or_default();
     let numbers: Vec<f64> = rest.split(',').filter_map(|cell| cell.parse().ok()).collect();
     let near = |index: usize, right: f64| {
@@ -89,18 +89,18 @@ fn examples_in(build: &Build) -> Result<(), String> {
     let guide = guide::Guide::read(&text, "c")?;
     let source = build.folder.join("guide.c");
     std::fs::write(&source, &guide.program).map_err(|e| format!("{}: {e}", source.display()))?;
-    // Both ways in which the guide links.
+    // Both ways of linking in the guide.
     for (name, linking) in [("static", &SANITIZERS[..]), ("shared", &[])] {
         let program = build.compile(name, &source, linking)?;
         // Cargo's own path would find the debug build of the shared library first.
         let printed = run_quietly(Command::new(&program).env_remove("LD_LIBRARY_PATH"))?;
         guide.expects(&printed)?;
     }
-    println!("docs/guides/c.md: prints what it says, by the static and the shared library");
+    println!("docs/guides/c.md: prints the stated output, with the static and the shared library");
     build.exports()
 }
 
-/// Every force of the table that the example printed is that of the run's table, bit for bit.
+/// Checks that every force in the table of the example is that of the run's table, bit for bit. Returns their number.
 fn same_forces(printed: &str, bodies: &str) -> Result<usize, String> {
     const COLUMNS: [&str; 5] = ["t_s", "body", "force_x_n", "force_y_n", "moment_z_nm"];
     let table = |text: &str| -> Result<Vec<(u64, String, [u64; 3])>, String> {
@@ -129,13 +129,13 @@ fn same_forces(printed: &str, bodies: &str) -> Result<usize, String> {
         }
     }
     if ours.iter().all(|row| row.2 == [0; 3]) {
-        return Err("nothing touched".to_owned());
+        return Err("no body was in contact".to_owned());
     }
     Ok(3 * ours.len())
 }
 
-/// Random sequences of calls: a plain build plays all of them, one under sanitizers a part, at the same time,
-/// and what comes back must be the same.
+/// Random sequences of calls. A plain build runs all of them and a build with sanitizers a part, at the same time.
+/// Their results must be the same.
 pub(crate) fn random_calls(sequences: u64) -> Result<Done, String> {
     if let Err(missing) = tools::c_compiler() {
         return Ok(Done::NotRun(missing));
@@ -162,16 +162,16 @@ fn random_calls_in(build: &Build, sequences: u64) -> Result<(), String> {
     };
     let (all, part) = (digests(&all), digests(&part));
     if part.iter().zip(&all).any(|(one, other)| one != other) {
-        return Err("the same calls gave other results under sanitizers".to_owned());
+        return Err("the same calls gave different results under sanitizers".to_owned());
     }
     if tools::valgrind().is_ok() {
         let some = (sequences / VALGRIND_SHARE).to_string();
         let mut valgrind = Command::new("valgrind");
         valgrind.args(["--quiet", "--error-exitcode=9", "--leak-check=full"]);
         run_quietly(valgrind.arg(&plain).arg(&some))?;
-        println!("{some} sequences under valgrind: no read, write or leak where there may be none");
+        println!("{some} sequences under valgrind: no invalid read or write, no leak");
     } else {
-        println!("valgrind is not installed: none under it");
+        println!("valgrind is not installed: no sequences under it");
     }
     Ok(())
 }
@@ -202,10 +202,10 @@ impl Build {
     fn new(what: &str) -> Result<Build, String> {
         const PACKAGE: [&str; 4] = ["build", "--release", "--package", "fenderline-capi"];
         run(&mut cargo(PACKAGE))?;
-        // Where it is, cargo says; the second time it has nothing else to say.
-        let said = run_quietly(cargo(PACKAGE).args(["--quiet", "--message-format", "json"]))?;
-        let library = said.split('"').find(|text| text.ends_with("libfenderline.a"));
-        let library = library.ok_or("cargo does not say where libfenderline.a is")?.into();
+        // The second call only reports where the library is.
+        let messages = run_quietly(cargo(PACKAGE).args(["--quiet", "--message-format", "json"]))?;
+        let library = messages.split('"').find(|text| text.ends_with("libfenderline.a"));
+        let library = library.ok_or("cargo does not report where libfenderline.a is")?.into();
         let name = format!("fenderline-c-{what}-{}", std::process::id());
         let folder = std::env::temp_dir().join(name);
         std::fs::create_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;

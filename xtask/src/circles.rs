@@ -1,7 +1,7 @@
-//! `cargo xtask circles`: no circle of files that `use` each other within a crate.
+//! `cargo xtask circles`: checks that no files of a crate `use` each other in a circle.
 //!
 //! A text scan, not a compiler: it reads the `use` declarations outside `mod tests`, and takes the longest part of a
-//! path that names a file. A re-export of a child (`pub use child::Item;`) is no use of it.
+//! path that names a file. A re-export of a child (`pub use child::Item;`) does not count.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -218,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn a_re_export_is_no_use() {
+    fn a_re_export_does_not_count() {
         assert!(of(&[("", "pub use a::Item;\nmod a;"), ("a", "use super::Shared;")]).is_empty());
         assert_eq!(of(&[("", "use a::Item;\nmod a;"), ("a", "use super::Shared;")]).len(), 1);
     }

@@ -1,9 +1,9 @@
-//! Do the files and functions exist that the documents name?
+//! Checks that the files and functions that documents name exist.
 //!
-//! - A code span of a Markdown file that looks like a path of the repository must be one. `…`, `*`, `<`, `{` or a word in
-//!   capitals in it marks a pattern, which is not checked.
-//! - In `ARCHITECTURE.md` a code span `name()` must be a function, and one `Name` in a table's column must be a type, of
-//!   a file that the same line names.
+//! - A code span of a Markdown file that looks like a path of the repository must be one. `…`, `*`, `<`, `{` or a word
+//!   in capitals in it marks a pattern, which is not checked.
+//! - In `ARCHITECTURE.md` a code span `name()` must be a function, and one `Name` in a table's column must be a type,
+//!   of a file that the same line names.
 //! - A code span that is a name, such as `advance_in_place`, must occur in some source.
 //! - Code that cites a Markdown file must cite one that exists.
 
@@ -29,15 +29,15 @@ const FOLDERS: [&str; 13] = [
     ".ci",
 ];
 const MAP: &str = "ARCHITECTURE.md";
-/// Names that documents use and that are other projects' own.
+/// Names in documents that belong to other projects.
 const OF_OTHERS: [&str; 3] = ["mjModel", "mjData", "fmi2Error"];
-/// A map is short.
+/// The most words of the map.
 const MAP_WORDS: usize = 2000;
 
 /// Checks all tracked files.
 ///
 /// # Errors
-/// Every citation that leads nowhere, one a line.
+/// All dead citations, one on each line.
 pub(crate) fn check() -> Result<(), String> {
     let listed = run_quietly(std::process::Command::new("git").args([
         "ls-files",
@@ -83,8 +83,8 @@ fn read(name: &str) -> Result<String, String> {
     std::fs::read_to_string(name).map_err(|e| format!("{name}: {e}"))
 }
 
-/// Paths in code spans of a Markdown text that are not in the repository. The changelog and the record of attacks speak
-/// of what was.
+/// Paths in code spans of a Markdown text that are not in the repository. The changelog is left out: it names files of
+/// the past.
 fn dead_in_document(name: &str, text: &str) -> Vec<String> {
     if name == "CHANGELOG.md" {
         return Vec::new();
@@ -129,13 +129,13 @@ fn unknown_names(name: &str, text: &str, words: &BTreeSet<&str>) -> Vec<String> 
         .collect()
 }
 
-/// Is it a path that git ignores, where something is built to?
+/// Whether git ignores a path, as it does for build outputs.
 fn is_ignored(path: &str) -> bool {
     let mut git = std::process::Command::new("git");
     run_quietly(git.args(["check-ignore", "--quiet", path])).is_ok()
 }
 
-/// Markdown files that a text cites by their place from the root.
+/// Markdown files that a source cites and that do not exist.
 fn dead_in_code(name: &str, text: &str) -> Vec<String> {
     let mut dead = Vec::new();
     for (index, line) in text.lines().enumerate() {
@@ -149,7 +149,7 @@ fn dead_in_code(name: &str, text: &str) -> Vec<String> {
     dead
 }
 
-/// Functions and types that a line names and that none of its files has.
+/// Functions and types that a line of the map names and that none of the files on the line defines.
 fn dead_functions(line: &str, source: &dyn Fn(&str) -> Option<String>) -> Vec<String> {
     let sources: Vec<String> =
         code_spans(line).filter(|span| is_path(span)).filter_map(source).collect();
@@ -178,12 +178,12 @@ fn dead_functions(line: &str, source: &dyn Fn(&str) -> Option<String>) -> Vec<St
         .collect()
 }
 
-/// What stands between single backticks.
+/// The texts between single backticks.
 fn code_spans(line: &str) -> impl Iterator<Item = &str> {
     line.split('`').skip(1).step_by(2)
 }
 
-/// Does a code span name a file or folder of the repository, and no pattern?
+/// Whether a code span names a file or folder of the repository, and is not a pattern.
 fn is_path(span: &str) -> bool {
     let is_pattern = span.contains(|c: char| c.is_whitespace() || "*…<{[()$:=".contains(c))
         || span.split(['/', '.']).any(|part| {
@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn patterns_and_words_are_no_paths() {
+    fn patterns_and_words_are_not_paths() {
         assert!(is_path("crates/contact/src/step.rs"));
         assert!(is_path("fenders/README.md"));
         assert!(!is_path("scenarios/<topic>/x.toml"));

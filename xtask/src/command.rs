@@ -1,17 +1,17 @@
-//! Other programs: started, and their failure made a message.
+//! Starts other programs and turns their failure into a message.
 
 use std::ffi::OsStr;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
-/// The folder of the workspace, wherever cargo was called.
+/// The root folder of the workspace, from any folder inside it.
 pub(crate) fn workspace_root() -> PathBuf {
     let own = std::env::var_os("CARGO_MANIFEST_DIR")
         .map_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")), PathBuf::from);
     own.parent().map_or_else(|| own.clone(), PathBuf::from)
 }
 
-/// The cargo that runs this.
+/// The cargo that runs this program.
 pub(crate) fn cargo<S: AsRef<OsStr>>(arguments: impl IntoIterator<Item = S>) -> Command {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
@@ -19,19 +19,19 @@ pub(crate) fn cargo<S: AsRef<OsStr>>(arguments: impl IntoIterator<Item = S>) -> 
     command
 }
 
-/// Runs `command` to its end, its output shown as it comes.
+/// Runs `command`; its output is printed as it comes.
 ///
 /// # Errors
-/// What was called and how it ended, where that is not with success.
+/// The command and its exit status, if it fails.
 pub(crate) fn run(command: &mut Command) -> Result<(), String> {
     let status = command.stdin(Stdio::null()).status().map_err(|e| format!("{command:?}: {e}"))?;
     if status.success() { Ok(()) } else { Err(format!("{command:?}: {status}")) }
 }
 
-/// Runs `command` with its output shown only where it fails.
+/// Runs `command` and returns its output.
 ///
 /// # Errors
-/// What was called, how it ended and what it printed, where it did not end with success.
+/// The command, its exit status and its output, if it fails.
 pub(crate) fn run_quietly(command: &mut Command) -> Result<String, String> {
     let output = command.stdin(Stdio::null()).output().map_err(|e| format!("{command:?}: {e}"))?;
     let printed = String::from_utf8_lossy(&output.stdout).into_owned();

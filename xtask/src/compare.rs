@@ -1,17 +1,17 @@
-//! Result files compared: byte for byte, or number by number.
+//! Compares result files, byte for byte or number by number.
 
 use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::path::Path;
 
-/// How far two numbers of a column may differ, as a share of the column's largest: two right
-/// programs come this close (validation/independent/README.md has the measurement).
+/// Tolerance of a number, relative to the largest of its column. Two correct programs agree this closely
+/// (validation/independent/README.md has the measurement).
 const SAME: f64 = 1e-9;
 
-/// Do two folders hold the same files with the same bytes?
+/// Checks that two folders hold the same files with the same bytes.
 ///
 /// # Errors
-/// The first difference, or a folder that cannot be read or holds nothing.
+/// The first difference, or a folder that is empty or cannot be read.
 pub(crate) fn same_bytes(one: &Path, two: &Path) -> Result<(), String> {
     let (names, others) = (names(one)?, names(two)?);
     if names.is_empty() || names != others {
@@ -26,7 +26,7 @@ pub(crate) fn same_bytes(one: &Path, two: &Path) -> Result<(), String> {
             let same = bytes.iter().zip(&others).take_while(|(a, b)| a == b).count();
             let line = bytes[..same].iter().filter(|&&b| b == b'\n').count() + 1;
             let (first, second) = (first.display(), second.display());
-            return Err(format!("{first} and {second} differ from byte {same}, line {line}, on"));
+            return Err(format!("{first} and {second} differ at byte {same}, line {line}"));
         }
     }
     Ok(())
@@ -38,7 +38,7 @@ fn names(folder: &Path) -> Result<BTreeSet<OsString>, String> {
     entries.map(|entry| entry.map(|e| e.file_name()).map_err(unreadable)).collect()
 }
 
-/// Do two tables (CSV without quoted cells) hold the same text and, to [`SAME`], numbers?
+/// Checks that two tables (CSV without quoted cells) hold the same text, and the same numbers to within [`SAME`].
 ///
 /// # Errors
 /// The first difference, or a file that cannot be read.

@@ -1,5 +1,5 @@
-//! `cargo xtask finite-elements`: fenders by finite elements. FElupe, numpy and scipy come from PyPI, in the versions of
-//! `validation/finite_elements/requirements.txt`, into an environment of their own beside what cargo builds.
+//! `cargo xtask finite-elements`: fenders by finite elements. FElupe, numpy and scipy come from PyPI, in the versions
+//! of `validation/finite_elements/requirements.txt`, into a virtual environment below `target`.
 
 use std::process::{Command, ExitCode};
 
@@ -9,7 +9,7 @@ use crate::tools;
 
 const SCRIPT: &str = "validation/finite_elements/analyse.py";
 
-/// All studies and the comparison with the laws of the program, which write the data files and tables anew.
+/// Runs all studies and the comparison with the program's laws, and writes data files and tables.
 pub(crate) fn finite_elements_command() -> ExitCode {
     let whole = || {
         run(&mut cargo(["build", "--quiet", "--release", "--package", "fenderline"]))?;
@@ -28,7 +28,7 @@ pub(crate) fn finite_elements_command() -> ExitCode {
     }
 }
 
-/// Coarse meshes against the stored results.
+/// Compares coarse meshes with the stored results.
 pub(crate) fn small() -> Result<Done, String> {
     analyse(&["--small"])
 }

@@ -1,4 +1,4 @@
-//! `cargo xtask fuzz`: every fuzz target for a while, by the same stable toolchain as all else.
+//! `cargo xtask fuzz`: runs every fuzz target for a given time, with the stable toolchain.
 
 use std::path::Path;
 use std::process::{Command, ExitCode};
@@ -9,7 +9,7 @@ use crate::tools;
 
 /// The fuzz targets' own workspace.
 pub(crate) const MANIFEST: &str = "fuzz/Cargo.toml";
-/// Time for each target where the caller does not say (s).
+/// Default time for each target (s).
 pub(crate) const SECONDS: u64 = 20;
 
 /// A target, and folders with inputs to start from besides its seeds.
@@ -45,13 +45,13 @@ pub(crate) fn fuzz(seconds: u64) -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// No sanitizer: those need a nightly toolchain, and find faults of unsafe code, which there is none
-/// of. Debug assertions and overflow checks are on.
+/// The command for one target. It uses no sanitizer: sanitizers need a nightly toolchain and find faults of unsafe
+/// code, which the targets do not have. Debug assertions and overflow checks are on.
 fn fuzz_one(target: &str, corpus: &Path, more: &[&str], seconds: u64) -> Command {
     let mut command = cargo(["fuzz", "run", "--fuzz-dir", "fuzz", "--sanitizer", "none", target]);
     command.arg(corpus).arg(Path::new("fuzz/seeds").join(target)).args(more);
     command.arg("--").arg(format!("-max_total_time={seconds}"));
-    // A fixed seed: a fresh clone tries the same inputs, as far as it comes in the time.
+    // A fixed seed: a fresh clone tries the same inputs in the same order.
     command.args(["-seed=1", "-timeout=20", "-rss_limit_mb=2048", "-max_len=8192"]);
     if Path::new("fuzz").join(target).with_extension("dict").is_file() {
         command.arg(format!("-dict=fuzz/{target}.dict"));

@@ -1,20 +1,19 @@
-//! Guides whose snippets are one program, and say what it prints.
+//! Guides whose snippets form one program, and that state its output.
 
 /// A guide.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Guide {
-    /// All snippets of the language, in order.
+    /// All snippets of the language, joined.
     pub(crate) program: String,
-    /// The last block of the kind `text`.
+    /// The stated output: the last block of the language `text`.
     printed: String,
 }
 
 impl Guide {
-    /// The snippets of `language` in a Markdown text: what stands between a line of three backticks with the
-    /// language behind them and one of three backticks alone.
+    /// Reads the fenced code blocks of `language` in a Markdown text.
     ///
     /// # Errors
-    /// No such snippet, none of what is printed, or one without an end.
+    /// No such block, no stated output, or a block without an end.
     pub(crate) fn read(text: &str, language: &str) -> Result<Guide, String> {
         let (mut program, mut printed) = (String::new(), String::new());
         let mut within: Option<&str> = None;
@@ -34,22 +33,22 @@ impl Guide {
         }
         if within.is_some() || program.is_empty() || printed.is_empty() {
             return Err(format!(
-                "the guide has no whole program in {language}, or not what it prints"
+                "the guide has no complete program in {language}, or does not state its output"
             ));
         }
         Ok(Guide { program, printed })
     }
 
-    /// Did the program print what the guide says?
+    /// Checks that the program printed the stated output.
     ///
     /// # Errors
-    /// Both texts.
+    /// Both texts, if they differ.
     pub(crate) fn expects(&self, printed: &str) -> Result<(), String> {
         if printed == self.printed {
             return Ok(());
         }
         Err(format!(
-            "the guide says that its program prints\n{}\nit prints\n{printed}",
+            "the guide states the output\n{}\nbut its program prints\n{printed}",
             self.printed
         ))
     }

@@ -1,5 +1,5 @@
-//! `cargo xtask hosts`: the FMUs in the programs that take them. Hosts come from PyPI, in the versions of
-//! `crates/fmu/hosts/requirements.txt`, into a virtual environment of their own beside what cargo builds.
+//! `cargo xtask hosts`: tests the FMUs in FMPy, libcosim and ecos. These come from PyPI, in the versions of
+//! `crates/fmu/hosts/requirements.txt`, into a virtual environment below `target`.
 
 use std::path::Path;
 use std::process::{Command, ExitCode};
@@ -11,7 +11,7 @@ use crate::virtual_environment::{environment, target_folder};
 
 const FOLDER: &str = "crates/fmu/hosts";
 
-/// As a command of its own.
+/// `cargo xtask hosts`.
 pub(crate) fn hosts_command() -> ExitCode {
     match hosts() {
         Ok(Done::Good) => ExitCode::SUCCESS,

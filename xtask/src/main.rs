@@ -1,7 +1,7 @@
 //! The project's own tasks, run as `cargo xtask NAME`; `USAGE` lists them.
 //!
-//! `test` is what a change must pass, and what continuous integration runs. No dependencies, so
-//! that it is built in seconds on a machine that has only Rust.
+//! `test` is what a change must pass, and what continuous integration runs. The crate has no dependencies, so that it
+//! builds in seconds on a machine that has only Rust.
 
 mod attack;
 mod bench;
@@ -31,23 +31,23 @@ use std::process::ExitCode;
 const USAGE: &str = "\
 usage: cargo xtask test                   everything that a change must pass
        cargo xtask attack [together] [SECONDS] [SEED] [PART]...
-                                          all hostile checks, or some, for SECONDS (600): one after the other,
-                                          or all together, each for SECONDS
-       cargo xtask fuzz [SECONDS]         each fuzz target for SECONDS (20)
+                                          all hostile checks, or the named ones: one after the other in SECONDS
+                                          (default: 600), or together, each for SECONDS
+       cargo xtask fuzz [SECONDS]         each fuzz target for SECONDS (default: 20)
        cargo xtask bench [clip|step|border|accuracy|mmg|berth|callgrind]...
-                                          times and results beside those of peers, and
-                                          instructions per step (all seven)
+                                          times and results compared with peers, and
+                                          instructions per step (default: all seven)
        cargo xtask book                   the book of docs/, into target/book
-       cargo xtask c [SEQUENCES]          the C examples and guide, and random calls (100000)
+       cargo xtask c [SEQUENCES]          the C examples and guide, and random calls (default: 100000 sequences)
        cargo xtask circles                fails where files of a crate use each other in a circle
        cargo xtask finite-elements        fenders by finite elements: studies, comparison, tables, data files
        cargo xtask hosts                  FMUs in FMPy, libcosim and ecos, which come from PyPI
-       cargo xtask passivity [EPISODES]   random impacts on fenders: none may gain energy (100000)
-       cargo xtask live-load [SECONDS]    the live server with 8 clients and 50 hostile ones (20 s)
+       cargo xtask passivity [EPISODES]   random impacts on fenders: none may gain energy (default: 100000)
+       cargo xtask live-load [SECONDS]    the live server with 8 clients and 50 hostile ones (default: 20 s)
        cargo xtask pages                  the live server's pages: checked, built, driven in a browser
        cargo xtask nautical               sentences for chart programs, each read by two parsers
        cargo xtask state-hashes [REVISION]
-                                          a hash of all numbers that each scenario writes, beside those of a revision";
+                                          a hash of all numbers that each scenario writes, compared with a revision";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

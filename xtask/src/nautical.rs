@@ -1,4 +1,4 @@
-//! Sentences for chart programs, read by parsers that we did not write, two for each kind.
+//! Sentences for chart programs, read by independent parsers, two for each kind.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -10,14 +10,14 @@ use crate::tools::{self, Missing};
 /// The parsers, from Python's package index.
 const PARSERS: [&str; 4] =
     ["pynmea2==1.19.0", "pynmeagps==1.1.8", "pyais==3.3.1", "simpleais==0.7.3"];
-/// Where they are installed: nothing outside of the folder of builds is touched.
+/// Where they are installed, inside the build folder.
 const FOLDER: &str = "target/nautical-python";
 
 /// As a step of `cargo xtask test`, and alone.
 pub(crate) const STEP: Step =
     Step { name: "sentences for chart programs, by two parsers each", run: parsers };
 
-/// Runs `crates/nautical/check.py` on what the example prints.
+/// Runs `crates/nautical/check.py` on the output of the example.
 fn parsers() -> Result<Done, String> {
     let python = match tools::python() {
         Ok(python) => python,
@@ -37,9 +37,9 @@ fn parsers() -> Result<Done, String> {
         }
     }
     let example = ["run", "--quiet", "--package", "fenderline-nautical", "--example", "sentences"];
-    let said = run_quietly(&mut cargo(example))?;
+    let sentences = run_quietly(&mut cargo(example))?;
     let file = Path::new(FOLDER).join("sentences.txt");
-    std::fs::write(&file, said).map_err(|e| format!("{}: {e}", file.display()))?;
+    std::fs::write(&file, sentences).map_err(|e| format!("{}: {e}", file.display()))?;
     let input = std::fs::File::open(&file).map_err(|e| format!("{}: {e}", file.display()))?;
     let mut check = Command::new(&own);
     let status = check.args(["-B", "crates/nautical/check.py"]).stdin(Stdio::from(input)).status();

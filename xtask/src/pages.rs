@@ -1,4 +1,4 @@
-//! The pages of the live server: checked, built, and driven in a browser against the program itself.
+//! The pages of the live server: checks, builds, and drives them in a browser against the program.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -11,7 +11,7 @@ const FOLDER: &str = "web";
 
 /// Format, types, lints, unit tests, the build and its size.
 pub(crate) const CHECKED: Step = Step { name: "the pages", run: check };
-/// All that stands in `web/e2e`.
+/// All tests of `web/e2e`.
 pub(crate) const DRIVEN: Step = Step { name: "the pages in a browser", run: in_a_browser };
 /// Both.
 pub(crate) const STEPS: [Step; 2] = [CHECKED, DRIVEN];
@@ -26,7 +26,8 @@ fn check() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// Pilot and tugmaster bring a ship alongside in two pages of the real server, and all that stands in `web/e2e`.
+/// Runs all tests of `web/e2e` against the program; in one, a pilot and a tug master bring a ship alongside on two
+/// pages.
 fn in_a_browser() -> Result<Done, String> {
     for missing in [tools::node(), tools::chromium()] {
         if let Err(missing) = missing {
@@ -45,11 +46,12 @@ fn npm(arguments: &[&str]) -> Command {
     command
 }
 
-/// Where cargo builds to, by its own word.
+/// The target folder, as cargo reports it.
 fn target_folder() -> Result<PathBuf, String> {
     const KEY: &str = "\"target_directory\":\"";
-    let told = run_quietly(&mut cargo(["metadata", "--format-version", "1", "--no-deps"]))?;
-    told.split_once(KEY)
+    let metadata = run_quietly(&mut cargo(["metadata", "--format-version", "1", "--no-deps"]))?;
+    metadata
+        .split_once(KEY)
         .and_then(|(_, rest)| rest.split_once('"'))
         .map(|(folder, _)| PathBuf::from(folder))
         .ok_or_else(|| "cargo metadata names no target directory".into())

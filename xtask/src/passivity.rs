@@ -1,10 +1,10 @@
-//! `cargo xtask passivity`: random hits on fender faces, of which none may make energy.
+//! `cargo xtask passivity`: random impacts on fenders, none of which may gain energy.
 
 use std::process::ExitCode;
 
 use crate::command::{cargo, run};
 
-/// Hits of each kind where the caller does not say.
+/// Default number of impacts of each kind.
 pub(crate) const EPISODES: u64 = 100_000;
 
 /// `cargo xtask passivity`.
@@ -18,10 +18,10 @@ pub(crate) fn passivity_command(episodes: u64) -> ExitCode {
     }
 }
 
-/// Plays `episodes` hits of each kind, optimised, and prints what came out.
+/// Runs `episodes` impacts of each kind in a release build, and prints the results.
 ///
 /// # Errors
-/// A hit gained, a closed loop along a face did work, or it was not built.
+/// An impact gained energy, a closed loop along a face did work, or the build failed.
 pub(crate) fn passivity(episodes: u64) -> Result<(), String> {
     let example = ["run", "--quiet", "--release", "--package", "fenderline-sim", "--example"];
     run(cargo(example).args(["passivity", "--"]).arg(episodes.to_string()))

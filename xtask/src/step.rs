@@ -1,16 +1,16 @@
-//! A list of steps, run in order to the first failure, each with a heading and its time.
+//! Runs a list of steps in order, up to the first failure, each with a heading and its time.
 
 use std::process::ExitCode;
 use std::time::Instant;
 
 use crate::tools::Missing;
 
-/// How a step ended that did not fail.
+/// The outcome of a step that did not fail.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Done {
-    /// As it should.
+    /// It passed.
     Good,
-    /// Not at all: something is not installed.
+    /// It did not run, because a tool is missing.
     NotRun(Missing),
 }
 
@@ -18,12 +18,12 @@ pub(crate) enum Done {
 pub(crate) struct Step {
     /// Heading.
     pub(crate) name: &'static str,
-    /// What it does; the error is the message to show.
+    /// Runs the step. The error is a message for the user.
     pub(crate) run: fn() -> Result<Done, String>,
 }
 
-/// Runs `steps`. A tool that is missing fails in continuous integration (where `CI` is set), so
-/// that no step is left out there unseen.
+/// Runs `steps`. In continuous integration (where `CI` is set) a missing tool is a failure, so that no step is skipped
+/// unnoticed.
 pub(crate) fn run_all(steps: &[Step]) -> ExitCode {
     let strict = std::env::var_os("CI").is_some_and(|v| !v.is_empty() && v != "false");
     let began = Instant::now();

@@ -38,7 +38,7 @@ pub(crate) fn test() -> ExitCode {
         nautical::STEP,
         Step { name: "the Python package", run: python_package },
         Step { name: "licences and sources of dependencies", run: licences },
-        Step { name: "contact makes no energy", run: passive },
+        Step { name: "contacts make no energy", run: passive },
         Step { name: "C: examples and guide", run: c_interface::examples },
         Step { name: "C: random calls", run: || c_interface::random_calls(c_interface::SEQUENCES) },
         Step { name: "FMI: FMPy, libcosim, ecos and the guide", run: hosts::hosts },
@@ -59,8 +59,8 @@ fn lints() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// Compiles the engine for a target without `std` where the toolchain has one. Else by argument:
-/// in a crate that declares `no_std` and never names `std` outside tests, no path to `std` resolves.
+/// Compiles the engine for a target without `std` if the toolchain has one. Otherwise checks the source: in a crate
+/// that declares `no_std` and does not name `std` outside tests, no path to `std` resolves.
 fn no_std() -> Result<Done, String> {
     const ENGINE: &str = "fenderline-contact";
     const ROOT: &str = "crates/contact/src/lib.rs";
@@ -84,13 +84,13 @@ fn no_std() -> Result<Done, String> {
         run(&mut cargo(["check", "--package", ENGINE, "--target", target]))?;
         println!("compiled for {target}");
     } else {
-        println!("by its declaration and its one dependency; no target without std is installed");
+        println!("checked by declaration and dependencies; no target without std is installed");
     }
     Ok(Done::Good)
 }
 
-/// The property tests draw the same cases every time, so that a change passes or fails by itself;
-/// `cargo test` without the seed, and the fuzz targets, look further.
+/// The property tests draw the same cases every time, so that the outcome depends on the change only. `cargo test`
+/// without the seed draws new cases, as the fuzz targets do.
 fn tests() -> Result<Done, String> {
     const SEED: (&str, &str) = ("PROPTEST_RNG_SEED", "20261121");
     let mut tests = cargo(["test", "--workspace", "--lib", "--bins", "--tests", "--examples"]);
@@ -107,7 +107,7 @@ fn doc_tests() -> Result<Done, String> {
 }
 
 fn documentation() -> Result<Done, String> {
-    // Public links first: with private items documented, a public link to one would pass.
+    // Public items first: when private items are documented too, a public link to a private item would pass.
     for private in [&[][..], &["--document-private-items"]] {
         let mut doc = cargo(["doc", "--workspace", "--no-deps"]);
         run(doc.args(private).env("RUSTDOCFLAGS", "-D warnings"))?;
@@ -143,7 +143,7 @@ fn same_bits_in(folder: &Path) -> Result<(), String> {
     ] {
         let results = |name: &str, profile: &str| {
             let out = folder.join(name);
-            // No results of the scenario before.
+            // Remove the results of the last scenario.
             if out.exists() {
                 std::fs::remove_dir_all(&out).map_err(|e| format!("{}: {e}", out.display()))?;
             }
@@ -165,7 +165,7 @@ fn validate() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// The second implementations meet their identities, and give the numbers that git holds: those with
+/// Checks the identities of the independent implementations, and that they still compute the committed results, with
 /// which the engine's tests compare.
 fn independent() -> Result<Done, String> {
     const FOLDER: &str = "validation/independent";
@@ -197,7 +197,7 @@ fn independent() -> Result<Done, String> {
     compared.map(|()| Done::Good)
 }
 
-/// In a clean virtual environment, with what it is tested by from PyPI.
+/// Tests the package in a clean virtual environment, with test tools from PyPI.
 fn python_package() -> Result<Done, String> {
     match tools::python_environments() {
         Ok(python) => run(Command::new(python).args(["-B", "crates/python/test.py"])),
@@ -206,7 +206,7 @@ fn python_package() -> Result<Done, String> {
     .map(|()| Done::Good)
 }
 
-/// Seconds of it; `cargo xtask passivity` plays twenty times as many, and finds rarer gains.
+/// A short run; `cargo xtask passivity` has twenty times as many impacts.
 fn passive() -> Result<Done, String> {
     passivity::passivity(5_000).map(|()| Done::Good)
 }
@@ -223,7 +223,7 @@ fn licences() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// The program, built by `profile` if need be.
+/// The program, built with `profile` if necessary.
 fn program(profile: &str) -> Command {
     cargo(["run", "--quiet", "--profile", profile, "--package", "fenderline", "--"])
 }

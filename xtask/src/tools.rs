@@ -1,15 +1,15 @@
-//! Programs beyond Rust that some steps need.
+//! Finds the programs beyond Rust that some steps need.
 
 use std::process::Command;
 
 use crate::command::{cargo, run_quietly};
 
-/// A tool that is not here.
+/// A tool that is not installed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Missing {
-    /// What it is.
+    /// Its name.
     pub(crate) tool: &'static str,
-    /// How to get it.
+    /// How to install it.
     pub(crate) install: &'static str,
 }
 
@@ -21,14 +21,14 @@ pub(crate) fn python() -> Result<&'static str, Missing> {
         .ok_or(Missing { tool: "Python 3.11 or later", install: "from your distribution" })
 }
 
-/// Python that makes virtual environments, and a package index within its reach.
+/// Python with venv and pip, and access to a package index.
 pub(crate) fn python_environments() -> Result<&'static str, Missing> {
     let python = python()?;
     let finds = ["install", "--dry-run", "--quiet", "--no-deps", "--ignore-installed", "maturin"];
     let is_there = answers(Command::new(python).args(["-c", "import ensurepip, venv"]))
         && answers(Command::new(python).args(["-m", "pip"]).args(finds));
     is_there.then_some(python).ok_or(Missing {
-        tool: "Python's venv and pip, with PyPI within reach",
+        tool: "Python's venv and pip, with access to PyPI",
         install: "python3-venv and python3-pip of your distribution",
     })
 }
@@ -83,7 +83,7 @@ pub(crate) fn node() -> Result<(), Missing> {
     .ok_or(Missing { tool: "Node 20.19 or later with npm", install: "from your distribution" })
 }
 
-/// Chromium, or what the environment names instead.
+/// Chromium, or the browser that `CHROMIUM` names.
 pub(crate) fn chromium() -> Result<(), Missing> {
     let browser = std::env::var("CHROMIUM").unwrap_or_else(|_| "/usr/bin/chromium".into());
     answers(Command::new(browser).arg("--version"))
@@ -91,7 +91,7 @@ pub(crate) fn chromium() -> Result<(), Missing> {
         .ok_or(Missing { tool: "Chromium", install: "from your distribution" })
 }
 
-/// A target without an operating system, where the toolchain has one.
+/// An installed target without an operating system, if any.
 pub(crate) fn bare_target() -> Option<&'static str> {
     ["wasm32v1-none", "thumbv7em-none-eabi", "thumbv7em-none-eabihf"].into_iter().find(|target| {
         let asked =

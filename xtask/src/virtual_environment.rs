@@ -1,19 +1,19 @@
-//! Virtual environments of Python beside what cargo builds, with packages of fixed versions from PyPI.
+//! Python virtual environments below the target folder, with packages of fixed versions from PyPI.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::command::run_quietly;
 
-/// Where cargo puts what it builds.
+/// The folder of build outputs.
 pub(crate) fn target_folder() -> PathBuf {
     let folder =
         std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| "target".into(), PathBuf::from);
     std::path::absolute(&folder).unwrap_or(folder)
 }
 
-/// The Python of the virtual environment `folder`, with the packages of the list `requirements` in it. It is made
-/// anew where the list has changed since.
+/// The Python of the virtual environment `folder` with the packages of `requirements`. The environment is created again
+/// if the requirements have changed.
 ///
 /// # Errors
 /// No such list, or a package that could not be installed.

@@ -11,7 +11,7 @@ use crate::terminal::{say, say_json, tell};
 use crate::vessels::estimates;
 use fenderline_report::plot::counted;
 
-/// Checks a scenario as `run` would, and writes nothing.
+/// Checks a scenario as `run` does, and writes nothing.
 ///
 /// # Errors
 /// Bad input.
@@ -22,6 +22,9 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     }
     let simulation = Simulation::new(scenario.setup).map_err(error)?;
     let setup = simulation.setup();
+    for finding in simulation.start_findings() {
+        tell(&format!("notice: {}", finding.sentence(setup)));
+    }
     say(&format!(
         "{}: good; {}, {} named, {} of {} s\n",
         args.scenario.display(),

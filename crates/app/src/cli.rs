@@ -4,6 +4,7 @@ use core::str::FromStr;
 use std::net::{IpAddr, SocketAddr};
 use std::path::PathBuf;
 
+use clap::builder::PossibleValue;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use fenderline_nautical::{ChartOrigin, GeoPoint};
 use fenderline_scenario::{Override, ScenarioError};
@@ -169,6 +170,9 @@ pub(crate) struct RunArgs {
     /// Format of the tables of bodies, contacts, fenders and energy
     #[arg(long, value_enum, default_value_t = Format::Csv)]
     pub(crate) format: Format,
+    /// Exit code 0 even where a structure was struck, a fender failed or a line parted
+    #[arg(long)]
+    pub(crate) allow_failures: bool,
     #[command(flatten)]
     pub(crate) changes: Changes,
 }
@@ -186,8 +190,8 @@ pub(crate) struct ManoeuvreArgs {
     #[arg(value_name = "VESSEL")]
     pub(crate) vessel: String,
     /// Manoeuvre
-    #[arg(value_enum, value_name = "MANOEUVRE", default_value_t = ManoeuvreName::All)]
-    pub(crate) manoeuvre: ManoeuvreName,
+    #[arg(value_enum, value_name = "MANOEUVRE", default_value_t = ManoeuvreChoice::All)]
+    pub(crate) manoeuvre: ManoeuvreChoice,
     /// File with your own vessels; repeatable
     #[arg(long, value_name = "VESSELS.toml")]
     pub(crate) file: Vec<PathBuf>,
@@ -293,8 +297,40 @@ pub(crate) enum SchemaOf {
 }
 
 /// A manoeuvre, or all that the vessel can do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ManoeuvreChoice {
+    /// This one.
+    One(Manoeuvre),
+    /// All.
+    All,
+}
+
+impl ValueEnum for ManoeuvreChoice {
+    fn value_variants<'a>() -> &'a [ManoeuvreChoice] {
+        use ManoeuvreChoice::{All, One};
+        &[
+            One(Manoeuvre::Turning),
+            One(Manoeuvre::Zigzag),
+            One(Manoeuvre::CrashStop),
+            One(Manoeuvre::Crabbing),
+            One(Manoeuvre::BollardPull),
+            All,
+        ]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        match self {
+            ManoeuvreChoice::One(manoeuvre) => manoeuvre.to_possible_value(),
+            ManoeuvreChoice::All => {
+                Some(PossibleValue::new("all").help("Every manoeuvre that the vessel can do"))
+            }
+        }
+    }
+}
+
+/// A manoeuvre.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum ManoeuvreName {
+pub(crate) enum Manoeuvre {
     /// Turning circle to either side
     Turning,
     /// Zig-zag 10°/10° and 20°/20°, first to either side
@@ -305,11 +341,9 @@ pub(crate) enum ManoeuvreName {
     Crabbing,
     /// Pull on a bollard, ahead and astern
     BollardPull,
-    /// Every manoeuvre that the vessel can do
-    All,
 }
 
-/// A depth of water as it is ordered.
+/// A water depth on the command line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum WaterDepth {
     /// In metres.
@@ -346,7 +380,7 @@ fn origin(text: &str) -> Result<ChartOrigin, String> {
     ChartOrigin::new(GeoPoint { latitude_deg, longitude_deg }).map_err(|e| e.to_string())
 }
 
-/// A number above zero and below a million: no rudder, ship or tug has more.
+/// A number above zero and below a million; no rudder, ship or tug needs more.
 fn positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(number) if number > 0.0 && number < 1e6 => Ok(number),
@@ -385,7 +419,7 @@ impl Changes {
     /// All changes, the shorthands first.
     ///
     /// # Errors
-    /// A text that is no `KEY=VALUE`.
+    /// A text that is not `KEY=VALUE`.
     pub(crate) fn overrides(&self) -> Result<Vec<Override>, ScenarioError> {
         let shorthands = self
             .shorthands()
@@ -400,7 +434,7 @@ impl Changes {
     pub(crate) fn keys_and_values(&self) -> Result<Vec<[String; 2]>, ScenarioError> {
         self.overrides()?;
         let shorthands = self.shorthands().map(|(_, key, value)| [key.to_owned(), value.clone()]);
-        // What has no `=` was refused.
+        // Texts without `=` were refused.
         let set = self.set.iter().filter_map(|text| text.split_once('='));
         Ok(shorthands.chain(set.map(|(key, value)| [key.to_owned(), value.to_owned()])).collect())
     }

@@ -1,4 +1,4 @@
-//! Why the program ends without its result, and with which exit code.
+//! Why the program ends without a result, and its exit code.
 
 use core::fmt;
 
@@ -14,14 +14,14 @@ pub(crate) enum Failure {
     Input(String),
     /// The input is good and the case failed: exit code 1.
     Case(String),
-    /// The user interrupted it; what there is was written: exit code 130, as of a program that SIGINT ended.
+    /// The user interrupted it, and the results up to then were written: exit code 130, as for a program that SIGINT ended.
     Interrupted,
-    /// Who reads our output has gone, as `head` does: no failure of ours, exit code 0.
+    /// The reader of the output closed it early, as `head` does. This is not a failure: exit code 0.
     ReaderGone,
 }
 
 impl Failure {
-    /// Input that is refused with `error`, whose text tells all.
+    /// Input that is refused with `error`.
     pub(crate) fn input(error: impl fmt::Display) -> Failure {
         Failure::Input(error.to_string())
     }

@@ -12,13 +12,13 @@ use crate::load::load;
 use crate::output::write_whole;
 use crate::terminal::{say, tell};
 
-/// Libraries above this size are not read; ours has about 10 MiB, some 100 with debug information (bytes).
+/// Largest library that is read (bytes). The project's has about 10 MiB, with debug information about 100.
 const LARGEST_LIBRARY: u64 = 1 << 30;
 
 /// Writes the FMU that `args` describe. Nothing is written before the scenario is accepted.
 ///
 /// # Errors
-/// Bad input; a library that is not there; a file that cannot be written.
+/// Bad input; a missing library; a file that cannot be written.
 pub(crate) fn fmu(args: &FmuArgs) -> Result<(), Failure> {
     let scenario = load(&args.scenario, &args.changes)?;
     for notice in &scenario.notices {
@@ -35,7 +35,7 @@ pub(crate) fn fmu(args: &FmuArgs) -> Result<(), Failure> {
     let changes = args.changes.keys_and_values().map_err(Failure::input)?;
     let bundle = Bundle::load(kind, &args.scenario, changes).map_err(Failure::input)?;
     let plan = Plan::new(bundle).map_err(|error| match error {
-        PlanError::Bundle(BundleError::NoBundle(_)) => Failure::case(error),
+        PlanError::Bundle(BundleError::NotABundle(_)) => Failure::case(error),
         error => Failure::input(error),
     })?;
     let stem = args.out.file_stem().unwrap_or_default().to_string_lossy().into_owned();
@@ -57,17 +57,17 @@ pub(crate) fn fmu(args: &FmuArgs) -> Result<(), Failure> {
     ))
 }
 
-/// Where the library is: as told, else beside the program, where cargo puts what it builds.
+/// The path of the library: as given, otherwise beside the program, where cargo puts it.
 fn library(told: Option<&Path>) -> Result<PathBuf, Failure> {
     if let Some(path) = told {
         return Ok(path.to_owned());
     }
     let program = std::env::current_exe()
-        .map_err(|e| Failure::case(format_args!("error: where this program lies: {e}")))?;
+        .map_err(|e| Failure::case(format_args!("error: the folder of this program: {e}")))?;
     let folder = program.parent().unwrap_or(Path::new(""));
     let name = library_file_name();
     let places = [folder.join(&name), folder.join("deps").join(&name)];
-    // Where cargo has built it twice, the later one is this program's.
+    // If cargo has built it twice, the newer one belongs to this program.
     let built = |path: &PathBuf| fs::metadata(path).and_then(|meta| meta.modified()).ok();
     let newest = places.iter().filter_map(|path| Some((built(path)?, path))).max();
     newest.map(|(_, path)| path.clone()).ok_or_else(|| {

@@ -1,5 +1,5 @@
-//! Ctrl-C while a run is at work: the first asks it to end with the results so far, the second ends the program at once.
-//! SIGTERM ends it at once too. No process of a provider is left behind. Ctrl-C while the server is at work ends it.
+//! Ctrl-C. During a run the first ends it with the results so far, the second ends the program at once, as SIGTERM does. No
+//! process of a provider is left behind. Ctrl-C also ends the live server.
 
 use std::io;
 use std::process;
@@ -10,8 +10,8 @@ use tokio::sync::oneshot;
 
 use crate::failure::INTERRUPTED;
 
-/// Sent when Ctrl-C is pressed; pressed again it ends the program. A thread of its own listens, so that a second one
-/// ends the program whatever the others wait for.
+/// Sent at the first Ctrl-C; the second one ends the program. A thread of its own listens, so that this works whatever
+/// the other threads wait for.
 ///
 /// # Errors
 /// The system gives no thread.
@@ -31,13 +31,12 @@ pub(crate) fn stop_on_interrupt() -> io::Result<oneshot::Receiver<()>> {
     Ok(stop)
 }
 
-/// Whether the user has asked for the end.
+/// Whether the user has asked the run to end.
 pub(crate) struct Interrupt(Arc<AtomicBool>);
 
 impl Interrupt {
-    /// Listens from now on to the end of the program. Where the system lets nobody listen, Ctrl-C ends the program as
-    /// it does every other; where the shell that started it had it ignored, as for what runs in the background, it
-    /// stays ignored.
+    /// Listens until the program ends. If the system does not allow it, Ctrl-C ends the program as usual. If the shell
+    /// ignores SIGINT for the program, as for background jobs, it stays ignored.
     pub(crate) fn listen() -> Interrupt {
         let asked = Arc::new(AtomicBool::new(false));
         #[cfg(unix)]
@@ -67,7 +66,7 @@ mod unix {
     use crate::provider::end_all;
     use crate::terminal::tell;
 
-    /// What a shell sees of a program that SIGTERM ended.
+    /// The exit code that a shell reports for a program that SIGTERM ended.
     const TERMINATED: i32 = 143;
 
     /// Starts the thread that listens, and waits until it does.
@@ -76,7 +75,7 @@ mod unix {
         let (listening, is_listening) = channel();
         let thread = std::thread::Builder::new().name("interrupt".into());
         if thread.spawn(move || hear(&asked, listening)).is_ok() {
-            // An error says that it ended, and so that Ctrl-C does what it always does.
+            // An error means that the thread ended: Ctrl-C then ends the program as usual.
             let _ = is_listening.recv();
         }
     }
@@ -94,7 +93,7 @@ mod unix {
                         if asked.swap(true, Ordering::Relaxed) {
                             end(i32::from(INTERRUPTED));
                         }
-                        tell("interrupted: the results so far are written; once more ends it at once, without them");
+                        tell("interrupted: the results so far are written; a second Ctrl-C ends the program at once, without them");
                     }
                     _ = terminate.recv() => end(TERMINATED),
                 }
@@ -102,13 +101,13 @@ mod unix {
         });
     }
 
-    /// At once: files stay under their `.part` names, as after a kill, and the next run removes them.
+    /// Ends the program at once. Files keep their `.part` names, and the next run removes them.
     fn end(code: i32) -> ! {
         end_all();
         std::process::exit(code)
     }
 
-    /// Whether SIGINT was ignored when the program started; told by Linux alone.
+    /// Whether SIGINT was ignored when the program started. Only Linux reports it.
     pub(super) fn is_ignored() -> bool {
         const SIGINT_BIT: u64 = 1 << 1;
         let Ok(status) = read_text_of(Path::new("/proc/self/status"), 1 << 16) else {

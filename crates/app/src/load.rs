@@ -10,7 +10,7 @@ use crate::failure::Failure;
 /// Reads and checks the scenario at `path`.
 ///
 /// # Errors
-/// [`Failure::Input`] for a file that cannot be read, is too large, is no UTF-8 text, or that the
+/// [`Failure::Input`] for a file that cannot be read, is too large, is not UTF-8 text, or that the
 /// scenario reader refuses.
 pub(crate) fn load(path: &Path, changes: &Changes) -> Result<Scenario, Failure> {
     let overrides = changes.overrides().map_err(Failure::input)?;

@@ -1,8 +1,8 @@
 //! fenderline: contact of ships, fenders, quays and tugs from a scenario file.
 //!
 //! `cli` is the command line; `run`, `check`, `validate`, `manoeuvre`, `vessels`, `fender` and `fmu` are the commands;
-//! `load` reads a scenario; `interrupt` hears Ctrl-C;
-//! `output` writes the result files; `provider` speaks with other programs that put forces on bodies.
+//! `load` reads a scenario; `interrupt` handles Ctrl-C;
+//! `output` writes the result files; `provider` exchanges data with other programs that apply forces to bodies.
 
 mod check;
 mod cli;
@@ -37,7 +37,7 @@ fn main() -> ExitCode {
             // Help and version come this way too, with exit code 0; wrong usage has 2.
             let plain = e.render().to_string();
             match printable_text(&plain) {
-                // In colours, where the terminal has them.
+                // In colour, if the terminal has it.
                 Cow::Borrowed(_) => {
                     let _ = e.print();
                 }

@@ -8,9 +8,9 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 /// Runs shorter than this show no bar.
 const PATIENCE: Duration = Duration::from_millis(500);
 
-/// A bar on the terminal's standard error; nothing where that is piped or the run is short.
+/// A bar on standard error; none if that is not a terminal or the run is short.
 pub(crate) struct Progress {
-    /// `None` where standard error is no terminal.
+    /// `None` if standard error is not a terminal.
     bar: Option<ProgressBar>,
     started: Instant,
     is_shown: bool,
@@ -19,8 +19,8 @@ pub(crate) struct Progress {
 impl Progress {
     /// A bar for a run of `steps` steps.
     pub(crate) fn new(steps: u64) -> Progress {
-        // The bar counts from the start, hidden, so that its estimate of the time left is right
-        // when it shows.
+        // The bar counts from the start while it is hidden, so that its estimate of the time left is right
+        // when it appears.
         let bar = io::stderr().is_terminal().then(|| {
             ProgressBar::with_draw_target(Some(steps), ProgressDrawTarget::hidden())
                 .with_style(style())
@@ -28,7 +28,7 @@ impl Progress {
         Progress { bar, started: Instant::now(), is_shown: false }
     }
 
-    /// Tells that `done` steps are done.
+    /// Sets the number of steps done.
     pub(crate) fn advance(&mut self, done: u64) {
         let Some(bar) = &self.bar else { return };
         if !self.is_shown && self.started.elapsed() > PATIENCE {

@@ -2,6 +2,7 @@
 
 mod fenders;
 mod printed;
+mod verdict;
 mod world;
 
 use std::path::{Path, PathBuf};
@@ -26,13 +27,12 @@ use fenderline_validate::errors_of;
 
 /// Runs the scenario that `args` name. Nothing is written before the scenario is accepted.
 ///
-/// A fender that failed is a result, not a failed case: the run is complete and its files are right, so
-/// the exit code is 0. The summary says it in capitals, and `fenders[].verdict` in `summary.json` is there
-/// for a script that wants to stop at it.
+/// A run in which something broke or was struck is complete and its files are right; its exit code is 1, unless
+/// `--allow-failures` is given.
 ///
 /// # Errors
-/// Bad input; a simulation or a file that failed, in which case no result file is left. A run that was interrupted,
-/// whose files are complete up to there and say so.
+/// Bad input. A simulation or a file that failed: no result file is left. A run that was interrupted: its files are complete
+/// up to then and say so.
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let scenario = load(&args.scenario, &args.changes)?;
     for notice in &scenario.notices {
@@ -41,6 +41,9 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let mut notices: Vec<String> = scenario.notices.iter().map(recorded).collect();
     let Scenario { title, setup, .. } = scenario;
     let mut simulation = Simulation::new(setup).map_err(error)?;
+    for finding in simulation.start_findings() {
+        tell(&format!("notice: {}", finding.sentence(simulation.setup())));
+    }
     let interrupt = Interrupt::listen();
     let folder_path = args.out.clone().unwrap_or_else(|| default_folder(&args.scenario));
     let folder = Folder::open(&folder_path)?;
@@ -65,7 +68,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         },
         || interrupt.is_asked(),
     )?;
-    // Nobody has to wait for the others' programs while the files are written.
+    // The providers are ended before the files are written.
     drop(providers);
     let interrupted = (!simulation.is_done()).then(|| Interrupted::of(&simulation));
 
@@ -74,7 +77,9 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         notices.push(gain.to_string());
     }
     let fenders: Vec<FenderSummary> = simulation.fender_summaries().cloned().collect();
+    let findings = simulation.findings();
     let outcome = Outcome {
+        findings: &findings,
         title: &title,
         scenario_file: &file_name(&args.scenario),
         setup: simulation.setup(),
@@ -97,11 +102,14 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let tables = tables.finish()?;
     publish(folder, tables, &report, &summary)?;
     say(&printed::summary(&outcome, &folder_path, &files))?;
-    if outcome.interrupted.is_some() { Err(Failure::Interrupted) } else { Ok(()) }
+    if outcome.interrupted.is_some() {
+        return Err(Failure::Interrupted);
+    }
+    verdict::exit(&findings, args.allow_failures)
 }
 
-/// Steps `simulation` to its end, or until after a step it `is_stopped`, and shows `each` step; what comes from outside
-/// is set `before` each. A bar shows the progress on a terminal.
+/// Steps `simulation` to its end, or until it `is_stopped`. `before` sets external forces before each step; `each` takes the
+/// record of the step. A bar shows the progress on a terminal.
 ///
 /// # Errors
 /// A step that the simulation cannot make, or the first error of `each`.
@@ -129,8 +137,7 @@ pub(crate) fn error(error: fenderline_sim::SetupError) -> Failure {
     Failure::input(format_args!("error: {error}"))
 }
 
-/// A notice as the results keep it: without the file's path, so that a run gives the same bytes
-/// wherever it is started.
+/// A notice for the results: without the file's path, so that a run gives the same bytes in any folder.
 fn recorded(notice: &Notice) -> String {
     let Notice { place, key, message } = notice;
     match place {
@@ -148,7 +155,7 @@ fn file_name(scenario: &Path) -> String {
     scenario.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// What a table that travels alone should tell of its run.
+/// Metadata of a table, for readers who have it without the other files.
 fn facts(title: &str, simulation: &Simulation) -> Vec<(&'static str, String)> {
     let setup = simulation.setup();
     vec![
@@ -160,7 +167,7 @@ fn facts(title: &str, simulation: &Simulation) -> Vec<(&'static str, String)> {
     ]
 }
 
-/// The errors of the formulas that estimated any of the vessels; computed only where there is such a vessel.
+/// The errors of the formulas of estimated vessels; computed only if there is such a vessel.
 fn estimate_errors(setup: &Setup) -> &'static [EstimateError] {
     let mut all = setup.world.vessels.iter().map(|vessel| errors_of(&vessel.origin));
     all.find(|errors| !errors.is_empty()).unwrap_or(&[])

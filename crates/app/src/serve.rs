@@ -31,7 +31,7 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
     };
     let server = with_progress(|progress| Server::start(&options, progress))?;
     let interrupted = stop_on_interrupt()
-        .map_err(|e| Failure::case(format_args!("error: Ctrl-C cannot be heard: {e}")))?;
+        .map_err(|e| Failure::case(format_args!("error: cannot listen for Ctrl-C: {e}")))?;
     say(server.greeting())?;
     let recording = server.run(interrupted)?;
     say(&format!("recorded: {}\n", recording.display()))
@@ -40,7 +40,7 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
 /// Replays a recorded session and compares every recorded state.
 ///
 /// # Errors
-/// A file that is no recording or is damaged; a session whose replay differs in any bit.
+/// A file that is not a recording or is damaged; a session whose replay differs in any bit.
 pub(crate) fn replay(args: &ReplayArgs) -> Result<(), Failure> {
     let replayed = with_progress(|progress| fenderline_serve::replay(&args.session, progress))?;
     let Replayed { title, branches, ticks, equal_states, incomplete } = replayed;

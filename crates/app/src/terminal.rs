@@ -1,5 +1,5 @@
-//! What the program says. Writing never panics: a reader that went away ends the command quietly. Names and titles of
-//! users reach the terminal here alone, and nothing of them that it would obey.
+//! Output to the terminal. Writing never panics: a reader that closed the pipe ends the command quietly. Control characters
+//! in users' names and titles are removed here.
 
 use std::io::{self, Write as _};
 
@@ -10,13 +10,12 @@ use crate::failure::Failure;
 /// Prints `text` to standard output.
 ///
 /// # Errors
-/// [`Failure::ReaderGone`] where the pipe is closed; a failed case where it cannot be written, as
-/// on a full disk.
+/// [`Failure::ReaderGone`] if the pipe is closed; a failed case if it cannot be written, as on a full disk.
 pub(crate) fn say(text: &str) -> Result<(), Failure> {
     put(&printable_text(text))
 }
 
-/// Prints a text of JSON to standard output, in which no value is changed: what a terminal would obey is escaped.
+/// Prints JSON to standard output. Control characters are escaped, so that no value changes.
 ///
 /// # Errors
 /// As [`say`].
@@ -32,7 +31,7 @@ fn put(text: &str) -> Result<(), Failure> {
     })
 }
 
-/// Prints a line to standard error, where nothing better can be done if that fails.
+/// Prints a line to standard error. A failure is ignored.
 pub(crate) fn tell(line: &str) {
     let _ = writeln!(io::stderr().lock(), "{}", printable_text(line.trim_end()));
 }

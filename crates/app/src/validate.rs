@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::output::{make_folder, write_whole};
 use crate::terminal::say;
 
-/// Runs all cases, prints the table and writes the report where `args` asks for one.
+/// Runs all cases, prints the table and writes the report if `args` asks for one.
 ///
 /// # Errors
 /// A row that is out of tolerance, a statement that unexpectedly does not hold, a run that failed,

@@ -18,10 +18,10 @@ use crate::terminal::{say, say_json};
 use fenderline_report::plot::{fixed, plain};
 use fenderline_validate::errors_of;
 
-/// Lists the vessels, or tells one of them.
+/// Lists the vessels, or prints one of them.
 ///
 /// # Errors
-/// A file that cannot be used, a vessel that is not known.
+/// A file that cannot be used, an unknown vessel.
 pub(crate) fn vessels(args: &VesselsArgs) -> Result<(), Failure> {
     let library = library(&args.file)?;
     let Some(name) = &args.vessel else {
@@ -41,10 +41,10 @@ pub(crate) fn vessels(args: &VesselsArgs) -> Result<(), Failure> {
     say_json(&format!("{json:#}\n"))
 }
 
-/// The vessels that the program carries in itself, with those of files.
+/// The built-in vessels, with those of files.
 ///
 /// # Errors
-/// A file that cannot be read or is no good vessel file.
+/// A file that cannot be read or is not a valid vessel file.
 pub(crate) fn library(files: &[PathBuf]) -> Result<VesselLibrary, Failure> {
     files.iter().try_fold(VesselLibrary::built_in(), |library, path| {
         let text = read_text(path)
@@ -53,17 +53,17 @@ pub(crate) fn library(files: &[PathBuf]) -> Result<VesselLibrary, Failure> {
     })
 }
 
-/// The vessel of a name.
+/// The vessel with a name.
 ///
 /// # Errors
-/// There is none.
+/// There is no such vessel.
 pub(crate) fn found<'l>(library: &'l VesselLibrary, name: &str) -> Result<&'l VesselData, Failure> {
     library
         .vessel(name)
         .map_err(|error| Failure::input(format_args!("error: {error}\n  = help: {}", error.help())))
 }
 
-/// What of a vessel is estimated, one line each; nothing where nothing is.
+/// The estimated data of a vessel, one line each.
 pub(crate) fn estimates(name: &str, origin: &Origin) -> String {
     let mut text = String::new();
     for (index, source) in origin.estimates().enumerate() {
@@ -76,7 +76,7 @@ pub(crate) fn estimates(name: &str, origin: &Origin) -> String {
     text
 }
 
-/// The same as lines of text under a heading.
+/// The same as text under a heading.
 pub(crate) fn accuracy_text(origin: &Origin) -> String {
     let lines = accuracy(origin, errors_of(origin));
     if lines.is_empty() {
@@ -118,7 +118,7 @@ fn sheet(vessel: &VesselData) -> String {
     ];
     let lacks: Vec<_> = lacks.iter().filter(|(lacks, _)| *lacks).map(|(_, what)| *what).collect();
     if !lacks.is_empty() {
-        let _ = writeln!(text, "not known of her: {}", lacks.join(", "));
+        let _ = writeln!(text, "not in the data: {}", lacks.join(", "));
     }
     for source in vessel.origin.sources.iter().filter(|source| !source.is_estimate) {
         let _ = writeln!(text, "\n[{}] {}", source.word(), source.source);
@@ -140,20 +140,19 @@ fn sheet(vessel: &VesselData) -> String {
 /// Frequencies of the drift table (rad/s).
 const FREQUENCIES_RADPS: [f64; 12] = [0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.2, 1.4, 1.7, 2.0];
 
-/// Depth that waves do not feel (m).
+/// A depth that does not affect the waves (m).
 const DEEP_M: f64 = 10_000.0;
 
 /// Mean drift in one wave.
 struct Drift {
     frequency_radps: f64,
     length_m: f64,
-    /// Waves from ahead, on the port bow, from port, on the port quarter, from astern: what they come from, off the
-    /// bow (rad), and force forward and to starboard and moment about midship over the amplitude squared [N/m², N/m²,
+    /// Waves from ahead, the port bow, port, the port quarter and astern: their direction off the bow (rad), and force forward and to starboard and moment about midship over the amplitude squared [N/m², N/m²,
     /// N·m/m²].
     by_heading: [(f64, [f64; 3]); 5],
 }
 
-/// Of a vessel at rest in deep sea water.
+/// The drift of a vessel at rest in deep sea water.
 fn drift(vessel: &VesselData) -> Vec<Drift> {
     let hull = DriftHull::of(&vessel.ship.particulars);
     let specific_npm3 = Water::SEA.density_kgpm3 * STANDARD_GRAVITY_MPS2;
@@ -199,7 +198,7 @@ fn drift_table(rows: &[Drift]) -> String {
     for row in rows {
         let at = |heading: usize, way: usize| {
             let force_kn = 1e-3 * row.by_heading[heading].1[way];
-            // No −0.0 of rounding.
+            // Rounding must not give −0.0.
             fixed(if force_kn.abs() < 0.05 { 0.0 } else { force_kn }, 1)
         };
         let _ = writeln!(

@@ -7,7 +7,7 @@ use std::fs;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use support::{PROGRAM, TUG, Workplace, contains_all};
+use support::{PROGRAM, TUG, Workplace, contains_all, limited};
 
 /// A provider that starts a process of its own, which writes its number to `grandchild` and sleeps. It answers each
 /// question after a while (s).
@@ -81,7 +81,7 @@ fn send(child: &Child, signal: &str) {
 
 /// Exit code, standard output and standard error, once it has ended.
 fn outcome(child: Child) -> (Option<i32>, String, String) {
-    let output = child.wait_with_output().expect("it ends");
+    let output = limited::output_of(child);
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
     (output.status.code(), text(&output.stdout), text(&output.stderr))
 }

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use support::{PROGRAM, Workplace, contains_all};
+use support::{PROGRAM, Workplace, contains_all, limited};
 
 /// Runs that are started at once.
 const RUNS: usize = 8;
@@ -130,7 +130,7 @@ fn of_eight_runs_at_once_one_writes_the_folder_and_seven_are_refused() {
         }
         let told: Vec<String> = runs
             .into_iter()
-            .map(|run| run.wait_with_output().expect("it ends").stderr)
+            .map(|run| limited::output_of(run).stderr)
             .map(|bytes| String::from_utf8_lossy(&bytes).into_owned())
             .collect();
         let told_of = || format!("round {round}: {before:?}, then {codes:?}\n{}", told.join("\n"));

@@ -121,7 +121,7 @@ fn a_recording_with_a_far_tick_does_not_freeze_the_server() {
             "ack"
         );
         let refused = instructor.next("refused").await.to_string();
-        assert!(refused.contains("line 2: no session says this"), "{refused}");
+        assert!(refused.contains("line 2: the line is invalid"), "{refused}");
         let tick = instructor.next("frame").await["tick"].as_u64().expect("a tick");
         instructor.frame_after(tick + 5).await;
         let (code, said) = replayed(&far);
@@ -210,11 +210,11 @@ fn a_server_that_is_interrupted_ends_its_recording_and_a_killed_ones_is_told_fro
         pilot.frame_after(15).await;
         let (file, text) = server.kill();
         let (code, said) = replayed(&file);
-        assert!(code == Some(0) && said.contains("no line that ends it"), "{said}");
+        assert!(code == Some(0) && said.contains("its last line is missing"), "{said}");
         assert!(said.contains("without its end; the same bits"), "{said}");
         fs::write(&file, &text[..text.len() - 20]).expect("written");
         let (code, said) = replayed(&file);
-        assert!(code == Some(0) && said.contains("it is torn"), "{said}");
+        assert!(code == Some(0) && said.contains("its last line is incomplete"), "{said}");
         #[cfg(unix)]
         {
             let server = Server::start(&[]);
@@ -249,12 +249,18 @@ fn a_second_ctrl_c_ends_the_program_whatever_it_waits_for() {
         .stderr(Stdio::null())
         .spawn()
         .expect("it starts");
-    let mut lines = BufReader::new(&reader);
-    let mut line = String::new();
-    while !line.contains("Recorded to") {
-        line.clear();
-        assert!(lines.read_line(&mut line).expect("a line") > 0, "it has ended");
-    }
+    let (send, greeted) = std::sync::mpsc::channel();
+    std::thread::spawn(move || {
+        let mut lines = BufReader::new(reader);
+        let mut line = String::new();
+        while !line.contains("Recorded to") {
+            line.clear();
+            assert!(lines.read_line(&mut line).expect("a line") > 0, "it has ended");
+        }
+        send.send(lines)
+    });
+    // Kept open and not read any more.
+    let _reader = greeted.recv_timeout(server::limited::LIMIT).expect("the greeting comes");
     let id = child.id().to_string();
     let interrupt = || {
         assert!(Command::new("kill").args(["-INT", &id]).status().expect("kill").success());

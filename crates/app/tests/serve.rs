@@ -105,8 +105,8 @@ fn two_clients_cannot_hold_the_same_helm_and_who_vanishes_leaves_it_as_it_was() 
         );
         // The first one vanishes without a word.
         one.vanish();
-        let notice = instructor.notice("has gone").await;
-        assert!(notice.contains("controls of ship stay as they are"), "{notice}");
+        let notice = instructor.notice("has left").await;
+        assert!(notice.contains("orders of ship stay as they are"), "{notice}");
         let frame = instructor.frame_after(ordered + 1).await;
         assert_eq!(frame["vessels"][0]["rudder"]["order_rad"], -0.4);
         let hello = instructor.latest_hello().await;
@@ -424,7 +424,7 @@ fn a_client_that_falls_silent_is_gone_after_a_while() {
         let mut instructor = Client::join(&server, "instructor").await;
         let silent = client::half_open(&server, "pilot").await;
         instructor.notice("pilot").await;
-        let notice = instructor.notice("has gone").await;
+        let notice = instructor.notice("has left").await;
         assert!(notice.contains("pilot"), "{notice}");
         drop(silent);
         server.stop_and_check();
@@ -445,7 +445,7 @@ fn a_page_that_reads_slowly_gets_the_latest_frame_and_all_events() {
         let paused = instructor.next("frame").await["tick"].as_u64().expect("a tick");
         let frame = slow.frame_after(paused).await;
         assert_eq!(frame["tick"], paused);
-        assert!(slow.events.iter().any(|text| text.contains("own orders")), "{:?}", slow.events);
+        assert!(slow.events.iter().any(|text| text.contains("timed orders")), "{:?}", slow.events);
         server.stop_and_check();
     });
 }

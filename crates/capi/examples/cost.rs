@@ -1,7 +1,7 @@
-//! `cargo xtask bench border`: what a step costs more for a host that calls C: the same step by the engine itself, by the object that
-//! holds it, and by `fl_engine_advance`, with the states and loads of all bodies in and the wrenches out.
+//! `cargo xtask bench border`: the cost of the C interface. The same step by the engine itself, by `fenderline_embed`, and
+//! by `fl_engine_advance`, with the states and loads of all bodies in and the wrenches out.
 
-#![allow(unsafe_code, reason = "it calls as a program in C does")]
+#![allow(unsafe_code, reason = "the calls are those of a C program")]
 
 use std::hint::black_box;
 use std::path::Path;
@@ -18,62 +18,62 @@ use fenderline_contact::{
 use fenderline_embed::{Engine, Host, Settings};
 use fenderline_scenario::Scenario;
 
-/// Steps in a round: some milliseconds.
+/// Steps per round, for some milliseconds.
 const STEPS: usize = 2_000;
-/// Rounds: in each, every way takes its turn, so that what slows the machine slows all of them.
+/// Rounds. Each measures all ways in turn, so that a busy machine slows all of them alike.
 const ROUNDS: usize = 101;
 const STEP_S: f64 = 0.1;
 const BERTH: &str = "scenarios/berth/leaning_on_eight_fenders.toml";
 
-/// A scenario's bodies, standing somewhere.
+/// A ship at a berth.
 struct Case {
     name: &'static str,
-    following: bool,
-    /// Metres that the ship lies nearer to the quay than where the scenario begins.
+    co_simulation: bool,
+    /// How much nearer to the quay the ship is than at the scenario's start (m).
     nearer_m: f64,
 }
 
 const CASES: [Case; 3] = [
-    Case { name: "a ship off her berth", following: false, nearer_m: -20.0 },
-    Case { name: "a ship on eight fenders", following: false, nearer_m: 0.1 },
-    Case { name: "the same, by a host that is followed", following: true, nearer_m: 0.1 },
+    Case { name: "a ship off her berth", co_simulation: false, nearer_m: -20.0 },
+    Case { name: "a ship on eight fenders", co_simulation: false, nearer_m: 0.1 },
+    Case { name: "the same, co-simulation host", co_simulation: true, nearer_m: 0.1 },
 ];
 
 fn main() {
     println!(
-        "step, of nine bodies with loads told         engine    held  from C  C over the engine"
+        "step, nine bodies with loads                 engine   embed  from C  C over the engine"
     );
     for case in CASES {
         let mut bare = Bare::new(&case);
-        let mut held = held(&case);
+        let mut embedded = embedded(&case);
         let mut from_c = FromC::new(&case);
         let (states, loads) = (bare.states.clone(), bare.loads.clone());
         let mut times = [const { Vec::new() }; 4];
         for _ in 0..ROUNDS {
             let engine_ns = nanoseconds_a_step(|| bare.round());
-            let held_ns = nanoseconds_a_step(|| {
+            let embed_ns = nanoseconds_a_step(|| {
                 for _ in 0..STEPS {
-                    let wrenches = held.advance(black_box(&states), Some(&loads), STEP_S);
+                    let wrenches = embedded.advance(black_box(&states), Some(&loads), STEP_S);
                     black_box(wrenches.expect("good states"));
                 }
             });
             let from_c_ns = nanoseconds_a_step(|| from_c.round());
             for (all, own) in
-                times.iter_mut().zip([engine_ns, held_ns, from_c_ns, from_c_ns - engine_ns])
+                times.iter_mut().zip([engine_ns, embed_ns, from_c_ns, from_c_ns - engine_ns])
             {
                 all.push(own);
             }
         }
-        let [engine_ns, held_ns, from_c_ns, over_ns] = times.map(median);
+        let [engine_ns, embed_ns, from_c_ns, over_ns] = times.map(median);
         let name = case.name;
         println!(
-            "{name:42} {engine_ns:6.0} ns {held_ns:4.0} ns {from_c_ns:4.0} ns {over_ns:15.0} ns"
+            "{name:42} {engine_ns:6.0} ns {embed_ns:4.0} ns {from_c_ns:4.0} ns {over_ns:15.0} ns"
         );
     }
     println!(
-        "\nMedians. Holding takes each step on a copy of the memory and looks its results through for"
+        "\nMedians. embed takes each step on a copy of the memory and checks that the results are"
     );
-    println!("what is not finite, so that a call that fails changes nothing.");
+    println!("finite, so that a failed call changes nothing.");
 }
 
 fn nanoseconds_a_step(round: impl FnOnce()) -> f64 {
@@ -87,10 +87,10 @@ fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
-fn held(case: &Case) -> Engine {
+fn embedded(case: &Case) -> Engine {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(BERTH);
     let scenario = Scenario::load(&file, &[]).expect("a scenario of the project");
-    let host = match case.following {
+    let host = match case.co_simulation {
         true => Host::CoSimulation(HostSettings::default()),
         false => Host::default(),
     };
@@ -112,12 +112,12 @@ enum BareCore {
 
 impl Bare {
     fn new(case: &Case) -> Bare {
-        let engine = held(case);
+        let engine = embedded(case);
         let model = engine.model().clone();
         let mut states = engine.initial_states().to_vec();
         let ship = engine.body_named("ship").expect("she is there");
         states[ship].position_m.y += case.nearer_m;
-        let core = if case.following {
+        let core = if case.co_simulation {
             let host = CoSimHost::new(&model, HostSettings::default());
             BareCore::CoSimulation(Box::new((host, HostWorkspace::new(&model))))
         } else {
@@ -147,7 +147,7 @@ impl Bare {
     }
 }
 
-/// As a program in C has it.
+/// The engine through the C interface.
 struct FromC {
     engine: *mut FlEngine,
     states: Vec<FlState>,
@@ -159,7 +159,7 @@ impl FromC {
     fn new(case: &Case) -> FromC {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(BERTH);
         let file = file.to_str().expect("UTF-8");
-        let host = if case.following { FL_HOST_COSIMULATION } else { 0 };
+        let host = if case.co_simulation { FL_HOST_COSIMULATION } else { 0 };
         let settings = FlSettings { size: size_of::<FlSettings>(), host, ..FlSettings::default() };
         let mut engine = ptr::null_mut();
         let (text, length) = (file.as_ptr().cast(), file.len());
@@ -177,7 +177,7 @@ impl FromC {
         let (states, count) = (black_box(&*states), states.len());
         for _ in 0..STEPS {
             let (loads, into) = (loads.as_ptr(), wrenches.as_mut_ptr());
-            // SAFETY: the arrays have as many members as `count` says.
+            // SAFETY: the arrays have `count` elements.
             let status =
                 unsafe { fl_engine_advance(*engine, states.as_ptr(), loads, count, STEP_S, into) };
             assert_eq!(status, FlStatus::Ok);

@@ -1,14 +1,13 @@
 /*
- * Random sequences of calls: any order, any numbers, any bytes for a saved engine, handles that are none.
+ * Random sequences of calls: any order, any numbers, any bytes for a saved engine, invalid handles.
  *
  *     fuzz SEQUENCES [FIRST]
  *
- * Each sequence is drawn from its own number alone, so that one that fails can be played by itself. Buffers
- * are of the very size that a call is told, from malloc, so that a sanitizer or valgrind sees a byte too far.
- * After every call that fails: the status is one that the header has, there is a text, and the engine is as it
- * was. A fault of the library (FL_STATUS_PANICKED), a number that is not finite among the results, or 20
- * seconds in one sequence ends the run. Digests of all that came back are printed on the way: another build
- * must print the same.
+ * Each sequence depends on its own number alone, so that one that fails can be run by itself. Buffers come
+ * from malloc with exactly the size that is passed, so that a sanitizer or valgrind sees an access beyond it.
+ * After each failed call: its status is in the header, there is an error message, and the engine is unchanged.
+ * FL_STATUS_PANICKED, a non-finite result, or 20 seconds in one sequence ends the run. It prints digests of
+ * all results; another build must print the same.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
@@ -70,7 +69,7 @@ static void note(const void *bytes, size_t length)
         digest = (digest ^ b[i]) * 0x100000001b3u;
 }
 
-/* Mostly good; now and then not finite, huge, tiny or any bits. */
+/* Mostly in range; sometimes not finite, huge, tiny or random bits. */
 static double number(double low, double high)
 {
     uint64_t bits;
@@ -89,7 +88,7 @@ static double number(double low, double high)
     }
 }
 
-/* Mostly one that is held; now and then NULL, a destroyed one, another kind or any bits. */
+/* Mostly a valid handle; sometimes NULL, destroyed, of the wrong kind or random bits. */
 static void *handle(void *const *own, void *const *other)
 {
     static double somewhere;
@@ -99,7 +98,7 @@ static void *handle(void *const *own, void *const *other)
     case 2: return (void *)(uintptr_t)draw();
     case 3: return &somewhere;
     case 4: return (void *)((uintptr_t)own[below(HELD)] + below(64));
-    /* The first ones are there from the beginning. */
+    /* The first two exist from the start. */
     default: return own[below(below(4) ? 2 : HELD)];
     }
 }
@@ -107,7 +106,7 @@ static void *handle(void *const *own, void *const *other)
 static fl_engine *an_engine(void) { return handle((void *const *)engines, (void *const *)builders); }
 static fl_builder *a_builder(void) { return handle((void *const *)builders, (void *const *)engines); }
 
-/* A copy of the very size; NULL now and then. */
+/* A copy of exactly this size; sometimes NULL. */
 static void *copy(const void *bytes, size_t length)
 {
     void *own;
@@ -119,7 +118,7 @@ static void *copy(const void *bytes, size_t length)
     return own;
 }
 
-/* Where an array of doubles may begin: now and then where it may not. Room for `count` and one byte. */
+/* Room for an array; sometimes NULL or misaligned. The block has one byte more. */
 static void *room(size_t count, size_t size, uint8_t **block)
 {
     *block = calloc(count * size + 1, 1);
@@ -128,15 +127,15 @@ static void *room(size_t count, size_t size, uint8_t **block)
     return *block + (below(80) == 0);
 }
 
-static fl_status told(fl_status status)
+static fl_status checked(fl_status status)
 {
     char text[64];
     size_t length = 0;
     calls++;
     if ((unsigned)status > FL_STATUS_PANICKED)
-        fail("a status that is none");
+        fail("an unknown status");
     if (status == FL_STATUS_PANICKED)
-        fail("a fault of the library");
+        fail("a panic in the library");
     refused[status]++;
     note(&status, sizeof status);
     if (status == FL_STATUS_OK)
@@ -173,7 +172,7 @@ static size_t bodies_of(fl_engine *engine)
 {
     size_t count = 0;
     fl_engine_body_count(engine, &count);
-    /* Mostly right. */
+    /* Mostly correct. */
     return below(40) ? count : below(5);
 }
 
@@ -230,11 +229,11 @@ static void create(void)
         length = (size_t)below(length);
     text = realloc(text, length ? length : 1);
     if (below(20) == 0)
-        told(fl_engine_from_file("no/such/file.toml", FL_NUL, NULL, 0, given, &made));
+        checked(fl_engine_from_file("no/such/file.toml", FL_NUL, NULL, 0, given, &made));
     else if (below(20) == 0)
-        told(fl_engine_from_text(text, length, "contact.method=paper", FL_NUL, given, &made));
+        checked(fl_engine_from_text(text, length, "contact.method=paper", FL_NUL, given, &made));
     else
-        told(fl_engine_from_text(text, length, NULL, 0, given, below(40) ? &made : NULL));
+        checked(fl_engine_from_text(text, length, NULL, 0, given, below(40) ? &made : NULL));
     if (made)
         hold(made, place);
     free(text);
@@ -254,14 +253,14 @@ static void build(void)
     case 0: {
         size_t place = (size_t)below(HELD);
         fl_builder_destroy(builders[place]);
-        told(fl_builder_new(&builders[place]));
+        checked(fl_builder_new(&builders[place]));
         break;
     }
     case 1: {
         fl_material m = {below(60) ? sizeof m : (size_t)below(99), number(0, 1e6), number(0, 1e5),
                          number(0, 1e7), 0.5, number(0, 0.5), number(0, 1)};
         given = copy(&m, sizeof m);
-        told(fl_builder_add_material(b, name, FL_NUL, given, where));
+        checked(fl_builder_add_material(b, name, FL_NUL, given, where));
         free(given);
         break;
     }
@@ -281,7 +280,7 @@ static void build(void)
         }
         given = copy(&body, sizeof body);
         list = copy(points, 2 * count * sizeof *points);
-        told(fl_builder_add_body(b, name, FL_NUL, given, list,
+        checked(fl_builder_add_body(b, name, FL_NUL, given, list,
                                  below(90) ? count : (size_t)20000 + (size_t)draw() / 4, where));
         free(given);
         free(list);
@@ -298,23 +297,23 @@ static void build(void)
         }
         given = copy(&f, sizeof f);
         list = copy(points, 2 * count * sizeof *points);
-        told(fl_builder_add_fender(b, name, FL_NUL, given, list, count, where));
+        checked(fl_builder_add_fender(b, name, FL_NUL, given, list, count, where));
         free(given);
         free(list);
         break;
     }
-    case 5: told(fl_builder_add_pair(b, (uint32_t)below(3), (uint32_t)below(4), (uint32_t)below(2))); break;
-    case 6: told(fl_builder_add_all_other_pairs(b, (uint32_t)below(2))); break;
+    case 5: checked(fl_builder_add_pair(b, (uint32_t)below(3), (uint32_t)below(4), (uint32_t)below(2))); break;
+    case 6: checked(fl_builder_add_all_other_pairs(b, (uint32_t)below(2))); break;
     case 7: {
         char text[40];
-        told(fl_builder_error(b, text, sizeof text, NULL));
+        checked(fl_builder_error(b, text, sizeof text, NULL));
         break;
     }
     default: {
         fl_settings settings = some_settings();
         fl_engine *made = NULL;
         given = below(2) ? copy(&settings, sizeof settings) : NULL;
-        told(fl_builder_build(b, given, below(60) ? &made : NULL));
+        checked(fl_builder_build(b, given, below(60) ? &made : NULL));
         if (made)
             hold(made, (size_t)below(HELD));
         free(given);
@@ -330,56 +329,56 @@ static void ask(fl_engine *e)
     uint32_t index = (uint32_t)(below(20) ? below(4) : draw());
     void *into;
     switch (below(16)) {
-    case 0: told(fl_engine_notices(e, text, capacity, &length)); break;
-    case 1: told(fl_engine_body_name(e, index, text, capacity, NULL)); break;
-    case 2: told(fl_engine_fender_name(e, index, text, capacity, &length)); break;
-    case 3: a_name(text = realloc(text, 16)); told(fl_engine_find_body(e, text, FL_NUL, &index)); break;
-    case 4: a_name(text = realloc(text, 16)); told(fl_engine_find_fender(e, text, FL_NUL, &index)); break;
-    case 5: told(fl_engine_fender_count(e, below(50) ? &length : NULL)); break;
+    case 0: checked(fl_engine_notices(e, text, capacity, &length)); break;
+    case 1: checked(fl_engine_body_name(e, index, text, capacity, NULL)); break;
+    case 2: checked(fl_engine_fender_name(e, index, text, capacity, &length)); break;
+    case 3: a_name(text = realloc(text, 16)); checked(fl_engine_find_body(e, text, FL_NUL, &index)); break;
+    case 4: a_name(text = realloc(text, 16)); checked(fl_engine_find_fender(e, text, FL_NUL, &index)); break;
+    case 5: checked(fl_engine_fender_count(e, below(50) ? &length : NULL)); break;
     case 6:
         into = room(9, sizeof(double), &block);
-        if (told(fl_engine_mass_matrix(e, index, into)) == FL_STATUS_OK)
+        if (checked(fl_engine_mass_matrix(e, index, into)) == FL_STATUS_OK)
             finite(into, 9);
         break;
     case 7:
         into = room(count, sizeof(fl_state), &block);
-        if (told(fl_engine_initial_states(e, into, count)) == FL_STATUS_OK)
+        if (checked(fl_engine_initial_states(e, into, count)) == FL_STATUS_OK)
             finite(into, 6 * count);
         break;
     case 8:
         into = room(count, sizeof(fl_wrench), &block);
-        if (told((below(2) ? fl_engine_wrenches : fl_engine_peak_wrenches)(e, into, count)) == FL_STATUS_OK)
+        if (checked((below(2) ? fl_engine_wrenches : fl_engine_peak_wrenches)(e, into, count)) == FL_STATUS_OK)
             finite(into, 3 * count);
         break;
     case 9:
         into = room(count, sizeof(fl_state), &block);
-        if (told(fl_engine_states_after(e, into, count)) == FL_STATUS_OK)
+        if (checked(fl_engine_states_after(e, into, count)) == FL_STATUS_OK)
             finite(into, 6 * count);
         break;
     case 10: {
         void *loads = room(count, sizeof(fl_wrench), &block_2);
         into = room(count, sizeof(fl_state), &block);
-        if (told(fl_engine_host_estimate(e, into, loads, count)) == FL_STATUS_OK) {
+        if (checked(fl_engine_host_estimate(e, into, loads, count)) == FL_STATUS_OK) {
             finite(into, 6 * count);
             finite(loads, 3 * count);
         }
         break;
     }
-    case 11: told(fl_engine_contact_count(e, below(50) ? &length : NULL)); break;
+    case 11: checked(fl_engine_contact_count(e, below(50) ? &length : NULL)); break;
     case 12: case 13: {
         fl_contact *c = room(1, sizeof *c, &block);
         if (c && (uintptr_t)c % 8 == 0)
             c->size = below(50) ? sizeof *c : (size_t)draw();
-        if (told(fl_engine_contact(e, (uint32_t)below(4) / 3, c)) == FL_STATUS_OK)
+        if (checked(fl_engine_contact(e, (uint32_t)below(4) / 3, c)) == FL_STATUS_OK)
             finite(&c->area_m2, 21);
         break;
     }
-    case 14: told(fl_engine_event_count(e, &length)); break;
+    case 14: checked(fl_engine_event_count(e, &length)); break;
     default: {
         fl_event *event = room(1, sizeof *event, &block);
         if (event && (uintptr_t)event % 8 == 0)
             event->size = below(50) ? sizeof *event : (size_t)draw();
-        if (told(fl_engine_event(e, (uint32_t)below(3), event)) == FL_STATUS_OK)
+        if (checked(fl_engine_event(e, (uint32_t)below(3), event)) == FL_STATUS_OK)
             note(event, sizeof *event);
     }
     }
@@ -389,7 +388,7 @@ static void ask(fl_engine *e)
     free(block_2);
 }
 
-/* Saves, and bytes of any kind for a restore: what was saved, by whomever, whole, cut or changed. */
+/* Saves, or restores the bytes of any engine: unchanged, truncated or changed. */
 static void save_or_restore(fl_engine *e)
 {
     size_t place = (size_t)below(HELD);
@@ -407,7 +406,7 @@ static void save_or_restore(fl_engine *e)
     case 1: length = (size_t)below(length); break;
     case 2: memset(bytes + length, 0, 16); length += (size_t)below(16); break;
     case 3: {
-        /* Changed by one who knows the check sum: the content is checked too. */
+        /* Changed, with a valid check sum: the content is checked too. */
         uint64_t sum = 0xcbf29ce484222325u, bits = below(2) ? draw() : 0x7ff8000000000000u;
         size_t at = (size_t)below(length - 8);
         memcpy(bytes + at, &bits, length - 8 - at < 8 ? length - 8 - at : 8);
@@ -419,11 +418,11 @@ static void save_or_restore(fl_engine *e)
     default: break;
     }
     bytes = realloc(bytes, length ? length : 1);
-    told(fl_engine_restore(e, below(80) ? bytes : NULL, length));
+    checked(fl_engine_restore(e, below(80) ? bytes : NULL, length));
     free(bytes);
 }
 
-/* All that touched. */
+/* Reads all contacts of the last step. */
 static void read_contacts(fl_engine *e)
 {
     size_t count = 0;
@@ -431,7 +430,7 @@ static void read_contacts(fl_engine *e)
     for (uint32_t i = 0; i < count; i++) {
         fl_contact c = {.size = sizeof c};
         if (fl_engine_contact(e, i, &c) != FL_STATUS_OK)
-            fail("a contact that is counted is not there");
+            fail("a counted contact cannot be read");
         finite(&c.area_m2, 21);
         contacts++;
     }
@@ -452,16 +451,16 @@ static void step(fl_engine *e)
     given = copy(states, count * sizeof *states);
     given_loads = below(2) ? copy(loads, count * sizeof *loads) : NULL;
     switch (below(8)) {
-    case 0: told(fl_engine_set_state(e, (uint32_t)below(3), count ? given : NULL)); break;
-    case 1: told(fl_engine_set_states(e, given, count)); break;
-    case 2: told(fl_engine_set_loads(e, given_loads, below(3) || given_loads ? count : 0)); break;
+    case 0: checked(fl_engine_set_state(e, (uint32_t)below(3), count ? given : NULL)); break;
+    case 1: checked(fl_engine_set_states(e, given, count)); break;
+    case 2: checked(fl_engine_set_loads(e, given_loads, below(3) || given_loads ? count : 0)); break;
     case 3: case 4:
-        if (told(fl_engine_step(e, a_step())) == FL_STATUS_OK)
+        if (checked(fl_engine_step(e, a_step())) == FL_STATUS_OK)
             read_contacts(e);
         break;
     default: {
         void *into = room(count, sizeof(fl_wrench), &block_w);
-        if (told(fl_engine_advance(e, given, given_loads, count, a_step(), into)) == FL_STATUS_OK) {
+        if (checked(fl_engine_advance(e, given, given_loads, count, a_step(), into)) == FL_STATUS_OK) {
             finite(into, 3 * count);
             read_contacts(e);
         }
@@ -472,7 +471,7 @@ static void step(fl_engine *e)
     free(block_w);
 }
 
-/* Some bodies, so that most sequences have an engine that can be stepped. */
+/* Makes engines with two bodies, so that most sequences have one that can step. */
 static void begin(void)
 {
     const double hull[] = {-10, -4, 10, -4, 10, 4, -10, 4};
@@ -481,15 +480,15 @@ static void begin(void)
     const fl_body wall = {.size = sizeof wall, .north_m = 15};
     fl_settings settings = some_settings();
     settings.size = sizeof settings;
-    told(fl_builder_new(&builders[0]));
-    told(fl_builder_add_material(builders[0], "rubber", FL_NUL, &m, NULL));
-    told(fl_builder_add_body(builders[0], "tug", FL_NUL, &body, hull, 4, NULL));
-    told(fl_builder_add_body(builders[0], "quay", FL_NUL, below(4) ? &wall : &body, hull, 4, NULL));
-    told(fl_builder_add_all_other_pairs(builders[0], 0));
+    checked(fl_builder_new(&builders[0]));
+    checked(fl_builder_add_material(builders[0], "rubber", FL_NUL, &m, NULL));
+    checked(fl_builder_add_body(builders[0], "tug", FL_NUL, &body, hull, 4, NULL));
+    checked(fl_builder_add_body(builders[0], "quay", FL_NUL, below(4) ? &wall : &body, hull, 4, NULL));
+    checked(fl_builder_add_all_other_pairs(builders[0], 0));
     builders[1] = builders[0];
-    told(fl_builder_build(builders[0], NULL, &engines[0]));
-    if (told(fl_builder_build(builders[0], &settings, &engines[1])) != FL_STATUS_OK)
-        told(fl_builder_build(builders[0], NULL, &engines[1]));
+    checked(fl_builder_build(builders[0], NULL, &engines[0]));
+    if (checked(fl_builder_build(builders[0], &settings, &engines[1])) != FL_STATUS_OK)
+        checked(fl_builder_build(builders[0], NULL, &engines[1]));
 }
 
 static void play(void)
@@ -516,16 +515,16 @@ static void play(void)
         else if (which < 95)
             save_or_restore(e);
         else if (which < 97)
-            told(fl_engine_reset(e));
+            checked(fl_engine_reset(e));
         else if (which < 98)
-            told(fl_engine_error(e, NULL, 0, NULL));
+            checked(fl_engine_error(e, NULL, 0, NULL));
         else {
             size_t place = (size_t)below(HELD);
-            /* Kept, so that a destroyed handle is used again. */
+            /* The handle is kept, so that later calls use a destroyed one. */
             if (below(2))
-                told(fl_engine_destroy(engines[place]));
+                checked(fl_engine_destroy(engines[place]));
             else
-                told(fl_builder_destroy(builders[place]));
+                checked(fl_builder_destroy(builders[place]));
         }
         if (before && refused[FL_STATUS_OK] == before_length && which >= 20 && which < 98) {
             uint8_t *after = all_of(e, &length_after);

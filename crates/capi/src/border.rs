@@ -1,8 +1,7 @@
-//! Reading and writing what C points to. Everything is copied: no reference to the caller's memory lives
-//! longer than a line here.
+//! Reads and writes the caller's memory. Everything is copied; no reference to that memory is kept.
 //!
-//! What no check can tell, the caller promises (the header's preamble): a pointer that is neither NULL nor
-//! misaligned points to as much memory as its type, count or length says, which nobody else writes meanwhile.
+//! The caller's promise (the header's preamble) covers what cannot be checked: a pointer that is neither NULL nor
+//! misaligned points to as much memory as its type, count or length requires, and nobody writes it during the call.
 
 use core::ffi::c_char;
 use core::mem::size_of;
@@ -17,7 +16,7 @@ pub(crate) const LONGEST_PATH: usize = 1 << 16;
 /// Longest scenario (bytes).
 pub(crate) const LONGEST_SCENARIO: usize = 16 << 20;
 
-/// Refuses NULL and what is not aligned.
+/// Refuses NULL and misaligned pointers.
 pub(crate) fn check<T>(pointer: *const T, name: &str) -> Outcome {
     if pointer.is_null() {
         return failure(FlStatus::BadPointer, format_args!("`{name}` is NULL"));
@@ -34,8 +33,8 @@ pub(crate) fn check<T>(pointer: *const T, name: &str) -> Outcome {
 /// The caller's promise.
 pub(crate) unsafe fn read<T: Copy>(pointer: *const T, name: &str) -> Outcome<T> {
     check(pointer, name)?;
-    // SAFETY: not NULL and aligned by the check; the caller promises a T behind it, and all types that C
-    // gives here are numbers, of which any bytes are one.
+    // SAFETY: not NULL and aligned by the check; the caller promises a T there, and all types that C passes
+    // consist of numbers, for which any bytes are valid.
     Ok(unsafe { pointer.read() })
 }
 
@@ -53,18 +52,18 @@ pub(crate) unsafe fn write<T: Copy>(pointer: *mut T, value: T, name: &str) -> Ou
 /// Copies a structure in whose first member is its size.
 ///
 /// # Safety
-/// The caller's promise, for the size alone if that is wrong.
+/// The caller's promise; for the size alone if that is wrong.
 pub(crate) unsafe fn read_sized<T: Copy>(pointer: *const T, name: &str) -> Outcome<T> {
     check_size(pointer, name)?;
-    // SAFETY: as the caller promises; the size says that the whole structure is there.
+    // SAFETY: as the caller promises; by its size the whole structure is there.
     unsafe { read(pointer, name) }
 }
 
 /// Refuses a structure whose first member is not its size.
 pub(crate) fn check_size<T>(pointer: *const T, name: &str) -> Outcome {
     check(pointer, name)?;
-    // SAFETY: not NULL and aligned by the check; such structures begin with a `size_t`, that the caller
-    // promises to be there.
+    // SAFETY: not NULL and aligned by the check; such structures begin with a `size_t`, as the caller
+    // promises.
     let size = unsafe { pointer.cast::<usize>().read() };
     if size != size_of::<T>() {
         let own = size_of::<T>();
@@ -73,15 +72,15 @@ pub(crate) fn check_size<T>(pointer: *const T, name: &str) -> Outcome {
     Ok(())
 }
 
-/// Copies `count` values in, each turned by `turn`. None may be at NULL.
+/// Copies `count` values in, each converted. With a count of 0 the pointer may be NULL.
 ///
 /// # Safety
-/// The caller's promise for `count` values, which must have been held against a bound.
+/// The caller's promise for `count` values; `count` must have been checked against a bound.
 pub(crate) unsafe fn read_all<T: Copy, U>(
     pointer: *const T,
     count: usize,
     name: &str,
-    turn: impl Fn(T) -> U,
+    convert: impl Fn(T) -> U,
     into: &mut Vec<U>,
 ) -> Outcome {
     into.clear();
@@ -90,19 +89,19 @@ pub(crate) unsafe fn read_all<T: Copy, U>(
     }
     check(pointer, name)?;
     // SAFETY: not NULL and aligned; within the `count` values that the caller promises.
-    into.extend((0..count).map(|index| turn(unsafe { pointer.add(index).read() })));
+    into.extend((0..count).map(|index| convert(unsafe { pointer.add(index).read() })));
     Ok(())
 }
 
-/// Copies values out, each turned by `turn`, to room for as many.
+/// Copies values out, each converted.
 ///
 /// # Safety
-/// The caller's promise for as many values as `values` has.
+/// The caller's promise of room for all `values`.
 pub(crate) unsafe fn write_all<T: Copy, U: Copy>(
     pointer: *mut T,
     values: &[U],
     name: &str,
-    turn: impl Fn(U) -> T,
+    convert: impl Fn(U) -> T,
 ) -> Outcome {
     if values.is_empty() {
         return Ok(());
@@ -110,12 +109,12 @@ pub(crate) unsafe fn write_all<T: Copy, U: Copy>(
     check(pointer, name)?;
     for (index, &value) in values.iter().enumerate() {
         // SAFETY: not NULL and aligned; within the room that the caller promises.
-        unsafe { pointer.add(index).write(turn(value)) };
+        unsafe { pointer.add(index).write(convert(value)) };
     }
     Ok(())
 }
 
-/// The bytes of a text: as many as `length` says, or to its NUL.
+/// The bytes of a text: `length` of them, or up to its NUL.
 ///
 /// # Safety
 /// The caller's promise for `length` bytes, or up to a NUL.
@@ -137,12 +136,12 @@ unsafe fn text_bytes(
         if length > longest {
             return too_long();
         }
-        // SAFETY: not NULL; the caller promises `length` bytes, which are not written meanwhile.
+        // SAFETY: not NULL; the caller promises `length` bytes that nobody writes during the call.
         bytes.extend_from_slice(unsafe { core::slice::from_raw_parts(pointer, length) });
         return Ok(bytes);
     }
     for index in 0..=longest {
-        // SAFETY: not NULL, and no NUL yet: the caller promises one further on.
+        // SAFETY: not NULL, and no NUL so far: the caller promises one further on.
         let byte = unsafe { pointer.add(index).read() };
         if byte == 0 {
             return Ok(bytes);
@@ -152,7 +151,7 @@ unsafe fn text_bytes(
     too_long()
 }
 
-/// A text.
+/// Copies a text in.
 ///
 /// # Safety
 /// The caller's promise for `length` bytes, or up to a NUL.
@@ -166,14 +165,14 @@ pub(crate) unsafe fn text(
     let bytes = unsafe { text_bytes(pointer, length, longest, name) }?;
     match String::from_utf8(bytes) {
         Ok(text) if text.contains('\0') => {
-            failure(FlStatus::BadText, format_args!("`{name}` holds a NUL"))
+            failure(FlStatus::BadText, format_args!("`{name}` contains a NUL"))
         }
         Ok(text) => Ok(text),
         Err(error) => failure(FlStatus::BadText, format_args!("`{name}` is not UTF-8: {error}")),
     }
 }
 
-/// Any bytes.
+/// Copies bytes in.
 ///
 /// # Safety
 /// The caller's promise for `length` bytes.
@@ -183,15 +182,14 @@ pub(crate) unsafe fn bytes(pointer: *const u8, length: usize, name: &str) -> Out
     }
     check(pointer, name)?;
     if length > isize::MAX as usize {
-        return failure(FlStatus::BadArgument, format_args!("`{name}` cannot be that long"));
+        return failure(FlStatus::BadArgument, format_args!("`{name}` is too long"));
     }
-    // SAFETY: not NULL; the caller promises `length` bytes, which are not written meanwhile.
+    // SAFETY: not NULL; the caller promises `length` bytes that nobody writes during the call.
     Ok(unsafe { core::slice::from_raw_parts(pointer, length) }.to_vec())
 }
 
-/// Copies a text out with a NUL behind it: all of it, or as many whole characters as there is room for. NULL
-/// and a capacity of 0 ask for the length alone, which goes to `length` where that is not NULL, without the
-/// NUL.
+/// Copies a text out, NUL-terminated: all of it, or as many whole characters as fit. `length` gets its length without
+/// the NUL, unless it is NULL. NULL and a capacity of 0 query the length alone.
 ///
 /// # Safety
 /// The caller's promise for `capacity` bytes.
@@ -209,8 +207,8 @@ pub(crate) unsafe fn put_text(
     if capacity > 0 {
         let end = text.floor_char_boundary(capacity - 1);
         let buffer = buffer.cast::<u8>();
-        // SAFETY: `end` bytes and a NUL are within the `capacity` bytes that the caller promises; the text
-        // is ours, so that the two do not overlap.
+        // SAFETY: `end` bytes and a NUL are within the `capacity` bytes that the caller promises; the text is
+        // the library's, so that the two do not overlap.
         unsafe {
             buffer.copy_from_nonoverlapping(text.as_ptr(), end);
             buffer.add(end).write(0);
@@ -219,8 +217,7 @@ pub(crate) unsafe fn put_text(
     too_small(room, text.len() + 1, capacity)
 }
 
-/// Copies bytes out, all of them or none; `length` gets their number. NULL and a capacity of 0 ask for that
-/// alone.
+/// Copies bytes out, all or none; `length` gets their number. NULL and a capacity of 0 query the number alone.
 ///
 /// # Safety
 /// The caller's promise for `capacity` bytes.
@@ -234,8 +231,8 @@ pub(crate) unsafe fn put_bytes(
     // SAFETY: the caller promises room for a `size_t`.
     unsafe { write(length, bytes.len(), "length") }?;
     if room == Room::Enough {
-        // SAFETY: the bytes are no more than the `capacity` that the caller promises; they are ours, so that
-        // the two do not overlap.
+        // SAFETY: the bytes fit into the `capacity` that the caller promises; they are the library's, so that the
+        // two do not overlap.
         unsafe { buffer.copy_from_nonoverlapping(bytes.as_ptr(), bytes.len()) };
     }
     too_small(room, bytes.len(), capacity)
@@ -245,13 +242,13 @@ pub(crate) unsafe fn put_bytes(
 enum Room {
     Enough,
     TooLittle,
-    /// The length alone is asked for.
-    NotAsked,
+    /// A query of the length alone.
+    Query,
 }
 
 fn room(needed: usize, buffer: *const u8, capacity: usize, name: &str) -> Outcome<Room> {
     if buffer.is_null() && capacity == 0 {
-        return Ok(Room::NotAsked);
+        return Ok(Room::Query);
     }
     check(buffer, name)?;
     Ok(if capacity >= needed { Room::Enough } else { Room::TooLittle })
@@ -261,6 +258,6 @@ fn too_small(room: Room, needed: usize, capacity: usize) -> Outcome {
     if room != Room::TooLittle {
         return Ok(());
     }
-    let text = format_args!("the buffer has {capacity} bytes, {needed} are needed");
+    let text = format_args!("the buffer has {capacity} bytes, but {needed} are needed");
     failure(FlStatus::BufferTooSmall, text)
 }

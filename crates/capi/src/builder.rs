@@ -1,4 +1,4 @@
-//! Engines made by calls.
+//! Builders of engines.
 
 use core::ffi::c_char;
 use core::ptr;
@@ -14,7 +14,7 @@ use crate::library::keep_last;
 use crate::table::{BUILDERS, FlBuilder, FlEngine, no_panic};
 use crate::types::{FlBody, FlFender, FlMaterial, FlSettings};
 
-/// Most points of a reaction curve.
+/// Largest number of points of a reaction curve.
 const MOST_POINTS: usize = 10_000;
 
 /// Makes an empty builder at `*builder`, to be destroyed by fl_builder_destroy().
@@ -67,13 +67,13 @@ pub unsafe extern "C" fn fl_builder_add_material(
         check_index(index)?;
         let own = builder.material(&name, material.inward())?;
         // SAFETY: as the caller promises.
-        unsafe { give_index(index, own) }
+        unsafe { write_index(index, own) }
     })
 }
 
-/// Adds a body under a unique name, with its outline: `vertices` pairs of x (forward) and y (to starboard of
-/// the centre of gravity) (m), in either direction, convex or not. Its index, counted from 0, goes to `index`
-/// where that is not NULL. Its masses are checked by fl_builder_build().
+/// Adds a body under a unique name, with its outline: `vertices` pairs of x (forward) and y (to starboard) from the
+/// centre of gravity (m), in either sense, convex or not. Its index, counted from 0, is stored to `index` unless that
+/// is NULL. fl_builder_build() checks its masses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_add_body(
     builder: *mut FlBuilder,
@@ -101,14 +101,14 @@ pub unsafe extern "C" fn fl_builder_add_body(
             heading_rad: body.heading_rad,
         })?;
         // SAFETY: as the caller promises.
-        unsafe { give_index(index, own) }
+        unsafe { write_index(index, own) }
     })
 }
 
-/// Adds a fender under a unique name, with its reaction curve: `points` pairs of deflection (m) and reaction
-/// (N), from (0, 0) on, the deflection rising. Without points its force is the paper's, its material's
-/// stiffness times the area of the overlap. Its index, counted from 0, goes to `index` where that is not
-/// NULL. Its numbers are checked by fl_builder_build().
+/// Adds a fender under a unique name, with its reaction curve: `points` pairs of deflection (m) and reaction (N), which
+/// begin with (0, 0), with rising deflections. Without points its force is the paper's: the material's stiffness times
+/// the area of the overlap. Its index, counted from 0, is stored to `index` unless that is NULL. fl_builder_build()
+/// checks its numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_add_fender(
     builder: *mut FlBuilder,
@@ -141,11 +141,11 @@ pub unsafe extern "C" fn fl_builder_add_fender(
             stop: fender.stop(),
         })?;
         // SAFETY: as the caller promises.
-        unsafe { give_index(index, own) }
+        unsafe { write_index(index, own) }
     })
 }
 
-/// Lets two bodies touch, with a material between them.
+/// Enables contact between two bodies, with a material.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_builder_add_pair(
     builder: *mut FlBuilder,
@@ -158,7 +158,7 @@ pub extern "C" fn fl_builder_add_pair(
     })
 }
 
-/// Lets all pairs of bodies touch that fl_builder_add_pair() does not name, with a material.
+/// Enables contact between all pairs of bodies that fl_builder_add_pair() does not name, with a material.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_builder_add_all_other_pairs(
     builder: *mut FlBuilder,
@@ -186,14 +186,14 @@ pub unsafe extern "C" fn fl_builder_build(
     })
 }
 
-/// An index is asked for, or not.
+/// Checks the pointer to an index; NULL is allowed.
 fn check_index(index: *mut u32) -> crate::failure::Outcome {
     if index.is_null() { Ok(()) } else { check(index, "index") }
 }
 
 /// # Safety
 /// The caller's promise.
-unsafe fn give_index(index: *mut u32, own: usize) -> crate::failure::Outcome {
+unsafe fn write_index(index: *mut u32, own: usize) -> crate::failure::Outcome {
     if index.is_null() {
         return Ok(());
     }
@@ -201,7 +201,7 @@ unsafe fn give_index(index: *mut u32, own: usize) -> crate::failure::Outcome {
     unsafe { write(index, own as u32, "index") }
 }
 
-/// Pairs of numbers.
+/// Copies pairs of numbers in.
 ///
 /// # Safety
 /// The caller's promise for `count` pairs.
@@ -212,7 +212,7 @@ unsafe fn pairs(
     name: &str,
 ) -> crate::failure::Outcome<Vec<[f64; 2]>> {
     if count > most {
-        let text = format_args!("`{name}` has {count} points, at most {most} are taken");
+        let text = format_args!("`{name}` has {count} points; at most {most} are allowed");
         return failure(FlStatus::BadArgument, text);
     }
     let mut numbers = Vec::new();

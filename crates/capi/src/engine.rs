@@ -291,8 +291,8 @@ pub unsafe extern "C" fn fl_engine_set_loads(
 ) -> FlStatus {
     ENGINES.call(engine, |held| {
         // SAFETY: as the caller promises.
-        let told = unsafe { take_loads(held, loads, count) }?;
-        Ok(held.engine.set_loads(told.then_some(&held.loads))?)
+        let has_loads = unsafe { take_loads(held, loads, count) }?;
+        Ok(held.engine.set_loads(has_loads.then_some(&held.loads))?)
     })
 }
 
@@ -318,8 +318,8 @@ pub unsafe extern "C" fn fl_engine_advance(
     ENGINES.call(engine, |held| {
         // SAFETY: as the caller promises.
         unsafe { take_states(held, states, count) }?;
-        let told = !loads.is_null();
-        if told {
+        let has_loads = !loads.is_null();
+        if has_loads {
             // SAFETY: as the caller promises.
             unsafe { take_loads(held, loads, count) }?;
         }
@@ -327,7 +327,7 @@ pub unsafe extern "C" fn fl_engine_advance(
             check(wrenches, "wrenches")?;
         }
         let EngineHeld { engine, states, loads } = held;
-        let own = engine.advance(states, told.then_some(loads), step_s)?;
+        let own = engine.advance(states, has_loads.then_some(loads), step_s)?;
         // SAFETY: as the caller promises.
         unsafe { give(own, wrenches, count, FlWrench::outward) }
     })
@@ -394,10 +394,7 @@ pub unsafe extern "C" fn fl_engine_host_estimate(
 ) -> FlStatus {
     results(engine, |results| {
         let Some(estimate) = results.host_estimate else {
-            return failure(
-                FlStatus::NotAvailable,
-                "there is an estimate only of a co-simulation host",
-            );
+            return failure(FlStatus::NotAvailable, "only a co-simulation host has an estimate");
         };
         if count > 0 {
             check(loads, "loads")?;
@@ -493,7 +490,7 @@ pub unsafe extern "C" fn fl_engine_restore(
     })
 }
 
-/// Holds an engine; gives its handle.
+/// Stores an engine and returns its handle.
 pub(crate) fn hold(engine: Engine) -> Outcome<*mut FlEngine> {
     ENGINES.insert(EngineHeld { engine, states: Vec::new(), loads: Vec::new() })
 }
@@ -530,7 +527,7 @@ fn among<'a, T>(what: &'static str, all: &'a [T], index: u32) -> Outcome<&'a T> 
     Ok(all.get(index).ok_or(EngineError::NoSuch { what, index, count: all.len() })?)
 }
 
-/// Refuses arrays that have not one member a body, before anything is read or written.
+/// Refuses arrays without exactly one element per body, before anything is read or written.
 fn check_count(bodies: usize, count: usize) -> Outcome {
     if bodies == count {
         return Ok(());
@@ -562,7 +559,7 @@ unsafe fn take_loads(held: &mut EngineHeld, loads: *const FlWrench, count: usize
     Ok(true)
 }
 
-/// Copies one value a body out.
+/// Copies one value per body out.
 ///
 /// # Safety
 /// The caller's promise for `count` of them.
@@ -570,11 +567,11 @@ unsafe fn give<T: Copy, U: Copy>(
     own: &[T],
     into: *mut U,
     count: usize,
-    turn: impl Fn(T) -> U,
+    convert: impl Fn(T) -> U,
 ) -> Outcome {
     check_count(own.len(), count)?;
     // SAFETY: as the caller promises; `count` is the number of values.
-    unsafe { write_all(into, own, "the array", turn) }
+    unsafe { write_all(into, own, "the array", convert) }
 }
 
 const _: fn() = || {

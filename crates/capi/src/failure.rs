@@ -1,4 +1,4 @@
-//! How a call ends.
+//! Status and message of a call.
 
 use core::fmt;
 
@@ -118,7 +118,7 @@ impl From<EngineError> for Failure {
                 FlStatus::OtherModel
             }
             EngineError::Restore(_) => FlStatus::BadBytes,
-            // A kind of mistake that this crate has not learnt of.
+            // `EngineError` is non-exhaustive.
             _ => FlStatus::BadArgument,
         };
         Failure { status, text: error.to_string() }

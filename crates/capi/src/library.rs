@@ -11,14 +11,14 @@ use crate::table::no_panic;
 pub const FL_ABI_VERSION: u32 = 1;
 
 thread_local! {
-    /// Text of the last call of this thread that failed.
+    /// Message of the last failed call on this thread.
     static LAST: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
-/// Keeps a failure's text for [`fl_last_error`].
+/// Keeps a message for [`fl_last_error`].
 #[cold]
 pub(crate) fn remember(text: String) {
-    // A thread that is ending has no place for it any more.
+    // It fails only while the thread ends.
     let _ = LAST.try_with(|last| *last.borrow_mut() = text);
 }
 
@@ -59,10 +59,10 @@ pub unsafe extern "C" fn fl_last_error(
     keep_last(|text| unsafe { put_text(text, buffer, capacity, length) })
 }
 
-/// Tells of an error without becoming the last one itself.
-pub(crate) fn keep_last(tell: impl FnOnce(&str) -> crate::failure::Outcome) -> FlStatus {
+/// Runs a query of the last error. If the query fails, that error stays the last one.
+pub(crate) fn keep_last(query: impl FnOnce(&str) -> crate::failure::Outcome) -> FlStatus {
     let text = LAST.try_with(|last| last.borrow().clone()).unwrap_or_default();
-    let status = no_panic(|| tell(&text));
+    let status = no_panic(|| query(&text));
     if status != FlStatus::Ok {
         remember(text);
     }

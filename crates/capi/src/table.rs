@@ -1,5 +1,5 @@
-//! What handles stand for. A handle is a number in the shape of a pointer, looked up here and never followed:
-//! it holds a mark that no address has, the kind of its object and a serial number that is not given again.
+//! Tables of objects by handle. A handle is a number in the form of a pointer, looked up here and never dereferenced.
+//! It contains a mark that no valid address has, the kind of object, and a serial number that is never reused.
 
 use core::ptr;
 use std::any::Any;
@@ -13,17 +13,17 @@ use fenderline_embed::{Engine, EngineBuilder};
 use crate::failure::{Failure, FlStatus, Outcome, failure};
 use crate::library::remember;
 
-/// An engine. Of its own, with nothing shared but the table of handles.
+/// A contact engine. Engines share nothing but the table of handles.
 pub struct FlEngine {
     _opaque: [u8; 0],
 }
 
-/// Parts from which an engine is to be made.
+/// A builder: parts from which engines are made.
 pub struct FlBuilder {
     _opaque: [u8; 0],
 }
 
-/// An engine with the buffers of its border.
+/// An engine with buffers for its arguments.
 pub(crate) struct EngineHeld {
     pub(crate) engine: Engine,
     pub(crate) states: Vec<BodyState>,
@@ -32,7 +32,7 @@ pub(crate) struct EngineHeld {
 
 /// All objects of one kind.
 pub(crate) struct Table<T> {
-    /// The low four bits of its handles; odd, as no pointer to anything is.
+    /// The low four bits of its handles. Odd, unlike an aligned pointer.
     kind: usize,
     held: RwLock<Held<T>>,
 }
@@ -45,16 +45,16 @@ struct Held<T> {
 /// One object.
 pub(crate) struct Object<T> {
     pub(crate) content: T,
-    /// Text of its last call that failed.
+    /// Message of its last failed call.
     pub(crate) error: String,
-    /// A call panicked: the content may be half changed.
+    /// A call panicked: the content may be inconsistent.
     panicked: bool,
 }
 
 pub(crate) static ENGINES: Table<EngineHeld> = Table::new(0b0101);
 pub(crate) static BUILDERS: Table<EngineBuilder> = Table::new(0b1011);
 
-/// In the high bits where there is room: an address with these is none.
+/// High bits that no valid address has; 0 where pointers have no room for them.
 const MARK: usize = if usize::BITS == 64 { 0xfede_usize.rotate_right(16) } else { 0 };
 const SERIALS: usize = if usize::BITS == 64 { 1 << 40 } else { usize::MAX >> 4 };
 
@@ -63,11 +63,11 @@ impl<T> Table<T> {
         Table { kind, held: RwLock::new(Held { serial: 0, objects: BTreeMap::new() }) }
     }
 
-    /// Holds an object; gives its handle.
+    /// Stores an object and returns its handle.
     pub(crate) fn insert<H>(&self, content: T) -> Outcome<*mut H> {
         let mut held = self.held.write().unwrap_or_else(PoisonError::into_inner);
         if held.serial + 1 >= SERIALS {
-            return failure(FlStatus::NotAvailable, "all handles have been given");
+            return failure(FlStatus::NotAvailable, "no handles are left");
         }
         held.serial += 1;
         let serial = held.serial;
@@ -76,12 +76,12 @@ impl<T> Table<T> {
         Ok(ptr::without_provenance_mut(MARK | (serial << 4) | self.kind))
     }
 
-    /// Lets go of an object, which lasts until a call on it that is under way has ended.
+    /// Removes an object. It lives until a running call on it has ended.
     pub(crate) fn remove<H>(&self, handle: *const H) -> Outcome {
         let serial = self.serial_of(handle)?;
         let mut held = self.held.write().unwrap_or_else(PoisonError::into_inner);
         let Some(object) = held.objects.remove(&serial) else { return self.unknown(handle) };
-        // What it holds is dropped without the lock.
+        // Drop it after the lock is released.
         drop(held);
         drop(object);
         Ok(())
@@ -108,7 +108,7 @@ impl<T> Table<T> {
         if handle.is_null() {
             return failure(FlStatus::BadPointer, "the handle is NULL");
         }
-        failure(FlStatus::BadHandle, "the handle was destroyed, or is none of this kind")
+        failure(FlStatus::BadHandle, "the handle was destroyed, or is not of this kind")
     }
 
     /// Runs a call on the object of a handle, one at a time.
@@ -138,7 +138,7 @@ impl<T> Table<T> {
         })
     }
 
-    /// The text of the last call on a handle that failed.
+    /// The message of the last failed call on a handle.
     pub(crate) fn error<H>(&self, handle: *const H) -> Outcome<String> {
         let object = self.find(handle)?;
         let text = lock(&object).error.clone();
@@ -147,11 +147,11 @@ impl<T> Table<T> {
 }
 
 fn lock<T>(object: &Mutex<Object<T>>) -> MutexGuard<'_, Object<T>> {
-    // A panic within is told by `panicked`.
+    // A panic is recorded in `panicked`.
     object.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Runs a call; its failure or panic becomes a status, and its text that of [`crate::fl_last_error`].
+/// Runs a call. A failure or panic becomes a status, with a message for [`crate::fl_last_error`].
 pub(crate) fn no_panic(call: impl FnOnce() -> Outcome) -> FlStatus {
     let outcome = catch_unwind(AssertUnwindSafe(call));
     match outcome.unwrap_or_else(|payload| Err(panicked(payload.as_ref()))) {
@@ -168,6 +168,6 @@ fn panicked(payload: &(dyn Any + Send)) -> Failure {
     let own = payload.downcast_ref::<&str>().copied();
     let message = own.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
     let message = message.unwrap_or("no message");
-    let text = format!("a fault of the library, not of its caller: {message}");
+    let text = format!("a bug in the library: {message}");
     Failure { status: FlStatus::Panicked, text }
 }

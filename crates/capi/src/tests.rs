@@ -1,4 +1,4 @@
-//! What only a test from within can do.
+//! Tests that need access to internals.
 
 use core::ptr;
 
@@ -11,7 +11,7 @@ use crate::*;
 fn last_error() -> String {
     let mut buffer = [0_u8; 200];
     let mut length = 0;
-    // SAFETY: the buffer has as many bytes.
+    // SAFETY: the buffer has this many bytes.
     let status = unsafe { fl_last_error(buffer.as_mut_ptr().cast(), buffer.len(), &mut length) };
     assert_eq!(status, FlStatus::Ok);
     String::from_utf8(buffer[..length].to_vec()).expect("UTF-8")
@@ -32,7 +32,7 @@ fn after_a_panic_a_handle_can_only_be_destroyed() {
 }
 
 #[test]
-fn handles_that_are_none_are_refused() {
+fn invalid_handles_are_refused() {
     let mut builder = ptr::null_mut();
     // SAFETY: room for a handle.
     assert_eq!(unsafe { fl_builder_new(&mut builder) }, FlStatus::Ok);
@@ -48,7 +48,7 @@ fn handles_that_are_none_are_refused() {
 }
 
 #[test]
-fn a_text_that_does_not_fit_is_cut_between_characters_and_its_length_told() {
+fn a_text_that_does_not_fit_is_truncated_between_characters_and_its_length_reported() {
     let mut buffer = [0xff_u8; 6];
     let mut length = 0;
     let mut put = |capacity| {
@@ -59,13 +59,13 @@ fn a_text_that_does_not_fit_is_cut_between_characters_and_its_length_told() {
     };
     assert_eq!(put(4), (Err(FlStatus::BufferTooSmall), [b'g', b'r', 0, 0xff, 0xff, 0xff], 5));
     assert_eq!(put(6), (Ok(()), *b"gr\xc3\xbcn\0", 5));
-    // SAFETY: nothing to write to but the length.
-    let asked = unsafe { border::put_text("grün", ptr::null_mut(), 0, &mut length) };
-    assert_eq!((asked.is_ok(), length), (true, 5));
+    // SAFETY: only the length is written.
+    let query = unsafe { border::put_text("grün", ptr::null_mut(), 0, &mut length) };
+    assert_eq!((query.is_ok(), length), (true, 5));
 }
 
 #[test]
-fn every_status_has_its_text() {
+fn statuses_are_listed_in_their_order() {
     for status in FlStatus::ALL {
         assert_eq!(FlStatus::ALL[status as usize], status);
     }

@@ -1,4 +1,4 @@
-//! Structures that cross the border.
+//! Structures and constants of the interface.
 
 use fenderline_contact::{
     BodyState, Contact, Event, EventKind, FenderLaw, Friction, HostIntegration, HostSettings,
@@ -9,8 +9,8 @@ use fenderline_sim::{MassProperties, Method};
 
 use crate::failure::{FlStatus, Outcome, failure};
 
-/// Given for the length of a text: it ends with a NUL. cbindgen has no name for the value: the header's own
-/// line is in cbindgen.toml.
+/// Length of a text that is NUL-terminated. cbindgen cannot write the value; its line in the header is in
+/// cbindgen.toml.
 /// cbindgen:ignore
 pub const FL_NUL: usize = usize::MAX;
 
@@ -34,8 +34,7 @@ pub const FL_HOST_DIRECT: u32 = 0;
 /// engine's motion. Coupled method only.
 pub const FL_HOST_COSIMULATION: u32 = 1;
 
-/// fl_settings.coriolis: as `fenderline run` has it with the scenario's integrator; FL_CORIOLIS_BY_ENGINE where
-/// there is no scenario.
+/// fl_settings.coriolis: as in `fenderline run` with the scenario's integrator; FL_CORIOLIS_BY_ENGINE without a scenario.
 pub const FL_CORIOLIS_DEFAULT: u32 = 0;
 /// fl_settings.coriolis: the host's loads do not contain the Coriolis and centripetal terms of a body's added mass; the
 /// engine adds them.
@@ -185,7 +184,7 @@ pub struct FlFender {
     pub forward_m: f64,
     /// Middle of its mounting line, in the body's frame (m).
     pub starboard_m: f64,
-    /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard (rad).
+    /// Direction of its outward normal, in the body's frame: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
     /// Width of the face (m).
     pub width_m: f64,
@@ -224,7 +223,7 @@ pub struct FlContact {
     pub patch: u32,
     /// Sum of FL_CONTACT_...
     pub flags: u32,
-    /// 0.
+    /// Always 0.
     pub reserved: u32,
     /// Area of the overlap (m2).
     pub area_m2: f64,
@@ -393,7 +392,7 @@ impl FlSettings {
         let host = match self.host {
             FL_HOST_DIRECT => {
                 if self.integration != 0 || self.delay_steps != 0 {
-                    let text = "`integration` and `delay_steps` are of a following host only";
+                    let text = "`integration` and `delay_steps` are only for a co-simulation host";
                     return failure(FlStatus::BadArgument, text);
                 }
                 Host::Direct { coriolis }

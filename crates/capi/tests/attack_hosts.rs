@@ -1,10 +1,10 @@
-//! Hosts that lie: random positions, speeds that do not fit, time steps from 1e-9 to 1e6 s, saved states that were
-//! altered, through the C functions. What must hold: no panic, no number that is none in what is handed out, an answer
-//! in time, memory that does not grow, and no energy out of nothing without a word.
+//! Attack by inconsistent hosts through the C functions: random positions, velocities that contradict them, time steps
+//! from 1e-9 to 1e6 s, altered saved states. There must be no panic, no non-finite result, no hang, and no growth of
+//! memory.
 //!
-//! `FENDERLINE_ATTACK_SECONDS` says how long (2 s without it), `FENDERLINE_ATTACK_SEED` with which seed it begins.
-#![allow(unsafe_code, reason = "it calls as a program in C does")]
-#![allow(clippy::disallowed_methods, reason = "what is drawn, not what is computed")]
+//! `FENDERLINE_ATTACK_SECONDS` is the duration (2 s by default), `FENDERLINE_ATTACK_SEED` the first seed.
+#![allow(unsafe_code, reason = "the calls are those of a C program")]
+#![allow(clippy::disallowed_methods, reason = "they give random input, not results")]
 
 use std::ptr;
 use std::time::{Duration, Instant};
@@ -28,14 +28,14 @@ struct Tally {
     calls: u64,
     steps: u64,
     refused: u64,
-    told: u64,
+    events: u64,
     altered: u64,
     altered_taken: u64,
     slowest_s: f64,
 }
 
 #[test]
-fn hosts_that_lie() {
+fn inconsistent_hosts() {
     let seconds = setting("FENDERLINE_ATTACK_SECONDS", 2);
     let mut seed = setting("FENDERLINE_ATTACK_SEED", 1);
     let begun = Instant::now();
@@ -44,15 +44,15 @@ fn hosts_that_lie() {
     while begun.elapsed() < Duration::from_secs(seconds) {
         attack(seed, &mut tally);
         seed += 1;
-        // Buffers have their size after a while; what grows later grows for ever.
+        // Buffers reach their size in the first quarter; later growth is a leak.
         if settled_kib.is_none() && begun.elapsed() > Duration::from_secs(seconds) / 4 {
             settled_kib = resident_kib();
         }
     }
     let end_kib = resident_kib();
-    let Tally { engines, calls, steps, refused, told, altered, altered_taken, slowest_s } = tally;
+    let Tally { engines, calls, steps, refused, events, altered, altered_taken, slowest_s } = tally;
     println!(
-        "lying hosts through C: {engines} engines, {calls} calls, {steps} steps, {refused} refused, {told} events; \
+        "inconsistent hosts through C: {engines} engines, {calls} calls, {steps} steps, {refused} refused, {events} events; \
          {altered} altered states, {altered_taken} taken; slowest call {slowest_s:.3} s; memory {settled_kib:?} to \
          {end_kib:?} KiB; next seed {seed}"
     );
@@ -75,7 +75,7 @@ fn attack(seed: u64, tally: &mut Tally) {
         ..FlSettings::default()
     };
     let mut engine = ptr::null_mut();
-    // SAFETY: a text with its length, settings, room for a handle; below: arrays as long as told.
+    // SAFETY: a text with its length, settings, room for a handle; below: arrays of the given length.
     let made = unsafe {
         fl_engine_from_file(
             path.as_ptr().cast(),
@@ -109,7 +109,7 @@ fn attack(seed: u64, tally: &mut Tally) {
             0 => states[body].north_m = random.length(),
             1 => states[body].east_m = random.length(),
             2 => states[body].heading_rad = random.length(),
-            // Into the others.
+            // Onto another body.
             3 => states[body] = states[random.below(count)],
             4 => states[body].north_mps = random.length(),
             5 => states[body].yaw_rate_radps = random.length(),
@@ -118,8 +118,7 @@ fn attack(seed: u64, tally: &mut Tally) {
             8 => step_s = random.number(),
             9 => states[body].east_mps = random.number(),
             10 => {
-                tally.told +=
-                    u64::from(fl_engine_mark_teleported(engine, body as u32) == FlStatus::Ok);
+                assert_eq!(fl_engine_mark_teleported(engine, body as u32), FlStatus::Ok);
             }
             11 => {
                 let load = FlWrench {
@@ -143,14 +142,14 @@ fn attack(seed: u64, tally: &mut Tally) {
                 let back = unsafe { fl_engine_restore(engine, saved.as_ptr(), saved.len()) };
                 assert_eq!(back, FlStatus::Ok, "seed {seed}: its own state");
             }
-            // As the velocities say, and as a host does that has forgotten something.
+            // Motion by the velocities, mostly right.
             _ => {
                 let share = [1.0, 1.0, 1.0, 0.0, -1.0, 2.0][random.below(6)];
-                let way_s = if step_s.is_finite() { share * step_s } else { 0.0 };
+                let time_s = if step_s.is_finite() { share * step_s } else { 0.0 };
                 for state in &mut states {
-                    state.north_m += state.north_mps * way_s;
-                    state.east_m += state.east_mps * way_s;
-                    state.heading_rad += state.yaw_rate_radps * way_s;
+                    state.north_m += state.north_mps * time_s;
+                    state.east_m += state.east_mps * time_s;
+                    state.heading_rad += state.yaw_rate_radps * time_s;
                 }
             }
         }
@@ -177,7 +176,7 @@ fn attack(seed: u64, tally: &mut Tally) {
         }
         let mut events = 0;
         assert_eq!(unsafe { fl_engine_event_count(engine, &mut events) }, FlStatus::Ok);
-        tally.told += events as u64;
+        tally.events += events as u64;
         let after = unsafe { fl_engine_states_after(engine, states.as_mut_ptr(), count) };
         if after == FlStatus::Ok {
             for state in &states {
@@ -193,7 +192,7 @@ fn attack(seed: u64, tally: &mut Tally) {
 
 fn save(engine: *mut FlEngine, into: &mut Vec<u8>) {
     let mut size = 0;
-    // SAFETY: first the size alone is asked for, then there is room for it.
+    // SAFETY: a query of the size, then room for it.
     unsafe {
         fl_engine_save(engine, ptr::null_mut(), 0, &mut size);
         into.resize(size, 0);
@@ -204,7 +203,7 @@ fn save(engine: *mut FlEngine, into: &mut Vec<u8>) {
     }
 }
 
-/// Bits, numbers and lengths; half of them with a check sum that fits.
+/// Changes bits, numbers and length; half of the results get a valid check sum.
 fn alter(bytes: &mut Vec<u8>, random: &mut Random) {
     for _ in 0..=random.below(3) {
         let at = random.below(bytes.len());
@@ -231,15 +230,15 @@ fn setting(name: &str, otherwise: u64) -> u64 {
     std::env::var(name).map_or(otherwise, |text| text.parse().expect("a whole number"))
 }
 
-/// What this thread has computed (s), where the system tells; else a clock's time. A call beside other work of the machine
-/// takes longer and has not hung.
+/// CPU time of this thread (s), or clock time where the system does not report it. On a busy machine a call takes longer
+/// without having hung.
 fn busy_s(since: Instant) -> f64 {
-    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let nanoseconds = told.and_then(|text| text.split(' ').next()?.parse::<f64>().ok());
+    let stat = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanoseconds = stat.and_then(|text| text.split(' ').next()?.parse::<f64>().ok());
     nanoseconds.map_or_else(|| since.elapsed().as_secs_f64(), |ns| 1e-9 * ns)
 }
 
-/// What the process holds, where the system tells.
+/// Resident memory of the process, where the system reports it.
 fn resident_kib() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
@@ -272,9 +271,9 @@ impl Random {
         if self.below(2) == 0 { size } else { -size }
     }
 
-    /// Any bits, and those that are asked for least.
+    /// Any bits, special values, or a usual number.
     fn number(&mut self) -> f64 {
-        const ODD: [f64; 12] = [
+        const SPECIAL: [f64; 12] = [
             0.0,
             -0.0,
             f64::NAN,
@@ -290,7 +289,7 @@ impl Random {
         ];
         match self.below(3) {
             0 => f64::from_bits(self.next()),
-            1 => ODD[self.below(ODD.len())],
+            1 => SPECIAL[self.below(SPECIAL.len())],
             _ => self.length(),
         }
     }

@@ -1,5 +1,5 @@
-//! What a program in C sees: statuses and texts, two engines at once, handles that were destroyed.
-#![allow(unsafe_code, reason = "it calls as a program in C does")]
+//! The interface as a C program uses it: statuses and texts, several engines at once, destroyed handles.
+#![allow(unsafe_code, reason = "the calls are those of a C program")]
 
 use std::ptr;
 use std::thread;
@@ -10,11 +10,11 @@ const TUG: &str =
     concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/paper/experiment_2_4kn.toml");
 const STEP_S: f64 = 0.1;
 
-/// A handle that another thread may use: the library says so.
+/// A handle that may be used from any thread, as the header states.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 struct Engine(*mut FlEngine);
 
-// SAFETY: a handle is a number; the library locks what it stands for.
+// SAFETY: a handle is a number; the library locks its object.
 unsafe impl Send for Engine {}
 
 impl Engine {
@@ -39,7 +39,7 @@ impl Engine {
     }
 
     fn set(self, states: &[FlState]) -> FlStatus {
-        // SAFETY: as many as there are.
+        // SAFETY: the array has this length.
         unsafe { fl_engine_set_states(self.0, states.as_ptr(), states.len()) }
     }
 
@@ -53,11 +53,11 @@ impl Engine {
     /// The kinds of the last step's events.
     fn events(self) -> Vec<u32> {
         let mut count = 0;
-        // SAFETY: a count that is there.
+        // SAFETY: room for a count.
         assert_eq!(unsafe { fl_engine_event_count(self.0, &mut count) }, FlStatus::Ok);
         let kind = |index| {
             let mut event = FlEvent { size: size_of::<FlEvent>(), ..FlEvent::default() };
-            // SAFETY: an event that is there.
+            // SAFETY: room for an event.
             assert_eq!(unsafe { fl_engine_event(self.0, index, &mut event) }, FlStatus::Ok);
             event.kind
         };
@@ -65,7 +65,7 @@ impl Engine {
     }
 
     fn error(self) -> String {
-        // SAFETY: as the text is asked for.
+        // SAFETY: the buffer has the given capacity.
         text(|buffer, capacity| unsafe {
             fl_engine_error(self.0, buffer, capacity, ptr::null_mut())
         })
@@ -92,22 +92,22 @@ impl Engine {
     }
 }
 
-fn text(ask: impl FnOnce(*mut core::ffi::c_char, usize) -> FlStatus) -> String {
+fn text(copy: impl FnOnce(*mut core::ffi::c_char, usize) -> FlStatus) -> String {
     let mut buffer = [0_u8; 1000];
-    assert_eq!(ask(buffer.as_mut_ptr().cast(), buffer.len()), FlStatus::Ok);
+    assert_eq!(copy(buffer.as_mut_ptr().cast(), buffer.len()), FlStatus::Ok);
     let text = core::ffi::CStr::from_bytes_until_nul(&buffer).expect("a NUL");
     text.to_str().expect("UTF-8").to_owned()
 }
 
 fn last_error() -> String {
-    // SAFETY: as the text is asked for.
+    // SAFETY: the buffer has the given capacity.
     text(|buffer, capacity| unsafe { fl_last_error(buffer, capacity, ptr::null_mut()) })
 }
 
 const COUPLED: &str = "contact.method=coupled\ntime.integrator=semi_implicit";
 
 #[test]
-fn two_engines_in_two_threads_give_the_bits_that_each_gives_alone() {
+fn engines_in_several_threads_give_the_bits_of_one_alone() {
     let alone = Engine::new(COUPLED, None);
     let forces = alone.run(40);
     assert_eq!(fl_engine_reset(alone.0), FlStatus::Ok);
@@ -166,16 +166,16 @@ fn calls_out_of_order_have_their_status() {
     assert_eq!(engine.destroy(), FlStatus::Ok);
 }
 
-/// A pause was refused; and a body could be put somewhere without a word only.
+/// A pause was refused; and there was no call to mark a teleport.
 #[test]
-fn a_pause_is_good_and_a_body_can_be_placed() {
+fn a_pause_is_allowed_and_a_body_can_be_marked_as_teleported() {
     let engine = Engine::new(COUPLED, None);
     let mut states = engine.begin();
     assert_eq!(fl_engine_mark_teleported(engine.0, 2), FlStatus::NoSuch);
-    // A tug of 16 m from her middle to her bow: 1 m is no tenth of it, with a word it counts nevertheless.
-    for (moved_m, says_so, teleported) in [(0.0, false, 0), (1.0, false, 0), (1.0, true, 1)] {
+    // 1 m is less than a tenth of the tug's radius of 16 m: a teleport only if it is marked.
+    for (moved_m, marked, teleported) in [(0.0, false, 0), (1.0, false, 0), (1.0, true, 1)] {
         states[1].east_m += moved_m;
-        if says_so {
+        if marked {
             assert_eq!(fl_engine_mark_teleported(engine.0, 1), FlStatus::Ok);
         }
         assert_eq!(engine.set(&states), FlStatus::Ok);
@@ -184,13 +184,13 @@ fn a_pause_is_good_and_a_body_can_be_placed() {
         assert_eq!(fl_engine_step(engine.0, STEP_S), FlStatus::Ok);
         let kinds = engine.events();
         let count = kinds.iter().filter(|kind| **kind == FL_EVENT_TELEPORTED).count();
-        assert_eq!(count, teleported, "{moved_m} m, {says_so}");
+        assert_eq!(count, teleported, "{moved_m} m, {marked}");
     }
     assert_eq!(engine.destroy(), FlStatus::Ok);
 }
 
 #[test]
-fn a_number_that_is_none_names_body_and_field_and_another_engine_keeps_its_own_text() {
+fn a_non_finite_number_names_body_and_field_and_each_engine_keeps_its_own_message() {
     let (one, two) = (Engine::new(COUPLED, None), Engine::new("", None));
     let mut states = one.begin();
     states[1].north_mps = f64::NAN;
@@ -200,15 +200,15 @@ fn a_number_that_is_none_names_body_and_field_and_another_engine_keeps_its_own_t
     assert_eq!(two.error(), "");
     let none = [FlWrench::default(); 2];
     // SAFETY: two of them.
-    let told = unsafe { fl_engine_set_loads(two.0, none.as_ptr(), 2) };
-    assert_eq!(told, FlStatus::NotAvailable);
-    assert_eq!(two.error(), "the paper's method knows no loads");
+    let status = unsafe { fl_engine_set_loads(two.0, none.as_ptr(), 2) };
+    assert_eq!(status, FlStatus::NotAvailable);
+    assert_eq!(two.error(), "the paper's method has no loads");
     assert_eq!(one.error(), "north velocity of body `tug` is NaN");
     assert_eq!((one.destroy(), two.destroy()), (FlStatus::Ok, FlStatus::Ok));
 }
 
 #[test]
-fn a_mistake_in_a_scenario_says_where_and_gives_no_handle() {
+fn a_mistake_in_a_scenario_gives_its_place_and_no_handle() {
     let mut engine = ptr::without_provenance_mut(1);
     let text = "[body.tug]\nmas = 3\n";
     // SAFETY: a text with its length, room for a handle.
@@ -227,7 +227,7 @@ fn a_mistake_in_a_scenario_says_where_and_gives_no_handle() {
 }
 
 #[test]
-fn settings_of_another_header_and_those_that_do_nothing_are_refused() {
+fn settings_of_another_size_and_settings_without_effect_are_refused() {
     let mut engine = ptr::null_mut();
     let mut refused = |settings: FlSettings| {
         let path = TUG.as_ptr().cast();
@@ -238,32 +238,32 @@ fn settings_of_another_header_and_those_that_do_nothing_are_refused() {
     assert_eq!(refused(FlSettings { size: 8, ..good }), FlStatus::BadSize);
     assert_eq!(refused(FlSettings { delay_steps: 1, ..good }), FlStatus::BadArgument);
     assert_eq!(refused(FlSettings { method: 9, ..good }), FlStatus::BadArgument);
-    let following = FlSettings { host: FL_HOST_COSIMULATION, ..good };
+    let co_simulation = FlSettings { host: FL_HOST_COSIMULATION, ..good };
     // The scenario's method is the paper's.
-    assert_eq!(refused(following), FlStatus::BadArgument);
-    let coupled = FlSettings { method: FL_METHOD_COUPLED, ..following };
+    assert_eq!(refused(co_simulation), FlStatus::BadArgument);
+    let coupled = FlSettings { method: FL_METHOD_COUPLED, ..co_simulation };
     assert_eq!(refused(coupled), FlStatus::Ok);
     assert_eq!(fl_engine_destroy(engine), FlStatus::Ok);
 }
 
-/// A hit within one step of 4 s: the wrench is its mean, and the peak what was there.
+/// An impact within one step of 4 s: the wrench is the mean, and the peak is reported beside it.
 #[test]
-fn the_peaks_of_a_step_stand_beside_its_means() {
+fn peak_wrenches_are_reported_beside_the_means() {
     let engine = Engine::new(COUPLED, None);
     let mut peaks = [FlWrench::default(); 2];
     // SAFETY: room for two.
-    let ask = |peaks: &mut [FlWrench]| unsafe {
+    let read_peaks = |peaks: &mut [FlWrench]| unsafe {
         fl_engine_peak_wrenches(engine.0, peaks.as_mut_ptr(), peaks.len())
     };
-    assert_eq!(ask(&mut peaks), FlStatus::OutOfOrder);
+    assert_eq!(read_peaks(&mut peaks), FlStatus::OutOfOrder);
     let mut states = engine.begin();
     states[1].east_m += 1.0;
     assert_eq!(engine.set(&states), FlStatus::Ok);
     assert_eq!(fl_engine_step(engine.0, 4.0), FlStatus::Ok);
-    assert_eq!(ask(&mut peaks), FlStatus::Ok);
+    assert_eq!(read_peaks(&mut peaks), FlStatus::Ok);
     let (_, wrenches) = engine.wrenches();
     assert!(peaks[1].east_n < 3.0 * wrenches[1].east_n, "{peaks:?}, {wrenches:?}");
     assert!((peaks[0].east_n / -peaks[1].east_n - 1.0).abs() < 1e-9, "{peaks:?}");
-    assert_eq!(ask(&mut peaks[..1]), FlStatus::BadArgument);
+    assert_eq!(read_peaks(&mut peaks[..1]), FlStatus::BadArgument);
     assert_eq!(engine.destroy(), FlStatus::Ok);
 }

@@ -1,14 +1,14 @@
-//! `include/fenderline.h` is what cbindgen makes of this crate. After a change:
+//! `include/fenderline.h` is generated from this crate by cbindgen. After a change:
 //! `FENDERLINE_BLESS=1 cargo test -p fenderline-capi --test header`.
 
 use std::path::Path;
 
-/// In the order in which the header has their items.
+/// In the order of the header.
 const SOURCES: [&str; 6] =
     ["library.rs", "failure.rs", "types.rs", "table.rs", "builder.rs", "engine.rs"];
 
 #[test]
-fn the_header_is_what_cbindgen_makes() {
+fn the_header_is_up_to_date() {
     let own = Path::new(env!("CARGO_MANIFEST_DIR"));
     let file = own.join("../../include/fenderline.h");
     let mut config =

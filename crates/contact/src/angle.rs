@@ -1,26 +1,26 @@
 //! Sine and cosine of a heading.
 //!
-//! Every body that moves asks for them in every step, where `libm`'s would cost as much as a stage of it: `libm` keeps
-//! the relative accuracy of a sine near zero, which a rotation has no use for, and is called where this is inlined. The
-//! same bits on every machine, as nothing is used but sums, products and a table that the compiler works out of these.
+//! Every moving body needs them in every step. `libm`'s would cost as much as a whole stage of the step: it keeps the
+//! relative accuracy of a sine near zero, which a rotation does not need, and cannot be inlined. The bits are the same
+//! on every machine: only sums, products and a table that the compiler computes from them are used.
 
 use core::f64::consts::{FRAC_1_SQRT_2, PI};
 
-/// Beyond this `libm` is asked: so far the steps of the table that are taken off are exact (rad).
+/// Up to this angle the subtraction of table steps is exact; beyond it `libm` is used (rad).
 const FARTHEST_RAD: f64 = 2e4;
 
-/// Steps of the table in a turn.
+/// Number of table steps in a full turn.
 const STEPS: usize = 256;
 
-/// A step, in two: 33 bits, so that its product with a whole number of up to 20 bits is exact, and the rest (rad).
+/// One step in two parts (rad): 33 bits, so that its product with an integer of up to 20 bits is exact, and the rest.
 const STEP_RAD: f64 = 0.024_543_692_605_220_713;
 const STEP_REST_RAD: f64 = 9.495_469_541_415_925e-13;
 
-/// Added to a number and taken off again it leaves the whole number nearest to it, whose lowest bits are those of
-/// the sum: 1.5 · 2⁵².
-const TO_WHOLE: f64 = 6_755_399_441_055_744.0;
+/// 1.5 · 2⁵². Added and subtracted again, it rounds to the nearest integer, which is also in the lowest bits of the
+/// sum.
+const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 
-/// Sine and cosine of each step, the same but for their signs wherever they mirror each other.
+/// Sine and cosine of each step. Mirrored entries differ only in sign.
 static TABLE: [(f64, f64); STEPS] = {
     const QUARTER: usize = STEPS / 4;
     const EIGHTH: usize = STEPS / 8;
@@ -47,10 +47,10 @@ static TABLE: [(f64, f64); STEPS] = {
     table
 };
 
-/// Sine and cosine of up to an eighth of a turn, by Taylor's series.
+/// Sine and cosine of at most an eighth of a turn, by Taylor series.
 const fn by_series(angle_rad: f64) -> (f64, f64) {
     let square = angle_rad * angle_rad;
-    // 1 − x²/(n(n − 1)) (1 − x²/((n − 2)(n − 3)) …): the least terms first.
+    // 1 − x²/(n(n − 1)) (1 − x²/((n − 2)(n − 3)) …): smallest terms first.
     let (mut sine, mut cosine) = (1.0, 1.0);
     let mut n = 20.0;
     while n > 0.0 {
@@ -61,34 +61,34 @@ const fn by_series(angle_rad: f64) -> (f64, f64) {
     (angle_rad * sine, cosine)
 }
 
-/// Sine and cosine, each within 2.3e-16: of the nearest step of the table, turned by what is left.
+/// Sine and cosine, each within 2.3e-16: those of the nearest table step, rotated by the remainder.
 #[inline(always)]
 pub(crate) fn sin_cos(angle_rad: f64) -> (f64, f64) {
     if angle_rad.abs() > FARTHEST_RAD {
         return libm::sincos(angle_rad);
     }
-    let shifted = angle_rad * ((STEPS / 2) as f64 / PI) + TO_WHOLE;
-    let steps = shifted - TO_WHOLE;
+    let shifted = angle_rad * ((STEPS / 2) as f64 / PI) + TO_INTEGER;
+    let steps = shifted - TO_INTEGER;
     let (sine, cosine) = TABLE[shifted.to_bits() as usize % STEPS];
-    let left_rad = (angle_rad - steps * STEP_RAD) - steps * STEP_REST_RAD;
-    // At most half a step: what comes after these terms is below 1e-17.
-    let square = left_rad * left_rad;
+    let rest_rad = (angle_rad - steps * STEP_RAD) - steps * STEP_REST_RAD;
+    // At most half a step: the terms left out are below 1e-17.
+    let square = rest_rad * rest_rad;
     let along = square * (-1.0 / 2.0 + square * (1.0 / 24.0 - square * (1.0 / 720.0)));
-    let across = left_rad + left_rad * (square * (-1.0 / 6.0 + square * (1.0 / 120.0)));
+    let across = rest_rad + rest_rad * (square * (-1.0 / 6.0 + square * (1.0 / 120.0)));
     (sine + (sine * along + cosine * across), cosine + (cosine * along - sine * across))
 }
 
-/// The largest tangent of which [`tilt_rad`] takes the series.
+/// The largest tangent for which [`tilt_rad`] uses the series.
 const SMALL_TILT: f64 = 1.0 / 8.0;
 
-/// The angle whose tangent is `across` over `ahead`, neither of which is negative (rad): to rounding, by the series
-/// where it is small, as a hull's angle to a fender mostly is, where `libm`'s would cost ten times as much.
+/// The angle whose tangent is `across / ahead`, both non-negative (rad), to rounding. A hull's angle to a fender is
+/// mostly small; there the series costs a tenth of `libm`'s function.
 #[inline(always)]
 pub(crate) fn tilt_rad(across: f64, ahead: f64) -> f64 {
     if across <= SMALL_TILT * ahead && ahead > 0.0 {
         let tangent = across / ahead;
         let square = tangent * tangent;
-        // What comes after these terms is below 3e-18 of it.
+        // The terms left out are below 3e-18 of the angle.
         let mut series = 1.0 / 17.0;
         for power in [15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0] {
             series = 1.0 / power - square * series;
@@ -111,7 +111,7 @@ mod tests {
 
     /// To a unit in the last place of either.
     #[test]
-    fn sine_and_cosine_are_those_of_libm() {
+    fn sine_and_cosine_match_libm() {
         for k in 0..200_000 {
             assert_near_libm(f64::from(k) * 1.000_37e-4 - 10.0);
         }
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn half_steps_of_the_table_and_what_is_next_to_them_are_those_of_libm() {
+    fn half_table_steps_and_their_neighbours_match_libm() {
         for k in -4_000..4_000 {
             let angle_rad = f64::from(k) * 0.5 * (STEP_RAD + STEP_REST_RAD);
             for angle_rad in [angle_rad, angle_rad.next_up(), angle_rad.next_down()] {
@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_turned_to_the_other_side_is_its_mirror() {
+    fn negative_angles_mirror_positive_ones() {
         for k in 1..10_000 {
             let angle_rad = f64::from(k) * 1.234e-3;
             let ((sine, cosine), (other, same)) = (sin_cos(angle_rad), sin_cos(-angle_rad));
@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn tilts_are_those_of_libm() {
+    fn tilts_match_libm() {
         for k in 0..=100_000 {
             let across = f64::from(k) * 2e-6;
             let (ours, theirs) = (tilt_rad(3.0 * across, 3.0), libm::atan2(3.0 * across, 3.0));
@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn far_headings_are_those_of_libm() {
+    fn large_headings_match_libm() {
         for angle_rad in [FARTHEST_RAD, FARTHEST_RAD.next_up(), -3e9, 1e15] {
             assert_near_libm(angle_rad);
         }

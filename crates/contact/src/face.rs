@@ -1,17 +1,16 @@
-//! What a hull does to a fender's face: the gradient of the stored energy.
+//! Force of a hull on a fender's face: the gradient of the stored energy.
 //!
 //! In the face's frame x runs from the face inwards and s along it; d(s) is the depth of the hull behind
-//! the face at s, and A the overlap of hull and fender. Two energies, and what they need of A:
+//! the face at s, and A the overlap of hull and fender. There are two energies; each needs one integral over A:
 //!
 //! - U = E(S/w), of a reaction curve R = E': S is the area of A. For a displacement of the hull
 //!   ∂S = ∮ n·∂r over the hull's part of A's boundary. As ∮ n over all of it is 0, that is minus the
 //!   integral over the fender's own sides, which are straight lines along the axes: closed forms.
 //! - U = ½ k ∫ d² ds = k ∬ x dA, of an elastic foundation: in the same way from ∮ x n = (S, 0).
 //!
-//! So the hull's shape is never asked for, only the overlap's outline, and the force is exactly
-//! conservative for any hull. The simpler form (N = kS along the face's normal, through the centroid) is
-//! this without the lateral part ½k·Δ(d²) at the ends of the face, which sliding along a tilted hull
-//! would turn into work out of nothing.
+//! Only the overlap's outline is needed, not the hull's shape, and the force is exactly conservative for
+//! any hull. The simpler form (N = kS along the face's normal, through the centroid) lacks the lateral
+//! part ½k·Δ(d²) at the ends of the face: sliding along a tilted hull would then create energy.
 
 use crate::angle::tilt_rad;
 use crate::fender::{Fender, RankedFender};
@@ -23,12 +22,12 @@ use crate::vec2::{Pose, Vec2, vec2};
 /// to about 1e-12 m.
 const ON_SIDE_M: f64 = 1e-9;
 
-/// An overlap smaller than this has no centroid to speak of (m²), and a force smaller than this no line
-/// (N): what rounding leaves of either, divided by itself, would be anywhere.
+/// Below this area an overlap has no meaningful centroid (m²), below this force no line of action (N):
+/// they would be quotients of rounding errors.
 const SMALLEST_AREA_M2: f64 = 1e-18;
 const SMALLEST_FORCE_N: f64 = 1e-6;
 
-/// A hull pressed on a fender, before factors.
+/// A hull pressed on a fender, before the fender's factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Press {
     /// Direction in which the hull pushes the fender, and a point of the force's line, both in the frame
@@ -42,7 +41,7 @@ pub(crate) struct Press {
     pub(crate) deflection_m: f64,
     /// Energy stored in spring and stop (J).
     pub(crate) stored_j: f64,
-    /// What the overlap grows by with the hull's way along `push` (m).
+    /// Growth of the overlap's area per metre of the hull's displacement along `push` (m).
     pub(crate) chord_m: f64,
     /// Angle between hull and face (rad).
     pub(crate) tilt_rad: f64,
@@ -53,13 +52,13 @@ pub(crate) struct Press {
 struct Integrals {
     /// Largest x.
     depth: f64,
-    /// ∂S and ∂∬x dA by the hull's displacement along x and s and its rotation about the face's middle.
+    /// Derivatives of S and ∬x dA by the hull's displacement along x and s and rotation about the face's middle.
     of_area: [f64; 3],
     of_moment: [f64; 3],
 }
 
-/// The press of a patch of this area and centroid, with lenses `outlines`, given in a frame in which the fender's body
-/// has the pose `host`.
+/// The press of a patch with this area and centroid. `outlines` are the outlines of its overlaps, in a frame in which
+/// the fender's body has the pose `host`.
 pub(crate) fn press<'a>(
     ranked: &RankedFender,
     fender: &Fender,
@@ -72,9 +71,9 @@ pub(crate) fn press<'a>(
     let along = inward.quarter_turn();
     let face_m = host.apply(ranked.face_m);
     let mut sums = Integrals::default();
-    let seen = |v: Vec2| vec2((v - face_m).dot(inward), (v - face_m).dot(along));
+    let to_face = |v: Vec2| vec2((v - face_m).dot(inward), (v - face_m).dot(along));
     for outline in outlines {
-        let corner = |&v: &Vec2| Corner::new(seen(v), 0.5 * ranked.width_m);
+        let corner = |&v: &Vec2| Corner::new(to_face(v), 0.5 * ranked.width_m);
         let Some((first, others)) = outline.split_first() else { continue };
         let first = corner(first);
         let last = others.iter().map(corner).fold(first, |from, to| {
@@ -83,8 +82,8 @@ pub(crate) fn press<'a>(
         });
         sums.add(&last, &first);
     }
-    // The middle of the face where there is none.
-    let centroid = if area_m2 > SMALLEST_AREA_M2 { seen(centroid_m) } else { Vec2::ZERO };
+    // Without a meaningful centroid: the middle of the face.
+    let centroid = if area_m2 > SMALLEST_AREA_M2 { to_face(centroid_m) } else { Vec2::ZERO };
     let moment = centroid * area_m2;
     sums.complete(area_m2, moment);
 
@@ -106,7 +105,7 @@ pub(crate) fn press<'a>(
     let pushed = vec2(spring[0] + stop[0], spring[1] + stop[1]);
     let torque = spring[2] + stop[2];
     let size_n = pushed.length();
-    // A hull wholly within the zone stores the same wherever it is: out along the axis.
+    // A hull wholly within the zone has no energy gradient: push it out along the axis.
     let (push, point) = if size_n > SMALLEST_FORCE_N {
         let off = (centroid.cross(pushed) - torque) / (size_n * size_n);
         (pushed * (1.0 / size_n), centroid + pushed.quarter_turn() * off)
@@ -128,7 +127,7 @@ pub(crate) fn press<'a>(
 }
 
 /// A corner of an outline in the face's frame, and which of the fender's own sides it lies on.
-// The far end of the zone is left out: a hull that deep goes on being pushed out.
+// The zone's far end is not a side: a hull that deep is still pushed out.
 #[derive(Clone, Copy, Debug)]
 struct Corner {
     at: Vec2,
@@ -142,7 +141,7 @@ impl Corner {
 
     #[inline(always)]
     fn new(at: Vec2, half_width_m: f64) -> Corner {
-        // It lies within the zone: on a side or on this side of it.
+        // Every corner is within the zone.
         let lies_on = |off_m: f64, side: u8| u8::from(off_m <= ON_SIDE_M) * side;
         let sides = lies_on(at.x, Corner::FACE)
             | lies_on(half_width_m - at.y, Corner::RIGHT)
@@ -157,7 +156,6 @@ impl Integrals {
     fn add(&mut self, Corner { at: from, sides }: &Corner, to: &Corner) {
         let (both, to) = (sides & to.sides, to.at);
         self.depth = greater(self.depth, to.x);
-        // What of this edge lies on the fender's own sides, with the outward normal there.
         if both & Corner::FACE != 0 {
             // On the face, outward normal −x.
             let (length, middle) = (from.y - to.y, 0.5 * (from.y + to.y));
@@ -169,7 +167,7 @@ impl Integrals {
         }
     }
 
-    /// A stretch of a lateral side, outward normal ±s: takes its part from the hull's.
+    /// A segment of a lateral side, outward normal ±s: subtracts its integrals.
     fn side(&mut self, low: f64, high: f64, outward: f64) {
         let squares = 0.5 * (high * high - low * low);
         let cubes = (high * high * high - low * low * low) * (1.0 / 3.0);
@@ -179,7 +177,7 @@ impl Integrals {
         self.of_moment[2] -= outward * cubes;
     }
 
-    /// What the whole outline gives, of this area with these moments, ∬ x dA and ∬ s dA.
+    /// Adds the terms of the whole outline, with this area and moments ∬ x dA and ∬ s dA.
     fn complete(&mut self, area: f64, moment: Vec2) {
         self.of_moment[0] += area;
         self.of_moment[2] -= moment.y;

@@ -16,13 +16,13 @@ pub(crate) struct InverseMatrix {
 }
 
 impl InverseMatrix {
-    /// Of the same mass in all directions.
+    /// Of a body with the same mass in all directions.
     pub(crate) fn isotropic(mass_kg: f64, yaw_inertia_kgm2: f64) -> InverseMatrix {
         let inverse = 1.0 / mass_kg;
         InverseMatrix { xx: inverse, yy: inverse, rr: 1.0 / yaw_inertia_kgm2, ..Self::default() }
     }
 
-    /// Of a symmetric matrix; `None` where it is not positive definite.
+    /// Inverts a symmetric matrix; `None` where it is not positive definite.
     pub(crate) fn of(m: &[[f64; 3]; 3]) -> Option<InverseMatrix> {
         let [[a, b, c], [_, d, e], [_, _, f]] = *m;
         let (minor_xx, minor_xy, minor_xr) = (d * f - e * e, c * e - b * f, b * e - c * d);
@@ -42,7 +42,7 @@ impl InverseMatrix {
         })
     }
 
-    /// The same in earth-fixed axes, for a body turned by `rotation`.
+    /// The matrix in earth-fixed axes, for a body turned by `rotation`.
     #[inline]
     pub(crate) fn turned(&self, rotation: Rotation) -> InverseMatrix {
         if self.is_isotropic() {
@@ -60,15 +60,14 @@ impl InverseMatrix {
         }
     }
 
-    /// The same in all axes, as without added mass. By the bits, as [`InverseMatrix::isotropic`] sets them.
+    /// Is the mass equal in all directions? Compared by bits, as [`InverseMatrix::isotropic`] sets them.
     #[inline]
     pub(crate) fn is_isotropic(&self) -> bool {
         let coupled = self.xy.to_bits() | self.xr.to_bits() | self.yr.to_bits();
         coupled == 0 && self.xx.to_bits() == self.yy.to_bits()
     }
 
-    /// Is there a finite mass?
-    // By the bits: asked of a number, it would be asked for NaN too.
+    /// Is the mass finite (not a fixed body)?
     #[inline]
     pub(crate) fn floats(&self) -> bool {
         self.rr.to_bits() != 0
@@ -86,7 +85,7 @@ impl InverseMatrix {
         )
     }
 
-    /// `factor` times it.
+    /// The matrix times `factor`.
     #[inline]
     pub(crate) fn times(&self, factor: f64) -> InverseMatrix {
         let InverseMatrix { xx, xy, yy, xr, yr, rr } = *self;
@@ -100,7 +99,7 @@ impl InverseMatrix {
         }
     }
 
-    /// The matrix that this is the inverse of; `None` for a fixed body.
+    /// The mass matrix itself; `None` for a fixed body.
     pub(crate) fn matrix(&self) -> Option<[[f64; 3]; 3]> {
         let InverseMatrix { xx, xy, yy, xr, yr, rr } = *self;
         let inverse = InverseMatrix::of(&[[xx, xy, xr], [xy, yy, yr], [xr, yr, rr]])?;
@@ -109,51 +108,51 @@ impl InverseMatrix {
     }
 
     /// Inverse of the inertia in yaw (1/(kg·m²)).
-    pub(crate) fn of_turning(&self) -> f64 {
+    pub(crate) fn inverse_inertia(&self) -> f64 {
         self.rr
     }
 
     /// The largest inverse mass in any direction, without rotation (1/kg).
-    pub(crate) fn lightest(&self) -> f64 {
+    pub(crate) fn largest_inverse_mass(&self) -> f64 {
         // The larger eigenvalue of the translational block.
         let (mean, half) = (0.5 * (self.xx + self.yy), 0.5 * (self.xx - self.yy));
         mean + libm::sqrt(half * half + self.xy * self.xy)
     }
 }
 
-/// How bodies answer impulses along n and t (n turned by +90°) at a contact (1/kg).
+/// Response (inverse effective mass) at a contact: velocity changes by impulses along n and t, n turned by +90° (1/kg).
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Seen {
+pub(crate) struct Response {
     /// n·K n, t·K n and t·K t.
     pub(crate) normal: f64,
     pub(crate) cross: f64,
     pub(crate) tangential: f64,
     /// n·K n without rotation.
     pub(crate) linear: f64,
-    /// Only one body answers, whose mass is the same in all axes; and the inverse of its inertia in yaw
-    /// (1/(kg·m²)). Its inverse mass is `linear`.
-    pub(crate) is_alike: bool,
-    pub(crate) turning: f64,
+    /// Only one body floats, and its mass is equal in all directions: `linear` is its inverse mass, and
+    /// `inverse_inertia` the inverse of its inertia in yaw (1/(kg·m²)).
+    pub(crate) is_isotropic: bool,
+    pub(crate) inverse_inertia: f64,
 }
 
-impl Seen {
-    /// Of one body with the same mass in all axes, about whose centre of gravity n and t have these levers (m).
+impl Response {
+    /// Of one body with equal mass in all directions; levers of n and t about its centre of gravity.
     #[inline(always)]
-    pub(crate) fn alike(inverse_mass: f64, turning: f64, levers: Levers) -> Seen {
-        let (turn_n, turn_t) = (turning * levers.n_m, turning * levers.t_m);
-        Seen {
+    pub(crate) fn isotropic(inverse_mass: f64, inverse_inertia: f64, levers: Levers) -> Response {
+        let (turn_n, turn_t) = (inverse_inertia * levers.n_m, inverse_inertia * levers.t_m);
+        Response {
             normal: inverse_mass + turn_n * levers.n_m,
             cross: turn_n * levers.t_m,
             tangential: inverse_mass + turn_t * levers.t_m,
             linear: inverse_mass,
-            is_alike: true,
-            turning,
+            is_isotropic: true,
+            inverse_inertia,
         }
     }
 
     /// Of one body.
     #[inline(always)]
-    pub(crate) fn of(of: &InverseMatrix, n: Vec2, levers: Levers) -> Seen {
+    pub(crate) fn of(of: &InverseMatrix, n: Vec2, levers: Levers) -> Response {
         let Levers { n_m: lever_n_m, t_m: lever_t_m } = levers;
         // The quadratic form of (n, lever of n) and (t, lever of t), with t = (−n_y, n_x).
         let (x_x, y_y, x_y) = (n.x * n.x, n.y * n.y, n.x * n.y);
@@ -163,25 +162,25 @@ impl Seen {
         let linear_cross = (of.yy - of.xx) * x_y + of.xy * (x_x - y_y);
         let turn_n = of.xr * n.x + of.yr * n.y;
         let turn_t = of.yr * n.x - of.xr * n.y;
-        Seen {
+        Response {
             normal: linear + lever_n_m * (2.0 * turn_n + of.rr * lever_n_m),
             cross: linear_cross + turn_n * lever_t_m + lever_n_m * (turn_t + of.rr * lever_t_m),
             tangential: linear_t + lever_t_m * (2.0 * turn_t + of.rr * lever_t_m),
             linear,
-            is_alike: false,
-            turning: of.rr,
+            is_isotropic: false,
+            inverse_inertia: of.rr,
         }
     }
 
     /// Of two bodies.
-    pub(crate) fn both(a: Seen, b: Seen) -> Seen {
-        Seen {
+    pub(crate) fn both(a: Response, b: Response) -> Response {
+        Response {
             normal: a.normal + b.normal,
             cross: a.cross + b.cross,
             tangential: a.tangential + b.tangential,
             linear: a.linear + b.linear,
-            is_alike: false,
-            turning: 0.0,
+            is_isotropic: false,
+            inverse_inertia: 0.0,
         }
     }
 }
@@ -204,24 +203,24 @@ mod tests {
         for (ours, exact) in [(back(m[0]), felt.x), (back(m[1]), felt.y), (back(m[2]), moment)] {
             assert!((ours - exact).abs() < 1e-14);
         }
-        assert!(inverse.lightest() >= 1.0 / 3.0 - 1e-3);
+        assert!(inverse.largest_inverse_mass() >= 1.0 / 3.0 - 1e-3);
     }
 
     #[test]
-    fn what_a_contact_sees_is_what_impulses_change() {
+    fn response_at_a_contact_matches_that_of_the_body() {
         let m = [[3.0, 0.4, -0.2], [0.4, 5.0, 0.7], [-0.2, 0.7, 9.0]];
         let inverse = InverseMatrix::of(&m).expect("positive definite");
         let (n, lever_n_m, lever_t_m) = (vec2(0.6, -0.8), 1.5, -0.7);
         let t = n.quarter_turn();
-        let seen = Seen::of(&inverse, n, Levers { n_m: lever_n_m, t_m: lever_t_m });
+        let at_contact = Response::of(&inverse, n, Levers { n_m: lever_n_m, t_m: lever_t_m });
         let speed = |(v, r): (Vec2, f64), along: Vec2, lever_m: f64| v.dot(along) + r * lever_m;
         let (of_n, of_t) = (inverse.response(n, lever_n_m), inverse.response(t, lever_t_m));
         for (ours, exact) in [
-            (seen.normal, speed(of_n, n, lever_n_m)),
-            (seen.cross, speed(of_n, t, lever_t_m)),
-            (seen.cross, speed(of_t, n, lever_n_m)),
-            (seen.tangential, speed(of_t, t, lever_t_m)),
-            (seen.linear, inverse.response(n, 0.0).0.dot(n)),
+            (at_contact.normal, speed(of_n, n, lever_n_m)),
+            (at_contact.cross, speed(of_n, t, lever_t_m)),
+            (at_contact.cross, speed(of_t, n, lever_n_m)),
+            (at_contact.tangential, speed(of_t, t, lever_t_m)),
+            (at_contact.linear, inverse.response(n, 0.0).0.dot(n)),
         ] {
             assert!((ours - exact).abs() < 1e-15, "{ours} {exact}");
         }

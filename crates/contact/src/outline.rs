@@ -20,13 +20,13 @@ pub use self::fault::{OutlineEdge, OutlineError, OutlineNotice};
 use self::tidy::Numbered;
 use crate::vec2::{Vec2, vec2};
 
-/// Most vertices that an outline may have.
+/// Largest number of vertices of an outline.
 pub const MAX_VERTICES: usize = 10_000;
 
 /// Largest size of a coordinate (m).
 pub const MAX_COORDINATE_M: f64 = 1.0e8;
 
-/// Points nearer than this are one, and parts of the boundary nearer than this touch (m).
+/// Vertices closer than this are merged; parts of the boundary closer than this touch (m).
 pub const MERGE_DISTANCE_M: f64 = 1.0e-9;
 
 /// The outline of a body in its own frame: a simple polygon in the positive sense (from x to y),
@@ -55,12 +55,12 @@ pub struct Outline {
 
 impl Outline {
     /// Checks and tidies the vertices of a polygon, given in either direction, its last vertex
-    /// joined to its first. The notices say what was put right; they leave the first vertex first,
-    /// unless it was itself merged.
+    /// joined to its first. The notices say what was corrected. The first vertex stays first unless it
+    /// was itself merged.
     ///
     /// # Errors
     ///
-    /// The first that holds: more than [`MAX_VERTICES`]; a vertex that is not finite; one beyond
+    /// In this order: more than [`MAX_VERTICES`]; a vertex that is not finite; one beyond
     /// [`MAX_COORDINATE_M`]; fewer than three different vertices ([`MERGE_DISTANCE_M`] apart); no
     /// area (less than 1e-12 of the square of its extent); edges that cross, touch or lie on each
     /// other.
@@ -201,8 +201,8 @@ fn bounds(vertices: &[Vec2]) -> (Vec2, Vec2) {
     })
 }
 
-/// Centroid of all the pieces. Taken piece by piece, since their areas are positive and nothing
-/// cancels; and from a point of the outline, so that nothing is lost far from the origin.
+/// Centroid of all the pieces. Piece by piece, as their areas are positive and nothing cancels; relative
+/// to a point of the outline, so that no digits are lost far from the origin.
 fn centroid(pieces: &[Vec<Vec2>], base: Vec2) -> Vec2 {
     let (mut doubled_area, mut moment) = (0.0, Vec2::ZERO);
     for piece in pieces {

@@ -163,8 +163,8 @@ fn describe(body: &Body, pieces: [u32; 2], fenders_reach_m: f64) -> (RankedBody,
         area_m2,
         inverse_mass: 1.0 / mass_kg,
         inverse_inertia: 1.0 / yaw_inertia_kgm2,
-        lightest_inverse_mass: inverse.lightest(),
-        inverse_of_turning: inverse.of_turning(),
+        lightest_inverse_mass: inverse.largest_inverse_mass(),
+        inverse_of_turning: inverse.inverse_inertia(),
     };
     let half_width_m = 0.25 * area_m2 / radius_m;
     let kirchhoff = match body.mobility {

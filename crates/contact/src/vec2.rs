@@ -16,7 +16,7 @@ pub struct Vec2 {
     pub y: f64,
 }
 
-/// Short for [`Vec2`]'s constructor.
+/// Makes a [`Vec2`].
 ///
 /// ```
 /// use fenderline_contact::vec2;
@@ -134,7 +134,7 @@ impl Mul<f64> for Vec2 {
     }
 }
 
-/// A rotation by an angle, kept as its cosine and sine so that a step computes them once a body.
+/// A rotation by an angle, stored as cosine and sine so that a step computes them once per body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rotation {
     /// Cosine of the angle.
@@ -199,7 +199,7 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// A frame in itself.
+    /// The identity: no translation, no rotation.
     pub(crate) const IDENTITY: Pose =
         Pose { position_m: Vec2::ZERO, rotation: Rotation { cos: 1.0, sin: 0.0 } };
 

@@ -42,13 +42,13 @@ pub struct EngineBuilder {
 pub struct BodyDef<'a> {
     /// Unique name.
     pub name: &'a str,
-    /// Outline, x forward and y to starboard of the centre of gravity (m); in either direction.
+    /// Outline, x forward and y to starboard of the centre of gravity (m); in either sense.
     pub outline_m: &'a [Vec2],
     /// Mass and added mass; `None` for a fixed body.
     pub mass: Option<MassProperties>,
-    /// Where a fixed body stands and a floating one begins: north, east (m).
+    /// Position at the start: north, east (m).
     pub position_m: Vec2,
-    /// Its heading there (rad).
+    /// Heading at the start (rad).
     pub heading_rad: f64,
 }
 
@@ -61,21 +61,21 @@ pub struct FenderDef<'a> {
     pub body: usize,
     /// Middle of the line where it is mounted, in the body's frame (m).
     pub position_m: Vec2,
-    /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard (rad).
+    /// Direction of its outward normal, in the body's frame: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
     /// Width of the face (m).
     pub width_m: f64,
     /// From the mounting to the face, uncompressed (m).
     pub projection_m: f64,
-    /// Reaction from deflection.
+    /// Reaction as a function of deflection.
     pub law: FenderLaw,
-    /// How its reaction falls when the hull retreats; `None`: by its material's restitution.
+    /// How its reaction falls as the hull moves back; `None`: by its material's restitution.
     pub unloading: Option<Unloading>,
     /// Index of its material: friction, restitution, damping and, for an area law, stiffness.
     pub material: usize,
-    /// The deflection that it is made for (m); `None`: its projection. Reaction curves only.
+    /// Rated deflection (m); `None`: its projection. Reaction curves only.
     pub rated_deflection_m: Option<f64>,
-    /// Where it stiffens to a stop; `None` for a law that stiffens by itself.
+    /// The stop where it goes solid; `None` for a law that stiffens by itself.
     pub stop: Option<Stop>,
 }
 
@@ -86,12 +86,12 @@ impl Default for EngineBuilder {
 }
 
 impl EngineBuilder {
-    /// Nothing yet.
+    /// An empty builder.
     #[must_use]
     pub fn new() -> EngineBuilder {
         EngineBuilder {
             setup: Setup {
-                // The host's: an engine reads neither.
+                // The engine uses neither: the host has its own.
                 step_s: 1.0,
                 duration_s: 1.0,
                 integrator: Integrator::SemiImplicit,
@@ -111,7 +111,7 @@ impl EngineBuilder {
     /// Adds a material; its numbers are checked by [`EngineBuilder::build`].
     ///
     /// # Errors
-    /// A name that is empty or stands twice.
+    /// A name that is empty or already used.
     pub fn material(&mut self, name: &str, material: Material) -> Result<usize, EngineError> {
         let materials = &mut self.setup.materials;
         check_name("material", name, materials.iter().map(|other| other.name.as_str()))?;
@@ -122,7 +122,7 @@ impl EngineBuilder {
     /// Adds a body; its masses are checked by [`EngineBuilder::build`].
     ///
     /// # Errors
-    /// A name that is empty or stands twice, an outline that is none.
+    /// A name that is empty or already used, or an invalid outline.
     pub fn body(&mut self, parts: &BodyDef<'_>) -> Result<usize, EngineError> {
         let bodies = &mut self.setup.bodies;
         check_name("body", parts.name, bodies.iter().map(|other| other.name.as_str()))?;
@@ -145,19 +145,18 @@ impl EngineBuilder {
     /// Adds a fender; its numbers are checked by [`EngineBuilder::build`].
     ///
     /// # Errors
-    /// A name that is empty or stands twice, no such body or material, a rated deflection of an area law.
+    /// A name that is empty or already used, no such body or material, or a rated deflection for an area law.
     pub fn fender(&mut self, parts: &FenderDef<'_>) -> Result<usize, EngineError> {
         let names = self.setup.fenders.iter().map(|other| other.name.as_str());
         check_name("fender", parts.name, names)?;
         self.check_body(parts.body)?;
         self.check_material(parts.material)?;
-        let rated =
-            match parts.rated_deflection_m {
-                None => None,
-                Some(deflection_m) => Some(Rated::of(&parts.law, deflection_m).ok_or(
-                    EngineError::Settings("a fender of an area law has no rated deflection"),
-                )?),
-            };
+        let rated = match parts.rated_deflection_m {
+            None => None,
+            Some(deflection_m) => Some(Rated::of(&parts.law, deflection_m).ok_or(
+                EngineError::Settings("a fender with an area law has no rated deflection"),
+            )?),
+        };
         self.setup.fenders.push(FenderSetup {
             name: parts.name.to_owned(),
             body: parts.body,
@@ -182,7 +181,7 @@ impl EngineBuilder {
         Ok(self.setup.fenders.len() - 1)
     }
 
-    /// Lets two bodies touch.
+    /// Enables contact between two bodies.
     ///
     /// # Errors
     /// No such body or material.
@@ -193,7 +192,7 @@ impl EngineBuilder {
         Ok(())
     }
 
-    /// Lets every pair of bodies touch that no call of [`EngineBuilder::pair`] names.
+    /// Enables contact between all other pairs of bodies, which no call of [`EngineBuilder::pair`] names.
     ///
     /// # Errors
     /// No such material.
@@ -203,10 +202,10 @@ impl EngineBuilder {
         Ok(())
     }
 
-    /// The engine of all that was added; the builder can go on.
+    /// Makes the engine. The builder can be used further.
     ///
     /// # Errors
-    /// What is out of range, by name of body, material or fender and field; settings that do not go together.
+    /// A number out of range, with the body, material or fender and the field; settings that conflict.
     pub fn build(&self, settings: &Settings) -> Result<Engine, EngineError> {
         Engine::from_setup(String::new(), self.setup.clone(), Vec::new(), settings)
     }
@@ -232,7 +231,7 @@ fn check_name<'n>(
     let why = if name.is_empty() {
         "is empty"
     } else if others.any(|other| other == name) {
-        "stands twice"
+        "is already used"
     } else {
         return Ok(());
     };

@@ -9,7 +9,7 @@ use crate::results::numbers;
 
 type Read<T> = Result<T, RestoreError>;
 
-/// Stands for no fender.
+/// No fender.
 const NONE: u32 = u32::MAX;
 
 #[derive(Default)]
@@ -91,7 +91,7 @@ impl<'a> Reader<'a> {
         Ok(u64::from_le_bytes(bytes))
     }
 
-    /// 0 or 1.
+    /// A word that is 0 or 1.
     pub(crate) fn flag(&mut self) -> Read<bool> {
         match self.word32()? {
             0 => Ok(false),

@@ -14,21 +14,21 @@ use crate::error::EngineError;
 use crate::results::{Results, Saved, of_cosim, of_direct, of_paper};
 use crate::settings::{CoriolisTerms, Host, MAX_DELAY_STEPS, Settings};
 
-/// The contact engine with its model, its memory and what the host has shown and told. Cloning it branches
-/// the run; clones share the model.
+/// The contact engine with its model, its memory, and the states and loads that the host has set. Cloning it
+/// branches the run; clones share the model.
 #[derive(Clone, Debug)]
 pub struct Engine {
     pub(crate) plan: Arc<Plan>,
     pub(crate) core: Core,
     spare: Core,
-    /// What the host has shown, one a body.
+    /// The input states, one per body.
     pub(crate) states: Vec<BodyState>,
-    /// Which of them it has shown; fixed bodies need not be.
-    pub(crate) shown: Vec<bool>,
-    /// The loads told, one a body; `None` where none were.
+    /// Which of them the host has set; a fixed body's need not be.
+    pub(crate) is_set: Vec<bool>,
+    /// The loads, one per body; `None` where the host has set none.
     pub(crate) loads: Option<Vec<Wrench>>,
     pub(crate) latest: Latest,
-    /// Zero loads, for hosts of the present that have told none.
+    /// Zero loads, for a direct host that has set none.
     no_loads: Vec<Wrench>,
 }
 
@@ -43,11 +43,11 @@ pub(crate) struct Plan {
     notices: Vec<String>,
 }
 
-/// The mutable part, and buffers. There are two: a step is taken on a copy of the one in the other, and counts
-/// when it is good.
+/// The mutable part, and buffers. An engine has two: a step runs on a copy in the second, and the two are
+/// swapped when it succeeds.
 #[derive(Clone, Debug)]
 pub(crate) enum Core {
-    /// By the paper's method.
+    /// For the paper's method.
     Paper {
         memory: Memory,
         work: Box<Workspace>,
@@ -71,12 +71,12 @@ pub(crate) enum Latest {
 }
 
 impl Engine {
-    /// An engine for the bodies, fenders, materials and pairs of a scenario. What else acts on the bodies
-    /// (loads, wind, vessels' propellers, lines, tugs) is the host's: [`Engine::notices`] names what of
-    /// the scenario is left to it.
+    /// An engine for the bodies, fenders, materials and pairs of a scenario. The host computes everything else
+    /// that acts on the bodies (loads, wind, propellers, lines, tugs): [`Engine::notices`] names those
+    /// parts of the scenario.
     ///
     /// # Errors
-    /// [`EngineError`] for settings that do not go together or do not fit the scenario.
+    /// [`EngineError`] for settings that conflict with each other or with the scenario.
     pub fn from_scenario(scenario: Scenario, settings: &Settings) -> Result<Engine, EngineError> {
         let Scenario { title, setup, notices } = scenario;
         let mut notices: Vec<String> = notices.iter().map(ToString::to_string).collect();
@@ -97,7 +97,7 @@ impl Engine {
             Host::Direct { coriolis: Some(CoriolisTerms::ByEngine) } => {
                 setup.integrator = Integrator::SemiImplicit;
             }
-            // What a following host's loads are observed to be holds the turning terms.
+            // The observed loads of a co-simulation host include the Coriolis terms.
             Host::Direct { coriolis: Some(CoriolisTerms::InLoads) } | Host::CoSimulation(_) => {
                 setup.integrator = Integrator::Euler;
             }
@@ -105,11 +105,11 @@ impl Engine {
         if let Host::CoSimulation(host) = settings.host {
             if method == Method::Paper {
                 return Err(EngineError::Settings(
-                    "the paper's method cannot follow a host: take the coupled method",
+                    "the paper's method has no co-simulation host: use the coupled method",
                 ));
             }
             if host.delay_steps > MAX_DELAY_STEPS {
-                return Err(EngineError::Settings("a host may be at most 1000 steps late"));
+                return Err(EngineError::Settings("a host's delay may be at most 1000 steps"));
             }
         }
         let model = setup.contact_model()?;
@@ -118,11 +118,11 @@ impl Engine {
             model.check_state(body, state)?;
         }
         let plan = Plan { title, model, initial, method, host: settings.host, notices };
-        Ok(Engine::of(Arc::new(plan)))
+        Ok(Engine::new(Arc::new(plan)))
     }
 
-    /// An engine of which nothing has been asked yet.
-    fn of(plan: Arc<Plan>) -> Engine {
+    /// An engine before its first step.
+    fn new(plan: Arc<Plan>) -> Engine {
         let model = &plan.model;
         let count = plan.initial.len();
         let core = match plan.host {
@@ -142,7 +142,7 @@ impl Engine {
             spare: core.clone(),
             core,
             states: plan.initial.clone(),
-            shown: vec![false; count],
+            is_set: vec![false; count],
             loads: None,
             latest: Latest::Nowhere,
             no_loads: vec![Wrench::default(); count],
@@ -150,9 +150,9 @@ impl Engine {
         }
     }
 
-    /// Forgets all that happened, was shown and was told: the next step is the first.
+    /// Returns to the start: forgets contacts, states and loads. The next step is the first.
     pub fn reset(&mut self) {
-        *self = Engine::of(Arc::clone(&self.plan));
+        *self = Engine::new(Arc::clone(&self.plan));
     }
 
     /// The scenario's title; empty for an engine made by calls.
@@ -179,31 +179,31 @@ impl Engine {
         self.plan.host
     }
 
-    /// The scenario's notices, and what of the scenario is left to the host; one line each.
+    /// The scenario's notices, and the parts of the scenario that are left to the host; one line each.
     #[must_use]
     pub fn notices(&self) -> &[String] {
         &self.plan.notices
     }
 
-    /// The states that the scenario or the builder gives the bodies at the start.
+    /// The bodies' states at the start, from the scenario or the builder.
     #[must_use]
     pub fn initial_states(&self) -> &[BodyState] {
         &self.plan.initial
     }
 
-    /// The states of the next step: what was shown last, else the initial ones.
+    /// The states of the next step: those set last, or the initial ones.
     #[must_use]
     pub fn states(&self) -> &[BodyState] {
         &self.states
     }
 
-    /// The loads that were told; `None` where none were.
+    /// The loads that were set; `None` where none were.
     #[must_use]
     pub fn loads(&self) -> Option<&[Wrench]> {
         self.loads.as_deref()
     }
 
-    /// Index of the body of a name.
+    /// Index of the body with this name.
     ///
     /// # Errors
     /// [`EngineError::NoSuchName`].
@@ -212,7 +212,7 @@ impl Engine {
         found.ok_or_else(|| EngineError::NoSuchName { what: "body", name: name.to_owned() })
     }
 
-    /// Index of the fender of a name.
+    /// Index of the fender with this name.
     ///
     /// # Errors
     /// [`EngineError::NoSuchName`].
@@ -221,10 +221,10 @@ impl Engine {
         found.ok_or_else(|| EngineError::NoSuchName { what: "fender", name: name.to_owned() })
     }
 
-    /// Shows the state of one body.
+    /// Sets the state of one body.
     ///
     /// # Errors
-    /// There is no such body, or a number that is not finite or out of range: body and field are named.
+    /// There is no such body, or a number is not finite or out of range: body and field are named.
     pub fn set_state(&mut self, body: usize, state: &BodyState) -> Result<(), EngineError> {
         let count = self.states.len();
         if body >= count {
@@ -232,25 +232,25 @@ impl Engine {
         }
         self.plan.model.check_state(body, state)?;
         self.states[body] = *state;
-        self.shown[body] = true;
+        self.is_set[body] = true;
         Ok(())
     }
 
-    /// Shows the states of all bodies, in the order of the model.
+    /// Sets the states of all bodies, in the order of the model.
     ///
     /// # Errors
-    /// As [`Engine::set_state`], or another number of states; then none is taken.
+    /// As [`Engine::set_state`], or a wrong number of states. After an error none is set.
     pub fn set_states(&mut self, states: &[BodyState]) -> Result<(), EngineError> {
         self.check_states(states)?;
         self.states.copy_from_slice(states);
-        self.shown.fill(true);
+        self.is_set.fill(true);
         Ok(())
     }
 
-    /// Says that the host has put a body where it shows it in the next step, rather than moved it there: its contacts
-    /// start afresh, no load is read from it, and where it lies within another body it is pressed out slowly
-    /// ([`fenderline_contact::EventKind::PlacedInOverlap`]). Without it the engine finds out where the way is longer than
-    /// the body's velocities lead it, by a tenth of its radius.
+    /// Marks a body as teleported: its state in the next step is a new position, not the result of motion. Its contacts
+    /// start anew, no load is observed from it, and where it overlaps another body it is pressed out slowly
+    /// ([`fenderline_contact::EventKind::PlacedInOverlap`]). Without the mark the engine detects a teleport where the body
+    /// is farther from where its velocities lead than a tenth of its radius.
     ///
     /// # Errors
     /// There is no such body.
@@ -268,12 +268,12 @@ impl Engine {
         Ok(())
     }
 
-    /// Tells all that acts on each body in the steps to come except contact, about its centre of gravity and
-    /// earth-fixed, until it is told again; in the order of the model. `None`: not told, as at the start. A
-    /// host of the present has no loads then; those of a following host are observed.
+    /// Sets all that acts on each body except contact, about its centre of gravity and earth-fixed, in the order
+    /// of the model. The loads hold until they are set again. `None`, as at the start: zero loads for a direct
+    /// host; those of a co-simulation host are observed.
     ///
     /// # Errors
-    /// As [`Engine::set_states`]; by the paper's method, which knows no loads.
+    /// As [`Engine::set_states`]; with the paper's method, which has no loads.
     pub fn set_loads(&mut self, loads: Option<&[Wrench]>) -> Result<(), EngineError> {
         let Some(loads) = loads else {
             self.loads = None;
@@ -287,15 +287,15 @@ impl Engine {
         Ok(())
     }
 
-    /// One step of `step_s` seconds, from the states shown last. In a step of 0 s, of a host that is paused, nothing
-    /// goes on: results are those of the last step, but for events and the contacts' work.
+    /// One step of `step_s` seconds, from the states set last. A step of 0 s, of a paused host, changes nothing: the
+    /// results are those of the last step, without events and the contacts' work.
     ///
     /// # Errors
-    /// A floating body was never shown, or a step that is neither 0 nor from 1e-9 s to 1e6 s.
+    /// The state of a floating body was never set, or a step that is neither 0 nor from 1e-9 s to 1e6 s.
     pub fn step(&mut self, step_s: f64) -> Result<(), EngineError> {
-        let mut bodies = self.plan.model.bodies().iter().zip(&self.shown);
-        let unseen = bodies.find(|(body, shown)| !**shown && body.mobility != Mobility::Fixed);
-        if let Some((body, _)) = unseen {
+        let mut bodies = self.plan.model.bodies().iter().zip(&self.is_set);
+        let unset = bodies.find(|(body, is_set)| !**is_set && body.mobility != Mobility::Fixed);
+        if let Some((body, _)) = unset {
             return Err(EngineError::StateNotSet { body: body.name.clone() });
         }
         let Engine { plan, core, spare, states, loads, no_loads, .. } = self;
@@ -305,11 +305,11 @@ impl Engine {
         Ok(())
     }
 
-    /// In one call: [`Engine::set_states`], [`Engine::set_loads`] where there are some, [`Engine::step`];
-    /// gives the wrenches. Nothing is changed where any of it fails.
+    /// [`Engine::set_states`], [`Engine::set_loads`] if loads are given, and [`Engine::step`] in one call; returns
+    /// the wrenches. If any of them fails, nothing changes.
     ///
     /// # Errors
-    /// As these.
+    /// Those of the three calls.
     pub fn advance(
         &mut self,
         states: &[BodyState],
@@ -320,12 +320,12 @@ impl Engine {
         if let Some(loads) = loads {
             self.check_loads(loads)?;
         }
-        let told = loads.or(self.loads.as_deref());
+        let step_loads = loads.or(self.loads.as_deref());
         let Engine { plan, core, spare, no_loads, .. } = self;
-        spare.take_step(core, plan, states, told, no_loads, step_s)?;
+        spare.take_step(core, plan, states, step_loads, no_loads, step_s)?;
         mem::swap(core, spare);
         self.states.copy_from_slice(states);
-        self.shown.fill(true);
+        self.is_set.fill(true);
         if loads.is_some() {
             self.set_loads(loads)?;
         }
@@ -333,8 +333,7 @@ impl Engine {
         Ok(self.results()?.wrenches)
     }
 
-    /// After a step: its results are in the workspace, or in a pause, where an engine was restored, as they were
-    /// saved.
+    /// After a step its results are in the workspace. A pause of a restored engine keeps the saved results.
     fn keep_results(&mut self, step_s: f64) {
         match &mut self.latest {
             Latest::Saved(saved) if step_s == 0.0 => saved.pause(&self.states),
@@ -342,7 +341,7 @@ impl Engine {
         }
     }
 
-    /// What the last step found.
+    /// The results of the last step.
     ///
     /// # Errors
     /// No step was taken yet.
@@ -364,7 +363,7 @@ impl Engine {
 
     fn check_loads(&self, loads: &[Wrench]) -> Result<(), EngineError> {
         if self.plan.method == Method::Paper {
-            return Err(EngineError::NotAvailable("the paper's method knows no loads"));
+            return Err(EngineError::NotAvailable("the paper's method has no loads"));
         }
         self.check_count(loads.len())?;
         for (body, load) in loads.iter().enumerate() {
@@ -383,20 +382,20 @@ impl Engine {
 }
 
 impl Core {
-    /// A step from where `before` is. Where it fails this is of no use but for the next step; `before` is as
-    /// it was.
+    /// A step from the state of `before`, which stays unchanged. After an error `self` is invalid until the next
+    /// step.
     fn take_step(
         &mut self,
         before: &Core,
         plan: &Plan,
         states: &[BodyState],
-        told: Option<&[Wrench]>,
+        loads: Option<&[Wrench]>,
         no_loads: &[Wrench],
         step_s: f64,
     ) -> Result<(), EngineError> {
         let model = &plan.model;
         if step_s == 0.0 {
-            // What it tells is what the last step found.
+            // The results stay those of the last step.
             self.clone_from(before);
         }
         match (&mut *self, before) {
@@ -406,18 +405,18 @@ impl Core {
             }
             (Core::Direct { host, work }, Core::Direct { host: now, .. }) => {
                 host.copy_from(now);
-                host.step(model, work, states, told.unwrap_or(no_loads), step_s)?;
+                host.step(model, work, states, loads.unwrap_or(no_loads), step_s)?;
             }
             (Core::CoSimulation { host, work }, Core::CoSimulation { host: now, .. }) => {
                 host.copy_from(now);
-                host.step(model, work, states, told, step_s)?;
+                host.step(model, work, states, loads, step_s)?;
             }
-            _ => unreachable!("both are of the engine's kind of host"),
+            _ => unreachable!("both cores are for the same kind of host"),
         }
         if self.results().are_finite() { Ok(()) } else { Err(EngineError::NotFinite) }
     }
 
-    /// What the step found.
+    /// The results of the step.
     fn results(&self) -> Results<'_> {
         match self {
             Core::Paper { work, .. } => of_paper(work),
@@ -427,7 +426,7 @@ impl Core {
     }
 }
 
-/// What of a set-up acts on bodies and is no contact.
+/// Notices of the parts of a set-up, other than contact, that act on bodies.
 fn left_to_the_host(setup: &Setup) -> Vec<String> {
     let world = &setup.world;
     let parts = [
@@ -438,10 +437,10 @@ fn left_to_the_host(setup: &Setup) -> Vec<String> {
         (world.lines.len(), "line"),
         (world.providers.len(), "provider of forces"),
     ];
-    let tell = |(count, what): (usize, &str)| match count {
+    let notice = |(count, what): (usize, &str)| match count {
         0 => None,
         1 => Some(format!("left to the host: 1 {what}")),
         _ => Some(format!("left to the host: {count} of the kind \"{what}\"")),
     };
-    parts.into_iter().filter_map(tell).collect()
+    parts.into_iter().filter_map(notice).collect()
 }

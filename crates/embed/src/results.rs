@@ -4,26 +4,26 @@ use fenderline_contact::{
     BodyState, Contact, ContactImpulse, ContactWork, Event, HostWorkspace, Workspace, Wrench,
 };
 
-/// What the last step found, or what it had found when the engine was saved. One entry a body, in the order
-/// of the model, unless said otherwise.
+/// Results of the last step, or those saved with the engine. Lists have one entry per body, in the order of the
+/// model, unless said otherwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Results<'a> {
-    /// What the host is to add to its forces for the step: earth-fixed, about the centre of gravity. For a
-    /// host of the present the mean contact wrench over the step, and where the host moves the body by itself what
-    /// keeps it beside the engine; for a following host the wrench that takes it where the engine went.
+    /// The wrench that the host adds to its forces for the step: earth-fixed, about the centre of gravity. For a
+    /// direct host it is the mean contact wrench over the step and, where the host moves the body itself, a correction
+    /// that keeps it with the engine. For a co-simulation host it is the wrench that takes it where the engine went.
     pub wrenches: &'a [Wrench],
-    /// The greatest contact wrench within the step, of which the host's is a mean: see
+    /// The largest contact wrench within the step, where `wrenches` are means: see
     /// [`fenderline_contact::Workspace::peak_wrenches_into`]. Size fenders by it, and move bodies by `wrenches`.
     pub peak_wrenches: &'a [Wrench],
     /// The touching patches, in a fixed order.
     pub contacts: &'a [Contact],
-    /// What happened in the step.
+    /// The events of the step.
     pub events: &'a [Event],
-    /// The states that the engine came to at the end of the step, for hosts that let it move the bodies;
-    /// empty by the paper's method and for a following host, who move the bodies themselves. Velocities are those of half
-    /// a step before (of half of the last sub-step, where contacts needed several), as a leapfrog has them.
+    /// The engine's states at the end of the step, for direct hosts that let it move the bodies; empty for
+    /// co-simulation hosts and with the paper's method, where the host moves them. As in a leapfrog scheme, velocities
+    /// are half a step older (half of the last sub-step, where contacts needed several).
     pub states_after: &'a [BodyState],
-    /// What was host_estimate of a following host; `None` for a host of the present.
+    /// The engine's estimate of a co-simulation host; `None` for a direct host.
     pub host_estimate: Option<HostEstimate<'a>>,
 }
 
@@ -97,7 +97,7 @@ pub(crate) fn numbers(c: &Contact) -> [f64; CONTACT_NUMBERS] {
     ]
 }
 
-/// How many they are.
+/// Number of [`numbers`] per contact.
 pub(crate) const CONTACT_NUMBERS: usize = 34;
 
 /// Results that were saved with an engine.
@@ -112,7 +112,7 @@ pub(crate) struct Saved {
 }
 
 impl Saved {
-    /// A step of no length.
+    /// A step of zero length.
     pub(crate) fn pause(&mut self, states: &[BodyState]) {
         self.events.clear();
         for contact in &mut self.contacts {
@@ -139,7 +139,7 @@ impl Saved {
     }
 }
 
-/// By the paper's method, which knows no sub-steps.
+/// Results of the paper's method, which has no sub-steps.
 pub(crate) fn of_paper(work: &Workspace) -> Results<'_> {
     Results {
         wrenches: work.wrenches(),
@@ -151,7 +151,7 @@ pub(crate) fn of_paper(work: &Workspace) -> Results<'_> {
     }
 }
 
-/// Of a host of the present, by the coupled method.
+/// Results for a direct host, by the coupled method.
 pub(crate) fn of_direct(work: &HostWorkspace) -> Results<'_> {
     Results {
         wrenches: work.wrenches(),
@@ -163,6 +163,7 @@ pub(crate) fn of_direct(work: &HostWorkspace) -> Results<'_> {
     }
 }
 
+/// Results for a co-simulation host.
 pub(crate) fn of_cosim(work: &HostWorkspace) -> Results<'_> {
     Results {
         wrenches: work.wrenches(),

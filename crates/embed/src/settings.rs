@@ -9,7 +9,7 @@ pub const MAX_DELAY_STEPS: u32 = 1000;
 /// Settings of an engine.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Settings {
-    /// The contact method; `None`: the scenario's, and the coupled one where there is no scenario.
+    /// The contact method; `None`: the scenario's, or the coupled one without a scenario.
     pub method: Option<Method>,
     /// The kind of host.
     pub host: Host,
@@ -18,15 +18,15 @@ pub struct Settings {
 /// The kind of host.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Host {
-    /// One that shows the states of the step's beginning and tells all its loads (none: zero): each step is
-    /// one of [`fenderline_contact::DirectHost`] or, by the paper's method, of [`fenderline_contact::step`].
+    /// A host that gives the states at the step's start and all its loads (none: zero). Each step is one of
+    /// [`fenderline_contact::DirectHost`] or, with the paper's method, of [`fenderline_contact::step`].
     Direct {
-        /// Whose the turning of momentum is; `None`: as `fenderline run` has it with the scenario's
-        /// integrator, and the engine's where there is no scenario.
+        /// Where the Coriolis terms are; `None`: as in `fenderline run` with the scenario's integrator, or
+        /// by the engine without a scenario.
         coriolis: Option<CoriolisTerms>,
     },
-    /// One that moves its bodies by itself, may show old states and need not tell its loads: a co-simulation
-    /// master. Each step is one of [`fenderline_contact::CoSimHost`], by the coupled method only.
+    /// A co-simulation master, which moves its bodies itself, may give old states and need not give its loads.
+    /// Each step is one of [`fenderline_contact::CoSimHost`], by the coupled method only.
     CoSimulation(HostSettings),
 }
 
@@ -36,12 +36,12 @@ impl Default for Host {
     }
 }
 
-/// Who turns the momentum of a body whose added mass differs between surge and sway (its Coriolis and
-/// centripetal terms). Of no matter by the paper's method, and for vessels, whose loads always hold them.
+/// Where the Coriolis and centripetal terms of a body whose added mass differs between surge and sway are computed.
+/// It does not matter for the paper's method, nor for vessels, whose loads always include them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CoriolisTerms {
-    /// The engine: the loads that the host tells are without these terms.
+    /// The engine computes them: the host's loads exclude them.
     ByEngine,
-    /// The loads that the host tells hold them.
+    /// The host's loads include them.
     InLoads,
 }

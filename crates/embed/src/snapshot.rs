@@ -3,16 +3,16 @@
 //! | bytes | content |
 //! |---|---|
 //! | 8 | `fndrmbed` |
-//! | 4, 4 | version of this form; [`SNAPSHOT_VERSION`] of what is within |
-//! | 8 | FNV-1a of the names of bodies and fenders in their order: indices stand for them below |
+//! | 4, 4 | version of this format; [`SNAPSHOT_VERSION`] of the engine's snapshot in it |
+//! | 8 | FNV-1a of the names of bodies and fenders in their order, as indices refer to them below |
 //! | 4, 4, 4, 4 | method; kind of host; its delay in steps; its integration |
-//! | 4 + as many | length and bytes of the engine's own snapshot, which has the model's fingerprint |
-//! | 52 each | bodies: state, 1 or 0: was shown |
-//! | 4 + 24 each | 1 or 0: loads were told; the loads, where they were |
-//! | 4 + … | 1 or 0: there are results; the results, where there are |
-//! | 8 | FNV-1a of all before |
+//! | 4 + length | length and bytes of the engine's own snapshot, which has the model's fingerprint |
+//! | 52 each | bodies: state; 1 if the host has set it, else 0 |
+//! | 4 + 24 each | 1 if loads were set, else 0; the loads |
+//! | 4 + … | 1 if there are results, else 0; the results |
+//! | 8 | FNV-1a of all bytes before |
 //!
-//! Results are saved too, so that a restored engine tells what the saved one told.
+//! Results are saved too, so that a restored engine reports those of the saved one.
 
 use fenderline_contact::hash::Fnv1a;
 use fenderline_contact::{
@@ -30,7 +30,7 @@ const MAGIC: &[u8; 8] = b"fndrmbed";
 const VERSION: u32 = 3;
 
 impl Engine {
-    /// All of this engine that can change, as bytes.
+    /// Everything of this engine that can change, as bytes.
     #[must_use]
     pub fn save(&self) -> Vec<u8> {
         let plan = &*self.plan;
@@ -43,13 +43,13 @@ impl Engine {
         out.0.extend_from_slice(MAGIC);
         out.word32(VERSION);
         out.word32(SNAPSHOT_VERSION);
-        out.word64(names_of(plan));
+        out.word64(hash_of_names(plan));
         settings_words(plan).into_iter().for_each(|word| out.word32(word));
         out.word32(own.len() as u32);
         out.0.extend_from_slice(&own);
-        for (state, &shown) in self.states.iter().zip(&self.shown) {
+        for (state, &is_set) in self.states.iter().zip(&self.is_set) {
             out.state(state);
-            out.word32(u32::from(shown));
+            out.word32(u32::from(is_set));
         }
         out.word32(u32::from(self.loads.is_some()));
         self.loads.iter().flatten().for_each(|load| out.wrench(load));
@@ -62,11 +62,11 @@ impl Engine {
         out.0
     }
 
-    /// Becomes what [`Engine::save`] saved, for an engine of the same model with bodies and fenders in the
-    /// same order and with the same settings. Any bytes may be given.
+    /// Restores what [`Engine::save`] saved from an engine of the same model, with bodies and fenders in the
+    /// same order, and with the same settings. Any bytes may be given.
     ///
     /// # Errors
-    /// Bytes that are no whole, unchanged save, or that of another engine; this one is then as it was.
+    /// Bytes that are not a complete, unchanged save, or that of another engine. This one is then unchanged.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), EngineError> {
         let mut restored = self.clone();
         read(&mut restored, bytes)?;
@@ -94,7 +94,7 @@ fn read(engine: &mut Engine, bytes: &[u8]) -> Result<(), EngineError> {
     if sum != Fnv1a::of(summed).to_le_bytes() {
         return Err(RestoreError::Checksum.into());
     }
-    if input.word64()? != names_of(&plan) {
+    if input.word64()? != hash_of_names(&plan) {
         return Err(RestoreError::OtherModel.into());
     }
     for own in settings_words(&plan) {
@@ -113,7 +113,7 @@ fn read(engine: &mut Engine, bytes: &[u8]) -> Result<(), EngineError> {
         let state = input.state()?;
         model.check_state(body, &state).map_err(|_| RestoreError::Content)?;
         engine.states[body] = state;
-        engine.shown[body] = input.flag()?;
+        engine.is_set[body] = input.flag()?;
     }
     engine.loads = None;
     if input.flag()? {
@@ -151,12 +151,12 @@ fn restored_host(
 ) -> Result<CoSimHost, RestoreError> {
     let mut host = CoSimHost::new(&plan.model, settings);
     host.restore(&plan.model, bytes)?;
-    // The settings stand twice in the bytes: here and without.
+    // The bytes hold the settings twice: within the host's snapshot and outside.
     if host.settings() == settings { Ok(host) } else { Err(RestoreError::Content) }
 }
 
-/// Tells models with other names or another order apart, which the fingerprint does not.
-fn names_of(plan: &Plan) -> u64 {
+/// A hash that differs for models with other names or another order, unlike the model's fingerprint.
+fn hash_of_names(plan: &Plan) -> u64 {
     let mut out = Writer::default();
     let bodies = plan.model.bodies().iter().map(|body| &body.name);
     let fenders = plan.model.fenders().iter().map(|fender| &fender.name);
@@ -168,7 +168,7 @@ fn names_of(plan: &Plan) -> u64 {
     Fnv1a::of(&out.0)
 }
 
-/// Whose the turning is, the model's fingerprint tells.
+/// The settings, but for the Coriolis terms, which the model's fingerprint includes.
 fn settings_words(plan: &Plan) -> [u32; 4] {
     let method = match plan.method {
         Method::Coupled => 0,
@@ -199,7 +199,7 @@ fn write_results(out: &mut Writer, results: &Results<'_>) {
     }
 }
 
-/// Which of them there are follows from the settings.
+/// The engine's settings decide which results there are.
 fn read_results(input: &mut Reader<'_>, plan: &Plan) -> Result<Saved, RestoreError> {
     let bodies = input.bodies;
     let mut saved = Saved {

@@ -1,4 +1,4 @@
-//! The engine as a host holds it: the same bits as the simulation, calls out of order, bytes of any kind.
+//! The engine as a host uses it: the same bits as the simulation, calls out of order, arbitrary bytes.
 
 use fenderline_contact::{
     BodyState, HostIntegration, HostSettings, Material, RestoreError, StepError, Wrench, vec2,
@@ -21,13 +21,13 @@ fn engine(name: &str, settings: &Settings) -> Engine {
     Engine::from_scenario(scenario(name), settings).expect("good settings")
 }
 
-fn following(delay_steps: u32) -> Settings {
+fn co_simulation(delay_steps: u32) -> Settings {
     let host = HostSettings { delay_steps, integration: HostIntegration::ForwardEuler };
     Settings { host: Host::CoSimulation(host), ..Settings::default() }
 }
 
-/// Some steps of the tug, by a host that moves her as the tug's model says.
-fn go_on(engine: &mut Engine, states: &mut [BodyState], steps: usize) {
+/// Some steps of the tug, by a host that moves her by her own equations of motion.
+fn run_steps(engine: &mut Engine, states: &mut [BodyState], steps: usize) {
     for _ in 0..steps {
         let wrenches = engine.advance(states, None, 0.1).expect("good states").to_vec();
         for (body, wrench) in wrenches.iter().enumerate() {
@@ -38,7 +38,7 @@ fn go_on(engine: &mut Engine, states: &mut [BodyState], steps: usize) {
     }
 }
 
-/// The forces of `fenderline run` and of an engine that is shown the same states and told the same loads.
+/// `fenderline run` and an engine with the same states and loads give the same forces.
 #[test]
 fn the_same_states_give_the_same_bits_as_a_run() {
     for (name, steps) in [(TUG, 200), (BERTH, 3600)] {
@@ -75,7 +75,7 @@ fn the_same_states_give_the_same_bits_as_a_run() {
 }
 
 #[test]
-fn what_acts_besides_contact_is_said_to_be_the_hosts() {
+fn notices_name_the_parts_that_are_left_to_the_host() {
     let notices = engine(BERTH, &Settings::default()).notices().join("\n");
     assert!(notices.contains("left to the host: 1 load"), "{notices}");
 }
@@ -102,15 +102,15 @@ fn calls_out_of_order_are_errors_and_change_nothing() {
     assert_eq!(engine.save(), fresh);
 }
 
-/// A pause was refused. Restored engines tell what was saved in it, too.
+/// A pause was refused. A restored engine reports its saved results in a pause, too.
 #[test]
-fn a_pause_changes_nothing_and_is_good() {
-    for host in [Host::default(), following(0).host, following(1).host] {
+fn a_pause_changes_nothing() {
+    for host in [Host::default(), co_simulation(0).host, co_simulation(1).host] {
         let settings = Settings { host, ..coupled() };
         let mut engine = engine(TUG, &settings);
         let mut states = engine.initial_states().to_vec();
         assert_eq!(engine.advance(&states, None, 0.0).expect("a pause"), [Wrench::default(); 2]);
-        go_on(&mut engine, &mut states, 12);
+        run_steps(&mut engine, &mut states, 12);
         let wrenches = engine.results().expect("steps were taken").wrenches.to_vec();
         assert!(wrenches[1].force_n.length() > 1e5);
         let (saved, mut twin) = (engine.save(), engine.clone());
@@ -125,11 +125,11 @@ fn a_pause_changes_nothing_and_is_good() {
                 assert!(results.events.is_empty() && !results.contacts.is_empty());
             }
         }
-        // What is shown late is younger after a pause.
-        if host != following(1).host {
+        // After a pause the delayed states are newer.
+        if host != co_simulation(1).host {
             let mut others = states.clone();
-            go_on(&mut engine, &mut states, 5);
-            go_on(&mut twin, &mut others, 5);
+            run_steps(&mut engine, &mut states, 5);
+            run_steps(&mut twin, &mut others, 5);
             assert_eq!(states, others);
         }
     }
@@ -140,7 +140,7 @@ fn coupled() -> Settings {
 }
 
 #[test]
-fn numbers_that_are_none_name_body_and_field() {
+fn a_non_finite_number_names_body_and_field() {
     let mut engine = engine(BERTH, &Settings::default());
     let good = engine.initial_states().to_vec();
     engine.set_states(&good).expect("good states");
@@ -161,9 +161,9 @@ fn numbers_that_are_none_name_body_and_field() {
     assert_eq!(engine.save(), before);
 }
 
-/// What next to no mass does under the largest of loads is no number.
+/// The largest load on a mass near zero overflows.
 #[test]
-fn a_step_that_gives_no_numbers_is_refused_and_changes_nothing() {
+fn a_step_with_non_finite_results_is_refused_and_changes_nothing() {
     let hull = [vec2(-10.0, -4.0), vec2(10.0, -4.0), vec2(10.0, 4.0), vec2(-10.0, 4.0)];
     let mut builder = EngineBuilder::new();
     let rubber = Material {
@@ -198,22 +198,22 @@ fn a_step_that_gives_no_numbers_is_refused_and_changes_nothing() {
 }
 
 #[test]
-fn a_fixed_body_need_not_be_shown() {
+fn the_state_of_a_fixed_body_need_not_be_set() {
     let mut engine = engine(BERTH, &Settings::default());
     let ship = engine.initial_states()[0];
     engine.set_state(0, &ship).expect("a good state");
-    engine.step(0.1).expect("the quay stays where the scenario has it");
+    engine.step(0.1).expect("the quay stays at its position in the scenario");
 }
 
 #[test]
-fn a_restored_engine_tells_what_the_saved_one_told_and_goes_on_with_the_same_bits() {
-    let present = Host::Direct { coriolis: Some(CoriolisTerms::InLoads) };
-    let coupled = Settings { method: Some(Method::Coupled), host: present };
-    let followed = Settings { method: Some(Method::Coupled), ..following(2) };
-    for settings in [Settings::default(), coupled, followed] {
+fn a_restored_engine_has_the_same_results_and_continues_with_the_same_bits() {
+    let direct = Host::Direct { coriolis: Some(CoriolisTerms::InLoads) };
+    let coupled = Settings { method: Some(Method::Coupled), host: direct };
+    let delayed = Settings { method: Some(Method::Coupled), ..co_simulation(2) };
+    for settings in [Settings::default(), coupled, delayed] {
         let mut one = engine(TUG, &settings);
         let mut states = one.initial_states().to_vec();
-        go_on(&mut one, &mut states, 15);
+        run_steps(&mut one, &mut states, 15);
         let bytes = one.save();
         assert!(!one.results().expect("stepped").contacts.is_empty());
         let mut two = engine(TUG, &settings);
@@ -222,22 +222,22 @@ fn a_restored_engine_tells_what_the_saved_one_told_and_goes_on_with_the_same_bit
         assert_eq!(two.results(), one.results());
         assert_eq!((two.states(), two.loads()), (one.states(), one.loads()));
         let mut again = states.clone();
-        go_on(&mut one, &mut states, 40);
-        go_on(&mut two, &mut again, 40);
+        run_steps(&mut one, &mut states, 40);
+        run_steps(&mut two, &mut again, 40);
         assert_eq!(again, states);
         assert_eq!(two.save(), one.save());
-        // Back to an older state, by the engine that went on.
+        // The engine that has run on returns to the older state.
         one.restore(&bytes).expect("its own bytes");
         assert_eq!(one.save(), bytes);
     }
 }
 
 #[test]
-fn changed_cut_and_foreign_bytes_are_refused_and_change_nothing() {
-    let settings = Settings { method: Some(Method::Coupled), ..following(1) };
+fn changed_truncated_and_foreign_bytes_are_refused_and_change_nothing() {
+    let settings = Settings { method: Some(Method::Coupled), ..co_simulation(1) };
     let mut own = engine(TUG, &settings);
     let mut states = own.initial_states().to_vec();
-    go_on(&mut own, &mut states, 15);
+    run_steps(&mut own, &mut states, 15);
     let bytes = own.save();
     for end in 0..bytes.len() {
         assert!(own.restore(&bytes[..end]).is_err(), "cut at {end}");
@@ -251,39 +251,39 @@ fn changed_cut_and_foreign_bytes_are_refused_and_change_nothing() {
     assert!(own.restore(&more).is_err());
     assert_eq!(own.save(), bytes);
 
-    let other_model = engine(BERTH, &following(1)).save();
+    let other_model = engine(BERTH, &co_simulation(1)).save();
     assert_eq!(own.restore(&other_model), Err(RestoreError::OtherModel.into()));
-    let later = Settings { method: Some(Method::Coupled), ..following(2) };
+    let later = Settings { method: Some(Method::Coupled), ..co_simulation(2) };
     let other_delay = engine(TUG, &later).save();
     assert_eq!(own.restore(&other_delay), Err(EngineError::OtherSettings));
     assert_eq!(own.save(), bytes);
 }
 
 #[test]
-fn settings_that_do_not_go_together_are_refused() {
+fn conflicting_settings_are_refused() {
     let refused = |settings| Engine::from_scenario(scenario(TUG), &settings).unwrap_err();
-    assert!(matches!(refused(following(0)), EngineError::Settings(_)));
-    let late = Settings { method: Some(Method::Coupled), ..following(1001) };
+    assert!(matches!(refused(co_simulation(0)), EngineError::Settings(_)));
+    let late = Settings { method: Some(Method::Coupled), ..co_simulation(1001) };
     assert!(matches!(refused(late), EngineError::Settings(_)));
 }
 
 #[test]
-fn a_copy_goes_its_own_way() {
+fn a_clone_runs_independently() {
     let mut one = engine(TUG, &Settings::default());
     let mut states = one.initial_states().to_vec();
-    go_on(&mut one, &mut states, 15);
+    run_steps(&mut one, &mut states, 15);
     let (mut two, mut there) = (one.clone(), states.clone());
     there[1].position_m += vec2(0.0, -100.0);
-    go_on(&mut two, &mut there, 5);
-    go_on(&mut one, &mut states, 5);
+    run_steps(&mut two, &mut there, 5);
+    run_steps(&mut one, &mut states, 5);
     assert!(two.results().expect("stepped").contacts.is_empty());
     assert!(!one.results().expect("stepped").contacts.is_empty());
 }
 
-/// A hit within one step: the wrench is a mean, the peak is what was there, here and after restoring.
+/// An impact within one step: the wrench is the mean, the peak is reported beside it, also after restoring.
 #[test]
-fn the_peaks_of_a_step_stand_beside_its_means() {
-    for host in [Host::default(), following(0).host] {
+fn results_have_peak_wrenches_beside_the_means() {
+    for host in [Host::default(), co_simulation(0).host] {
         let settings = Settings { host, ..coupled() };
         let mut engine = engine(TUG, &settings);
         let mut states = engine.initial_states().to_vec();
@@ -300,7 +300,7 @@ fn the_peaks_of_a_step_stand_beside_its_means() {
         engine.restore(&saved).expect("its own bytes");
         assert_eq!(engine.results().expect("stepped").peak_wrenches, peaks);
     }
-    // By the paper's method there are no sub-steps.
+    // The paper's method has no sub-steps.
     let mut engine = engine(TUG, &Settings::default());
     let mut states = engine.initial_states().to_vec();
     states[1].position_m.y += 3.0;

@@ -1,4 +1,4 @@
-"""What the tests of the hosts share: the program, FMUs of scenarios, and direct runs to compare with."""
+"""Shared by the tests with masters: the program, FMUs of scenarios, and direct runs to compare with."""
 
 import csv
 import json

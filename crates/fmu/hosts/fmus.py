@@ -1,4 +1,4 @@
-"""An FMU of either version of the standard under FMPy's own functions, call by call."""
+"""An FMU of either version of the standard, driven call by call through FMPy."""
 
 import shutil
 

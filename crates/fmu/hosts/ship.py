@@ -1,7 +1,7 @@
-"""A ship of three degrees of freedom, as FMU: what a user's own ship model is in the guide and the tests.
+"""A ship of three degrees of freedom as FMU: it stands for a user's ship model in the guide and the tests.
 
 Mass and added mass about the centre of gravity, Kirchhoff's equations, a constant force, forward Euler with the
-master's step. The contact wrench comes in earth-fixed, position and earth-fixed velocity go out.
+master's step. Input: the earth-fixed contact wrench. Outputs: position and earth-fixed velocity.
 """
 
 from math import cos, sin
@@ -20,7 +20,7 @@ PARAMETERS = {
     "start_u_mps": 0.0,
     "start_v_mps": 0.0,
     "start_r_radps": 0.0,
-    # What acts besides contact, north and east [N].
+    # Load other than contact, north and east [N].
     "load_x_n": 0.0,
     "load_y_n": 0.0,
 }
@@ -46,7 +46,7 @@ class Ship(Fmi2Slave):
             self.register_variable(Real(name, causality=Fmi2Causality.output))
 
     def enter_initialization_mode(self):
-        # Masters that connect variables while they initialize get the state of the start.
+        # Masters that connect variables during initialization get the initial state.
         self.start()
 
     def exit_initialization_mode(self):
@@ -56,9 +56,9 @@ class Ship(Fmi2Slave):
         self.x_m, self.y_m = self.start_x_m, self.start_y_m
         self.heading_rad, self.r_radps = self.start_heading_rad, self.start_r_radps
         self.u, self.v = self.start_u_mps, self.start_v_mps
-        self.show()
+        self.set_velocity()
 
-    def show(self):
+    def set_velocity(self):
         c, s = cos(self.heading_rad), sin(self.heading_rad)
         self.velocity_x_mps = c * self.u - s * self.v
         self.velocity_y_mps = s * self.u + c * self.v
@@ -76,5 +76,5 @@ class Ship(Fmi2Slave):
         self.u += (surge_n + mv * v * r) / mu * step_size
         self.v += (sway_n - mu * u * r) / mv * step_size
         self.r_radps += (self.contact_moment_nm + (mu - mv) * u * v) / iz * step_size
-        self.show()
+        self.set_velocity()
         return True

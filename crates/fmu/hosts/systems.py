@@ -1,8 +1,8 @@
-"""Ships and the engine as one system: what the tests of the masters have in common."""
+"""Systems of ships and the engine, shared by the tests with masters."""
 
 from dataclasses import dataclass, field
 
-# Names of the ship FMU's variables and the engine's, by what they are.
+# Variables of the ship FMU, and those of the engine that they connect to.
 STATE = ["x_m", "y_m", "heading_rad", "velocity_x_mps", "velocity_y_mps", "r_radps"]
 WRENCH = {"contact_x_n": "force_x_n", "contact_y_n": "force_y_n", "contact_moment_nm": "moment_z_nm"}
 
@@ -19,7 +19,7 @@ class System:
 
 
 def inertia(mass_kg, gyradius_m, surge, sway, yaw):
-    """Mass and added mass as the scenario has them: shares of mass and of moment of inertia."""
+    """Mass and added mass, the latter as shares of mass and moment of inertia, as in scenarios."""
     moment = mass_kg * gyradius_m**2
     return {"surge_kg": mass_kg * (1 + surge), "sway_kg": mass_kg * (1 + sway), "yaw_kgm2": moment * (1 + yaw)}
 
@@ -68,11 +68,11 @@ def compare_impact(run, peak_n, states):
 
 
 def compare_berthing(run, peak_n, between, states):
-    """The 8-fender berthing: peak force, the ship's turning between her two contacts, and where she ends."""
+    """The 8-fender berthing: peak force, rate of turn between her two contacts, and final position."""
     ship = run.table("bodies", "body", "ship")
     direct_peak_n = max(abs(row["force_y_n"]) for row in ship.values())
     at, last = ship[50.0], ship[max(ship)]
-    # Off the forward fenders she moves little and turns; the speed of her ends is what berthing is about.
+    # Off the forward fenders she mostly turns: compare the speed of her ends.
     direct_mps, got_mps = at["r_radps"] * 149.0, between["r_radps"] * 149.0
     print(
         f"\npeak {peak_n / 1e3:.0f} kN, direct {direct_peak_n / 1e3:.0f}; her ends at {got_mps:.5f} m/s between, direct"

@@ -1,4 +1,4 @@
-"""ecos, NTNU's master, which steps all FMUs at the same time too."""
+"""ecos, NTNU's master, which steps all FMUs at the same time, as libcosim does."""
 
 import ctypes
 import sys
@@ -7,7 +7,7 @@ from pathlib import Path
 import systems
 
 if sys.platform == "linux":
-    # The package of 0.7.2 needs this library and does not bring it.
+    # The package 0.7.2 needs this library but does not load it.
     ctypes.CDLL(str(Path(sys.prefix) / "lib" / "libtbb.so.12"), ctypes.RTLD_GLOBAL)
 
 from ecospy import EcosSimulation, EcosSimulationStructure  # noqa: E402

@@ -1,4 +1,4 @@
-"""FMPy: both kinds and both versions are valid, and give the bits of `fenderline run`."""
+"""FMPy: FMUs of both kinds and versions are valid and give the same bits as `fenderline run`."""
 
 import numpy
 import pytest
@@ -16,13 +16,13 @@ PORT = "scenarios/berth/alongside_with_two_tugs.toml"
 @pytest.mark.parametrize("fmi", [2, 3])
 @pytest.mark.parametrize("kind", ["engine", "simulation"])
 @pytest.mark.parametrize("scenario", [TUG, BERTHING, PORT])
-def test_valid_without_a_remark(fenderline, scenario, kind, fmi):
+def test_is_valid_without_warnings(fenderline, scenario, kind, fmi):
     assert validate_fmu(str(fenderline.fmu(scenario, kind, fmi))) == []
 
 
 @pytest.mark.parametrize("fmi", [2, 3])
 @pytest.mark.parametrize("scenario, bodies", [(TUG, ["ship", "tug"]), (BERTHING, ["ship"]), (PORT, ["ship"])])
-def test_simulation_has_the_bits_of_a_run(fenderline, scenario, bodies, fmi):
+def test_a_simulation_has_the_bits_of_a_run(fenderline, scenario, bodies, fmi):
     duration = ["--duration", "60"] if scenario != TUG else []
     run = fenderline.run(scenario, *duration)
     rows = {body: run.table("bodies", "body", body) for body in bodies}
@@ -48,8 +48,8 @@ def test_simulation_has_the_bits_of_a_run(fenderline, scenario, bodies, fmi):
 
 @pytest.mark.parametrize("fmi", [2, 3])
 @pytest.mark.parametrize("scenario", [TUG, BERTHING])
-def test_engine_has_the_bits_of_a_run_for_the_same_states(fenderline, scenario, fmi):
-    """The master shows the states of the simulation and tells the wind: forces and fenders are the run's."""
+def test_an_engine_has_the_bits_of_a_run_for_the_same_states(fenderline, scenario, fmi):
+    """With the states of the simulation and the wind load, forces and fender data equal those of the run."""
     run = fenderline.run(scenario)
     bodies = ["ship", "tug"] if scenario == TUG else ["ship"]
     rows = {body: run.table("bodies", "body", body) for body in bodies}
@@ -83,7 +83,7 @@ def test_engine_has_the_bits_of_a_run_for_the_same_states(fenderline, scenario, 
 
 
 @pytest.mark.parametrize("fmi", [2, 3])
-def test_simulates_by_the_usual_call(fenderline, fmi):
+def test_simulate_fmu(fenderline, fmi):
     """simulate_fmu, with outputs by name: the tug leaves with a tenth of her approach speed."""
     result = simulate_fmu(str(fenderline.fmu(TUG, "simulation", fmi)), output=["body.tug.u_mps", "body.ship.v_mps"])
     closing = result["body.tug.u_mps"] - result["body.ship.v_mps"]
@@ -96,8 +96,8 @@ def test_simulates_by_the_usual_call(fenderline, fmi):
 
 @pytest.mark.parametrize("fmi", [2, 3])
 @pytest.mark.parametrize("kind", ["engine", "simulation"])
-def test_states_are_got_set_and_serialised(fenderline, kind, fmi):
-    """Back to a saved state, and on from its bytes in another instance: the same bits each time."""
+def test_states_are_saved_restored_and_serialised(fenderline, kind, fmi):
+    """A restored state, and its bytes in another instance, continue with the same bits."""
     path = fenderline.fmu(TUG, kind, fmi)
     names = [f"body.tug.{c}" for c in WRENCH]
     inputs = {"engine": "body.tug.y_m", "simulation": "body.tug.external_y_n"}[kind]
@@ -151,8 +151,8 @@ def test_parameters_change_the_run(fenderline):
     assert finals[1] < 3.0 * finals[0] < 0.0
 
 
-def test_communication_steps_of_any_length_go_the_scenarios_way(fenderline):
-    """At common points the same bits, whatever the communication step."""
+def test_the_communication_step_changes_no_bit(fenderline):
+    """At common communication points the bits are the same for any communication step."""
     path = fenderline.fmu(TUG, "simulation")
     ends = []
     for step_s in (0.05, 0.1, 0.5):
@@ -164,8 +164,8 @@ def test_communication_steps_of_any_length_go_the_scenarios_way(fenderline):
     assert ends[0] == ends[1] == ends[2]
 
 
-def test_controls_by_hand(fenderline):
-    """The master takes the wheel: rudder and revolutions follow it, not the scenario."""
+def test_external_control(fenderline):
+    """With external control, rudder and revolutions follow the master, not the scenario."""
     path = fenderline.fmu(PORT, "simulation")
     with Fmu(path) as fmu:
         fmu.initialize()
@@ -176,8 +176,8 @@ def test_controls_by_hand(fenderline):
         assert abs(rudder - 0.3) < 1e-9 and shaft > 0.1
 
 
-def moored_by_hand(engine, hours, step_s, load_n):
-    """A master of its own: shows present states and steps the engine first, then its ship (forward Euler)."""
+def moored_positions(engine, hours, step_s, load_n):
+    """A simple master: it gives current states, steps the engine first, then its ship by forward Euler."""
     mass_kg = 87.8e6 * 1.506
     y_m, v_mps, places = 0.0, 0.0, []
     for n in range(round(hours * 3600 / step_s)):
@@ -191,18 +191,18 @@ def moored_by_hand(engine, hours, step_s, load_n):
 
 
 def test_a_moored_ship_does_not_creep(fenderline):
-    """An hour against eight fenders under 1.2 MN that the master never tells: by hand 0.075 m deep."""
+    """An hour on eight fenders under 1.2 MN that is not given to the engine: the static depth is 0.075 m."""
     with Fmu(fenderline.fmu(MOORED, "engine")) as engine:
         engine.initialize(host__delay_steps=0, host__step_s=0.5)
-        places = moored_by_hand(engine, 1.0, 0.5, 1.2e6)
+        places = moored_positions(engine, 1.0, 0.5, 1.2e6)
     last = places[len(places) // 2 :]
     assert abs(last[-1] - 0.075) < 0.001
     assert last.max() - last.min() < 0.0005
 
 
 @pytest.mark.parametrize("fmi", [2, 3])
-def test_a_tug_that_is_counted_as_put_into_a_ship_leaves_slowly(fenderline, fmi):
-    """The master shows her there at rest, counts, and moves her by forward Euler: 0.08 m/s, and what she takes is told."""
+def test_a_tug_repositioned_into_a_ship_leaves_slowly(fenderline, fmi):
+    """The master sets her there at rest, increases the counter, and moves her by forward Euler: she leaves at 0.08 m/s."""
     mass_kg = 930e3 * 1.086
     y_m, v_mps, speeds = -41.0, 1.0, []
     options = ("--method", "coupled", "--set", "time.integrator=semi_implicit")

@@ -1,4 +1,4 @@
-"""The guide's snippets are one program, and it prints what the guide says."""
+"""The guide's snippets form one program, which prints the guide's output."""
 
 import re
 import subprocess
@@ -7,14 +7,14 @@ import sys
 from conftest import PROGRAM, ROOT
 
 
-def test_the_guide_prints_what_it_says(tmp_path):
+def test_the_guides_program_prints_its_output(tmp_path):
     guide = (ROOT / "docs" / "guides" / "fmi.md").read_text()
     blocks = re.findall(r"^```(\w+)\n(.*?)^```$", guide, re.MULTILINE | re.DOTALL)
     program = tmp_path / "guide.py"
     program.write_text("".join(text for language, text in blocks if language == "python"))
-    (said,) = [text for language, text in blocks if language == "text"]
-    # The ship's module is imported by the builder.
+    (expected,) = [text for language, text in blocks if language == "text"]
+    # -B, as the builder imports the ship's module.
     command = [sys.executable, "-B", program, PROGRAM]
     done = subprocess.run(command, cwd=ROOT, text=True, capture_output=True)
     assert done.returncode == 0, done.stderr
-    assert done.stdout == said
+    assert done.stdout == expected

@@ -1,4 +1,4 @@
-"""libcosim, the Open Simulation Platform's master: ships and engine as a system, groups of variables connected."""
+"""libcosim, the Open Simulation Platform's master: ships and engine as a system, connected by variable groups."""
 
 from pathlib import Path
 
@@ -10,7 +10,7 @@ from libcosimpy.CosimObserver import CosimObserver
 
 log_output_level(CosimLogLevel.ERROR)
 
-# The ship's variables as groups, by the names that the engine's have.
+# The ship's variable groups, named like the engine's.
 GROUPS = {
     "position": ("LinearDisplacement", ["x_m", "y_m"]),
     "heading": ("AngularDisplacement", ["heading_rad"]),
@@ -22,7 +22,7 @@ GROUPS = {
 
 
 def write_system(folder, system, engine):
-    """OspSystemStructure.xml, and the ship's description beside the ship."""
+    """Writes OspSystemStructure.xml, and the ship's OSP description beside its FMU."""
     groups = "".join(
         f'<{kind} name="{name}">' + "".join(f'<Variable ref="{v}"/>' for v in variables) + f"</{kind}>"
         for name, (kind, variables) in GROUPS.items()
@@ -81,7 +81,7 @@ class Osp:
 
 
 def play(fenderline, system, watch="ship", each=None):
-    """To the end; the peak of the force on a body, and the ships' last states."""
+    """Runs to the end; returns the peak force on a body and the ships' final states."""
     osp = Osp(fenderline, system)
     peak_n = 0.0
     for step in range(round(system.until_s / system.step_s)):
@@ -124,7 +124,7 @@ def test_a_moored_ship_neither_creeps_nor_gains_energy_for_an_hour(fenderline):
     play(fenderline, system, each=each)
     half = places[len(places) // 2 :]
     y = [place[1] for place in half]
-    print(f"\nat rest at {y[-1]:.6f} m (by hand 0.075), within {max(y) - min(y):.2e} m; speed {max(speeds[-600:]):.1e} m/s")
+    print(f"\nat rest at {y[-1]:.6f} m (static depth 0.075), within {max(y) - min(y):.2e} m; speed {max(speeds[-600:]):.1e} m/s")
     assert abs(y[-1] - 0.075) < 0.001
     assert max(y) - min(y) < 0.0005
     assert max(speeds[-600:]) <= max(speeds[:600]) and max(speeds[-600:]) < 1e-4

@@ -30,22 +30,22 @@ pub(crate) enum Log {
 /// A pointer of the master, which is passed back and never dereferenced.
 pub(crate) struct Address(pub(crate) *mut c_void);
 
-// SAFETY: it is only handed back; the standard lets a master call each of its instances from a thread of
-// its choice, with the environment that it gave.
+// SAFETY: it is only passed back. The standard lets a master call an instance from any thread, with the
+// environment that it gave.
 unsafe impl Send for Address {}
 // SAFETY: as above.
 unsafe impl Sync for Address {}
 
 impl Log {
-    pub(crate) fn tell(&self, status: Status, text: &str) {
+    pub(crate) fn write(&self, status: Status, text: &str) {
         let clean = text.replace('\0', " ");
         match self {
             Log::Nowhere => {}
             Log::Two { logger, environment, name } => {
-                // The message is a format of printf, in which `#` begins a reference to a variable.
+                // The message is a printf format, in which `#` starts a reference to a variable.
                 let message = clean.replace('%', "%%").replace('#', "##");
                 let Ok(message) = CString::new(message) else { return };
-                // SAFETY: the master's own function and pointer; the texts live through the call.
+                // SAFETY: the master's own function and pointer; the texts live during the call.
                 unsafe {
                     logger(
                         environment.0,
@@ -89,7 +89,7 @@ pub(crate) unsafe fn read<T: Copy>(pointer: *const T, count: usize, name: &str) 
     if count > MOST_VALUES {
         return Err(format!("{count} of {name} are too many"));
     }
-    // SAFETY: not NULL, aligned, and as many as the master promises; numbers, of which any bytes are one.
+    // SAFETY: not NULL, aligned, and within the count that the master promises; any bytes are a valid number.
     Ok((0..count).map(|index| unsafe { pointer.add(index).read() }).collect())
 }
 
@@ -102,14 +102,14 @@ pub(crate) unsafe fn read_bytes(pointer: *const u8, count: usize) -> Outcome<Vec
     if count > MOST_BYTES {
         return Err(format!("a state of {count} bytes is too long"));
     }
-    // SAFETY: not NULL; the master promises so many bytes, which nobody writes meanwhile.
+    // SAFETY: not NULL; the master promises `count` bytes, which nobody writes during the call.
     Ok(unsafe { std::slice::from_raw_parts(pointer, count) }.to_vec())
 }
 
 /// Copies values out.
 ///
 /// # Safety
-/// The master's promise for room for as many.
+/// The master's promise for room for the values.
 pub(crate) unsafe fn write<T: Copy>(pointer: *mut T, values: &[T], name: &str) -> Outcome {
     if values.is_empty() {
         return Ok(());
@@ -122,12 +122,12 @@ pub(crate) unsafe fn write<T: Copy>(pointer: *mut T, values: &[T], name: &str) -
     Ok(())
 }
 
-/// Refuses room that is none.
+/// Rejects an invalid pointer to room for values.
 pub(crate) fn check_room<T>(pointer: *const T, count: usize, name: &str) -> Outcome {
     if count == 0 { Ok(()) } else { check(pointer, name) }
 }
 
-/// A text.
+/// Copies a text in.
 ///
 /// # Safety
 /// The master's promise for a NUL at its end.
@@ -138,10 +138,10 @@ pub(crate) unsafe fn text(pointer: *const c_char, name: &str) -> Outcome<String>
     text.to_str().map(str::to_owned).map_err(|_| format!("{name} is not UTF-8"))
 }
 
-/// Bundles above this size are not read: a scenario and the files that it names have less (bytes).
+/// Limit of a bundle's size (bytes).
 const LARGEST_BUNDLE: u64 = 1 << 30;
 
-/// An instance of the FMU whose resources lie in a folder.
+/// Creates an instance of the FMU with resources in this folder.
 pub(crate) fn instance(token: &str, resources: &Path) -> Outcome<Instance> {
     let path = resources.join(crate::pack::BUNDLE_FILE);
     let json = read_text_of(&path, LARGEST_BUNDLE).map_err(|error| error.to_string())?;
@@ -149,8 +149,8 @@ pub(crate) fn instance(token: &str, resources: &Path) -> Outcome<Instance> {
     let plan = Plan::new(bundle).map_err(|error| error.to_string())?;
     if plan.token != token {
         return Err(format!(
-            "the FMU's token is `{}` and not `{token}`: description, resources and library are not \
-             of one making",
+            "the FMU's token is `{}` and not `{token}`: description, resources and library do not \
+             belong together",
             plan.token
         ));
     }
@@ -159,7 +159,7 @@ pub(crate) fn instance(token: &str, resources: &Path) -> Outcome<Instance> {
 
 /// The folder that a `file:` URI names.
 pub(crate) fn folder_of_uri(uri: &str) -> Outcome<PathBuf> {
-    let no = || format!("the resource location `{uri}` is no file URI");
+    let no = || format!("the resource location `{uri}` is not a file URI");
     let rest = uri.strip_prefix("file:").ok_or_else(no)?;
     let path = match rest.strip_prefix("//") {
         Some(rest) => rest.strip_prefix("localhost").unwrap_or(rest),
@@ -179,12 +179,12 @@ pub(crate) fn folder_of_uri(uri: &str) -> Outcome<PathBuf> {
         bytes.push((16 * high + low) as u8);
     }
     let path = String::from_utf8(bytes).map_err(|_| no())?;
-    // "/C:/…" of Windows.
+    // "/C:/…" on Windows.
     let drive = path.as_bytes().get(2) == Some(&b':') && path.starts_with('/');
     Ok(PathBuf::from(if drive { &path[1..] } else { &path }))
 }
 
-/// What the FMU has none of: none may be asked for.
+/// For features that the FMU lacks: an error unless `count` is 0.
 pub(crate) fn none(count: usize, what: &str) -> Outcome {
     if count == 0 { Ok(()) } else { Err(format!("the FMU has no {what}")) }
 }
@@ -194,7 +194,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn uris_of_folders() {
+    fn file_uris_become_paths() {
         let folder = |uri: &str| folder_of_uri(uri).map(|path| path.display().to_string());
         for uri in ["file:///a%20b/c", "file:/a%20b/c", "file://localhost/a b/c"] {
             assert_eq!(folder(uri).as_deref(), Ok("/a b/c"));

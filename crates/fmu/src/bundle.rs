@@ -1,4 +1,4 @@
-//! A scenario with all that it names, as one text: the resource from which an FMU's library works.
+//! A scenario with all files that it names, as one text: the resource that an FMU's library reads.
 
 use core::fmt;
 use std::collections::BTreeMap;
@@ -9,32 +9,32 @@ use serde_json::{Map, Value, json};
 
 use crate::table::Kind;
 
-/// Version of the form.
+/// Version of the format.
 const FORM: u64 = 1;
 
 /// A self-contained scenario.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Bundle {
-    /// What the FMU is.
+    /// The kind of FMU.
     pub kind: Kind,
     /// Name of the scenario file, for messages and the default title.
     name: String,
     text: String,
     /// Keys that replace those of the text, and their values.
     changes: Vec<[String; 2]>,
-    /// Texts by the names that stand in the scenario.
+    /// The named files' texts, by their names in the scenario.
     files: BTreeMap<String, String>,
 }
 
-/// A scenario that makes no bundle, or a text that is none.
+/// A scenario that cannot be bundled, or a text that is not a bundle.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum BundleError {
     /// The file cannot be read.
     Unreadable(String),
     /// The scenario reader refuses it.
     Refused(ScenarioError),
-    /// The text is no bundle: what it lacks.
-    NoBundle(&'static str),
+    /// The text is not a bundle: what it lacks.
+    NotABundle(&'static str),
 }
 
 impl fmt::Display for BundleError {
@@ -42,7 +42,7 @@ impl fmt::Display for BundleError {
         match self {
             BundleError::Unreadable(why) => write!(f, "error: cannot read {why}"),
             BundleError::Refused(error) => error.fmt(f),
-            BundleError::NoBundle(what) => write!(f, "error: the FMU's scenario has no {what}"),
+            BundleError::NotABundle(what) => write!(f, "error: the FMU's scenario has no {what}"),
         }
     }
 }
@@ -82,7 +82,7 @@ impl Bundle {
         .map_err(BundleError::Refused)
     }
 
-    /// As text.
+    /// The bundle as text.
     #[must_use]
     pub fn to_json(&self) -> String {
         let files: Map<String, Value> =
@@ -98,12 +98,12 @@ impl Bundle {
         format!("{bundle:#}\n")
     }
 
-    /// Of such a text.
+    /// Reads a bundle from its text.
     ///
     /// # Errors
-    /// [`BundleError::NoBundle`].
+    /// [`BundleError::NotABundle`].
     pub fn from_json(json: &str) -> Result<Bundle, BundleError> {
-        let no = BundleError::NoBundle;
+        let no = BundleError::NotABundle;
         let bundle: Value = serde_json::from_str(json).map_err(|_| no("JSON"))?;
         if bundle["form"] != json!(FORM) {
             return Err(no("form that this library knows"));

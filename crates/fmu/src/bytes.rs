@@ -12,7 +12,7 @@ pub(crate) fn number(out: &mut Vec<u8>, number: f64) {
     word64(out, number.to_bits());
 }
 
-/// Bytes that are read from their front; `None` where there are too few.
+/// Reads bytes from the front; `None` where there are too few.
 pub(crate) struct Reader<'a>(pub(crate) &'a [u8]);
 
 impl<'a> Reader<'a> {

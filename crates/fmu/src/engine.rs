@@ -38,7 +38,7 @@ impl EngineRun {
         if run.beginning == Beginning::Waiting(0) {
             // The wrench for the host's first step must be available at initialization, before the first call of a
             // step.
-            let step_s = plan.table.setting(values, Setting::StepS).unwrap_or(0.1);
+            let step_s = plan.table.setting(values, Setting::StepS);
             run.advance(plan, values, step_s)?;
             run.beginning = Beginning::Begun;
         }
@@ -47,7 +47,7 @@ impl EngineRun {
 
     /// An engine with the parameters, before the initial step.
     pub(crate) fn at_rest(plan: &Plan, values: &[f64]) -> Result<EngineRun, String> {
-        let of = |setting| plan.table.setting(values, setting).unwrap_or(0.0);
+        let of = |setting| plan.table.setting(values, setting);
         let is_on = |setting| of(setting) != 0.0;
         let Scenario { title, setup, .. } = &plan.scenario;
         let setup = applied(&plan.table, values, setup);

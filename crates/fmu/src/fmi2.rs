@@ -1,6 +1,6 @@
 //! The functions of FMI 2.0 for co-simulation, with the signatures of the standard's `fmi2FunctionTypes.h`.
 //!
-//! Safety of each: the master's promise (`border`). Components and states are looked up, never followed.
+//! Safety of each: the master's promise (`border`). Components and states are handles, never dereferenced.
 #![allow(non_snake_case, reason = "the standard's names")]
 #![allow(missing_docs, reason = "the standard documents them")]
 #![allow(clippy::missing_safety_doc, reason = "the module says what the master promises")]
@@ -24,7 +24,7 @@ pub type Logger2 = unsafe extern "C" fn(
     ...
 );
 
-/// `fmi2CallbackFunctions`; memory is our own business, and no step is asynchronous.
+/// `fmi2CallbackFunctions`. Only the logger is used: the library has its own memory, and no step is asynchronous.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Callbacks {
@@ -62,7 +62,7 @@ pub unsafe extern "C" fn fmi2SetDebugLogging(
     count: usize,
     categories: *const *const c_char,
 ) -> c_int {
-    // Errors alone are logged, and always.
+    // Only errors are logged, and always.
     code(with(component, "fmi2SetDebugLogging", |_| check_room(categories, count, "categories")))
 }
 
@@ -95,7 +95,7 @@ pub unsafe extern "C" fn fmi2Instantiate(
         callbacks?;
         name?;
         if kind != CO_SIMULATION {
-            return Err("fmi2Instantiate: it is for co-simulation only".to_owned());
+            return Err("fmi2Instantiate: the FMU is for co-simulation only".to_owned());
         }
         // SAFETY: the master's promise.
         let guid = unsafe { text(guid, "the GUID") }?;
@@ -155,7 +155,7 @@ macro_rules! values {
                 let out: fn(f64) -> $type = $out;
                 let found: Vec<$type> =
                     i.get(&references, Class::$class)?.into_iter().map(out).collect();
-                // SAFETY: the master's promise for room for as many.
+                // SAFETY: the master's promise for room for `count` values.
                 unsafe { write(values, &found, "values") }
             }))
         }
@@ -172,8 +172,8 @@ macro_rules! values {
                 let references = unsafe { read(references, count, "value references") }?;
                 // SAFETY: the master's promise.
                 let values = unsafe { read(values, count, "values") }?;
-                let turn: fn($type) -> f64 = $in;
-                let values: Vec<f64> = values.into_iter().map(turn).collect();
+                let convert: fn($type) -> f64 = $in;
+                let values: Vec<f64> = values.into_iter().map(convert).collect();
                 i.set(&references, &values, Class::$class)
             }))
         }
@@ -217,7 +217,7 @@ pub unsafe extern "C" fn fmi2GetFMUstate(component: *mut c_void, state: *mut *mu
     }))
 }
 
-/// The number of a state that is to be written over, or of a new one, which is told to the master.
+/// Number for a saved state: that of the state to overwrite, or a new one, which is written to the master's pointer.
 ///
 /// # Safety
 /// The master's promise for one pointer.
@@ -244,7 +244,7 @@ pub unsafe extern "C" fn fmi2FreeFMUstate(
     code(with(component, "fmi2FreeFMUstate", |i| unsafe { free_state(i, state) }))
 }
 
-/// Forgets a state and sets the master's pointer to NULL; NULL is forgotten already.
+/// Frees a saved state and sets the master's pointer to NULL. Freeing NULL does nothing.
 ///
 /// # Safety
 /// The master's promise for one pointer.
@@ -284,7 +284,7 @@ pub unsafe extern "C" fn fmi2SerializeFMUstate(
     }))
 }
 
-/// Writes the bytes of a state; there may be more room than it needs.
+/// Writes the bytes of a state; the room may be larger than needed.
 ///
 /// # Safety
 /// The master's promise for `size` bytes.
@@ -296,9 +296,9 @@ pub(crate) unsafe fn serialize(
 ) -> Outcome {
     let own = instance.to_bytes(number)?;
     if size < own.len() {
-        return Err(format!("the state has {} bytes, there is room for {size}", own.len()));
+        return Err(format!("the state has {} bytes, but there is room for {size}", own.len()));
     }
-    // SAFETY: the master's promise for `size` bytes, of which these are no more.
+    // SAFETY: the master's promise for `size` bytes, and these are not more.
     unsafe { write(bytes, &own, "the bytes") }
 }
 
@@ -315,7 +315,7 @@ pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
     }))
 }
 
-/// Makes a state of bytes.
+/// Makes a saved state from bytes.
 ///
 /// # Safety
 /// The master's promise for `size` bytes and one pointer.
@@ -384,12 +384,12 @@ pub unsafe extern "C" fn fmi2DoStep(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2CancelStep(component: *mut c_void) -> c_int {
     code(with(component, "fmi2CancelStep", |_| {
-        Err("no step is ever under way: steps are not asynchronous".to_owned())
+        Err("there is no step to cancel: steps are not asynchronous".to_owned())
     }))
 }
 
-/// Discard for what there is not, as the standard asks for.
-fn asked<T: Copy>(
+/// Writes a status value; Discard where there is none, as the standard requires.
+fn status_value<T: Copy>(
     component: *mut c_void,
     name: &str,
     value: *mut T,
@@ -414,7 +414,7 @@ pub unsafe extern "C" fn fmi2GetStatus(
     _kind: c_int,
     value: *mut c_int,
 ) -> c_int {
-    asked(component, "fmi2GetStatus", value, |_| None)
+    status_value(component, "fmi2GetStatus", value, |_| None)
 }
 
 #[unsafe(no_mangle)]
@@ -423,7 +423,7 @@ pub unsafe extern "C" fn fmi2GetRealStatus(
     kind: c_int,
     value: *mut f64,
 ) -> c_int {
-    asked(component, "fmi2GetRealStatus", value, |i| {
+    status_value(component, "fmi2GetRealStatus", value, |i| {
         (kind == LAST_SUCCESSFUL_TIME).then_some(i.state.time_s)
     })
 }
@@ -434,7 +434,7 @@ pub unsafe extern "C" fn fmi2GetIntegerStatus(
     _kind: c_int,
     value: *mut c_int,
 ) -> c_int {
-    asked(component, "fmi2GetIntegerStatus", value, |_| None)
+    status_value(component, "fmi2GetIntegerStatus", value, |_| None)
 }
 
 #[unsafe(no_mangle)]
@@ -443,7 +443,7 @@ pub unsafe extern "C" fn fmi2GetBooleanStatus(
     kind: c_int,
     value: *mut c_int,
 ) -> c_int {
-    asked(component, "fmi2GetBooleanStatus", value, |_| (kind == TERMINATED).then_some(0))
+    status_value(component, "fmi2GetBooleanStatus", value, |_| (kind == TERMINATED).then_some(0))
 }
 
 #[unsafe(no_mangle)]
@@ -452,5 +452,5 @@ pub unsafe extern "C" fn fmi2GetStringStatus(
     _kind: c_int,
     value: *mut *const c_char,
 ) -> c_int {
-    asked(component, "fmi2GetStringStatus", value, |_| None)
+    status_value(component, "fmi2GetStringStatus", value, |_| None)
 }

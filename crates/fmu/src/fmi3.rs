@@ -1,8 +1,8 @@
-//! The functions of FMI 3.0, with the signatures of the standard's `fmi3FunctionTypes.h`. All are there; those
-//! of model exchange, scheduled execution, clocks and types that the table has not say so.
+//! The functions of FMI 3.0, with the signatures of the standard's `fmi3FunctionTypes.h`. All exist; those for model
+//! exchange, scheduled execution, clocks and unused types return an error.
 //!
-//! Safety of each: the master's promise (`border`). Instances and states are looked up, never followed.
-//! `fmi3Boolean`, a `bool` of C, is taken as a byte, so that any byte may come.
+//! Safety of each: the master's promise (`border`). Instances and states are handles, never dereferenced.
+//! `fmi3Boolean`, a `bool` of C, is read as a byte, so that any byte is valid.
 #![allow(non_snake_case, reason = "the standard's names")]
 #![allow(missing_docs, reason = "the standard documents them")]
 #![allow(clippy::missing_safety_doc, reason = "the module says what the master promises")]
@@ -43,7 +43,7 @@ pub unsafe extern "C" fn fmi3SetDebugLogging(
     count: usize,
     categories: *const *const c_char,
 ) -> c_int {
-    // Errors alone are logged, and always.
+    // Only errors are logged, and always.
     code(with(fmu, "fmi3SetDebugLogging", |_| check_room(categories, count, "categories")))
 }
 
@@ -75,7 +75,7 @@ pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
         let token = unsafe { text(token, "the instantiation token") }?;
         let path = unsafe { text(resource_path, "the resource path") }?;
         if event_mode_used != 0 {
-            return Err("fmi3InstantiateCoSimulation: it has no event mode".to_owned());
+            return Err("fmi3InstantiateCoSimulation: the FMU has no event mode".to_owned());
         }
         none(required_intermediate_variable_count, "intermediate updates")?;
         instance(&token, Path::new(&path))
@@ -93,7 +93,7 @@ pub unsafe extern "C" fn fmi3InstantiateModelExchange(
     logger: Option<Logger3>,
 ) -> *mut c_void {
     make(log_of(logger, environment), || {
-        Err("fmi3InstantiateModelExchange: it is for co-simulation only".to_owned())
+        Err("fmi3InstantiateModelExchange: the FMU is for co-simulation only".to_owned())
     })
 }
 
@@ -111,7 +111,7 @@ pub unsafe extern "C" fn fmi3InstantiateScheduledExecution(
     _unlock_preemption: Option<unsafe extern "C" fn()>,
 ) -> *mut c_void {
     make(log_of(logger, environment), || {
-        Err("fmi3InstantiateScheduledExecution: it is for co-simulation only".to_owned())
+        Err("fmi3InstantiateScheduledExecution: the FMU is for co-simulation only".to_owned())
     })
 }
 
@@ -151,8 +151,8 @@ phase!(
     fmi3Reset reset
 );
 
-/// As many values as references: no variable is an array.
-fn same(references: usize, values: usize) -> Outcome {
+/// The number of values must be that of references, as no variable is an array.
+fn check_counts(references: usize, values: usize) -> Outcome {
     if references == values {
         return Ok(());
     }
@@ -170,14 +170,14 @@ macro_rules! values {
             value_count: usize,
         ) -> c_int {
             code(with(fmu, stringify!($get), |i| {
-                same(count, value_count)?;
+                check_counts(count, value_count)?;
                 // SAFETY: the master's promise.
                 let references = unsafe { read(references, count, "value references") }?;
                 check_room(values, count, "values")?;
                 let out: fn(f64) -> $type = $out;
                 let found: Vec<$type> =
                     i.get(&references, Class::$class)?.into_iter().map(out).collect();
-                // SAFETY: the master's promise for room for as many.
+                // SAFETY: the master's promise for room for `count` values.
                 unsafe { write(values, &found, "values") }
             }))
         }
@@ -191,13 +191,13 @@ macro_rules! values {
             value_count: usize,
         ) -> c_int {
             code(with(fmu, stringify!($set), |i| {
-                same(count, value_count)?;
+                check_counts(count, value_count)?;
                 // SAFETY: the master's promise.
                 let references = unsafe { read(references, count, "value references") }?;
                 // SAFETY: the master's promise.
                 let values = unsafe { read(values, count, "values") }?;
-                let turn: fn($type) -> f64 = $in;
-                let values: Vec<f64> = values.into_iter().map(turn).collect();
+                let convert: fn($type) -> f64 = $in;
+                let values: Vec<f64> = values.into_iter().map(convert).collect();
                 i.set(&references, &values, Class::$class)
             }))
         }
@@ -266,7 +266,7 @@ macro_rules! no_binaries {
 
 no_binaries!(fmi3GetBinary, fmi3SetBinary);
 
-/// Clocks, of which there are none.
+/// Clocks: the FMU has none.
 macro_rules! no_clocks {
     ($($function:ident($($argument:ident),*));*) => { $(
         #[unsafe(no_mangle)]
@@ -295,7 +295,7 @@ no_clocks!(
     fmi3SetShiftFraction(counters, resolutions)
 );
 
-/// Modes that it has not.
+/// Modes that the FMU does not have.
 macro_rules! no_mode {
     ($($function:ident),*) => { $(
         #[unsafe(no_mangle)]
@@ -320,7 +320,7 @@ pub unsafe extern "C" fn fmi3GetNumberOfVariableDependencies(
     _reference: u32,
     _count: *mut usize,
 ) -> c_int {
-    code(with(fmu, "fmi3GetNumberOfVariableDependencies", |_| none(1, "dependencies to tell")))
+    code(with(fmu, "fmi3GetNumberOfVariableDependencies", |_| none(1, "list of dependencies")))
 }
 
 #[unsafe(no_mangle)]
@@ -333,7 +333,7 @@ pub unsafe extern "C" fn fmi3GetVariableDependencies(
     _dependency_kinds: *mut c_int,
     _count: usize,
 ) -> c_int {
-    code(with(fmu, "fmi3GetVariableDependencies", |_| none(1, "dependencies to tell")))
+    code(with(fmu, "fmi3GetVariableDependencies", |_| none(1, "list of dependencies")))
 }
 
 #[unsafe(no_mangle)]
@@ -392,7 +392,7 @@ pub unsafe extern "C" fn fmi3DeserializeFMUState(
     code(with(fmu, "fmi3DeserializeFMUState", |i| unsafe { deserialize(i, bytes, size, state) }))
 }
 
-/// Derivatives, of which there are none.
+/// Derivatives: the FMU provides none.
 macro_rules! no_derivatives {
     ($($function:ident),*) => { $(
         #[unsafe(no_mangle)]
@@ -470,7 +470,7 @@ pub unsafe extern "C" fn fmi3DoStep(
 }
 
 /// Model exchange and scheduled execution.
-macro_rules! not_ours {
+macro_rules! unsupported {
     ($($function:ident($($argument:ident: $type:ty),*));*) => { $(
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $function(fmu: *mut c_void, $($argument: $type),*) -> c_int {
@@ -482,7 +482,7 @@ macro_rules! not_ours {
     )* };
 }
 
-not_ours!(
+unsupported!(
     fmi3CompletedIntegratorStep(no_set: Bool, enter_event_mode: *mut Bool, terminate: *mut Bool);
     fmi3SetTime(time: f64);
     fmi3SetContinuousStates(states: *const f64, count: usize);

@@ -1,4 +1,4 @@
-//! The GUID by which a library knows its own FMU. No secret depends on it.
+//! The GUID by which a library recognises its own FMU. It protects no secret.
 
 /// The 128-bit FNV-1a hash of some bytes, written as a GUID.
 pub(crate) fn guid(bytes: &[u8]) -> String {
@@ -14,9 +14,9 @@ pub(crate) fn guid(bytes: &[u8]) -> String {
 mod tests {
     use super::*;
 
-    /// The sums of "" and "a".
+    /// The published hashes of "" and "a".
     #[test]
-    fn known_sums() {
+    fn known_hashes() {
         assert_eq!(guid(b""), "{6c62272e-07bb-0142-62b8-21756295c58d}");
         assert_eq!(guid(b"a"), "{d228cb69-6f1a-8caf-7891-2b704e4a8964}");
     }

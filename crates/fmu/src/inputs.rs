@@ -14,30 +14,49 @@ const LARGEST_LOAD: f64 = 1e15;
 /// What an input stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Input {
-    /// A body's state: north, east, heading, and their rates.
+    /// A component of a body's state.
     State {
         body: usize,
-        component: usize,
+        component: StateComponent,
     },
-    /// How often the master has put a body somewhere.
+    /// A body's counter of repositionings.
     Placed(usize),
-    /// A load on a body: north, east, moment.
+    /// A component of a load on a body.
     Load {
         body: usize,
-        component: usize,
+        component: LoadComponent,
     },
-    /// The master has a vessel's controls.
-    ByHand(usize),
+    /// True where the master controls a vessel.
+    ExternalControl(usize),
     Rudder(usize),
     Engine(usize),
     Thruster(usize, usize),
     AzimuthPower(usize, usize),
     AzimuthDirection(usize, usize),
-    /// The master orders a vector tug.
-    TugByHand(usize),
+    /// True where the master controls a vector tug.
+    ExternalTugControl(usize),
     TugForce(usize),
     TugDirection(usize),
     TugPulls(usize),
+}
+
+/// Earth-fixed: x is north, y is east.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum StateComponent {
+    X,
+    Y,
+    Heading,
+    VelocityX,
+    VelocityY,
+    YawRate,
+}
+
+/// Earth-fixed: x is north, y is east.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum LoadComponent {
+    X,
+    Y,
+    Moment,
 }
 
 struct Row<'a> {
@@ -51,9 +70,19 @@ struct Row<'a> {
 
 fn add(table: &mut Table, row: Row<'_>) -> usize {
     let class = match row.input {
-        Input::ByHand(_) | Input::TugByHand(_) | Input::TugPulls(_) => Class::Boolean,
+        Input::ExternalControl(_) | Input::ExternalTugControl(_) | Input::TugPulls(_) => {
+            Class::Boolean
+        }
         Input::Placed(_) => Class::Integer,
-        _ => Class::Real,
+        Input::State { .. }
+        | Input::Load { .. }
+        | Input::Rudder(_)
+        | Input::Engine(_)
+        | Input::Thruster(..)
+        | Input::AzimuthPower(..)
+        | Input::AzimuthDirection(..)
+        | Input::TugForce(_)
+        | Input::TugDirection(_) => Class::Real,
     };
     table.add(Variable {
         name: row.name,
@@ -83,19 +112,25 @@ pub(crate) fn add_states(table: &mut Table, setup: &Setup) {
         let (x, v) = (state.position_m, state.velocity_mps);
         let (m, mps) = (Unit::Metre, Unit::MetrePerSecond);
         let place = [
-            state_row("x_m", "position of the centre of gravity, north", m, 0, x.x),
-            state_row("y_m", "position of the centre of gravity, east", m, 1, x.y),
+            state_row("x_m", "position of the centre of gravity, north", m, StateComponent::X, x.x),
+            state_row("y_m", "position of the centre of gravity, east", m, StateComponent::Y, x.y),
         ];
         let what = "heading, clockwise from north";
-        let heading = state_row("heading_rad", what, Unit::Radian, 2, state.heading_rad);
+        let heading = state_row(
+            "heading_rad",
+            what,
+            Unit::Radian,
+            StateComponent::Heading,
+            state.heading_rad,
+        );
         let north = "velocity of the centre of gravity, north; forward where host.body_fixed";
         let east = "velocity of the centre of gravity, east; to starboard where host.body_fixed";
         let velocity = [
-            state_row("velocity_x_mps", north, mps, 3, v.x),
-            state_row("velocity_y_mps", east, mps, 4, v.y),
+            state_row("velocity_x_mps", north, mps, StateComponent::VelocityX, v.x),
+            state_row("velocity_y_mps", east, mps, StateComponent::VelocityY, v.y),
         ];
         let (what, unit) = ("rate of turn, positive to starboard", Unit::RadianPerSecond);
-        let turn = state_row("r_radps", what, unit, 5, state.yaw_rate_radps);
+        let turn = state_row("r_radps", what, unit, StateComponent::YawRate, state.yaw_rate_radps);
         table.group("LinearDisplacement", format!("{name}.position"), &place);
         table.group("AngularDisplacement", format!("{name}.heading"), &[heading]);
         table.group("LinearVelocity", format!("{name}.velocity"), &velocity);
@@ -127,13 +162,17 @@ pub(crate) fn add_extra_loads(table: &mut Table, setup: &Setup) {
 fn add_loads(table: &mut Table, (body, of): (usize, &BodySetup), stem: &str, about: &str) {
     let name = &of.name;
     let fields = [
-        ("x_n", Unit::Newton, "force at the centre of gravity, north"),
-        ("y_n", Unit::Newton, "force at the centre of gravity, east"),
-        ("moment_nm", Unit::NewtonMetre, "moment about the vertical, positive to starboard"),
+        (LoadComponent::X, "x_n", Unit::Newton, "force at the centre of gravity, north"),
+        (LoadComponent::Y, "y_n", Unit::Newton, "force at the centre of gravity, east"),
+        (
+            LoadComponent::Moment,
+            "moment_nm",
+            Unit::NewtonMetre,
+            "moment about the vertical, positive to starboard",
+        ),
     ];
-    let mut places = [0; 3];
-    for (component, (field, unit, what)) in fields.into_iter().enumerate() {
-        places[component] = add(
+    let places = fields.map(|(component, field, unit, what)| {
+        add(
             table,
             Row {
                 name: format!("body.{name}.{stem}_{field}"),
@@ -143,8 +182,8 @@ fn add_loads(table: &mut Table, (body, of): (usize, &BodySetup), stem: &str, abo
                 range: Some([-LARGEST_LOAD, LARGEST_LOAD]),
                 input: Input::Load { body, component },
             },
-        );
-    }
+        )
+    });
     table.group("Force", format!("{name}.{stem}"), &places[..2]);
     table.group("Torque", format!("{name}.{stem}_moment"), &places[2..]);
 }
@@ -161,8 +200,8 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
         };
         let what =
             "true: the inputs below control the vessel; false: the scenario's orders and pilots do";
-        row("external_control", what, one, None, 0.0, Input::ByHand(index));
-        // An input that nothing on her carries out would do nothing.
+        row("external_control", what, one, None, 0.0, Input::ExternalControl(index));
+        // Without a rudder and an engine these inputs would have no effect.
         if OrderName::Rudder.spec().gear.is_on(index, setup) {
             let what = "rudder ordered, positive turns to starboard";
             let at_start = vessel.rudder.value;
@@ -215,7 +254,7 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
             add(table, Row { name, description, unit, start: 0.0, range, input });
         };
         let what = "true: the inputs below control the tug; false: the scenario's orders do";
-        row("external_control", what, one, None, Input::TugByHand(index));
+        row("external_control", what, one, None, Input::ExternalTugControl(index));
         let what = "force ordered; 0 is to stand by";
         let range = limits(OrderName::Push, "force");
         row("force_order_n", what, Unit::Newton, range, Input::TugForce(index));
@@ -227,7 +266,7 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
     }
 }
 
-/// What the inputs of a table say.
+/// The values of a table's inputs.
 pub(crate) struct Inputs<'a> {
     pub(crate) table: &'a Table,
     pub(crate) values: &'a [f64],
@@ -243,35 +282,43 @@ impl Inputs<'_> {
         })
     }
 
-    fn of(&self, wanted: Input) -> f64 {
-        self.all().find(|(input, _)| *input == wanted).map_or(0.0, |(_, value)| value)
+    /// # Panics
+    /// The table lacks the input.
+    fn value(&self, wanted: Input) -> f64 {
+        let found = self.all().find(|(input, _)| *input == wanted);
+        found.unwrap_or_else(|| panic!("the table has no {wanted:?}")).1
     }
 
     fn is_on(&self, wanted: Input) -> bool {
-        self.of(wanted) != 0.0
+        self.value(wanted) != 0.0
     }
 
-    /// States of all bodies; those without inputs keep theirs.
+    /// Writes the input states; fixed bodies have none and keep theirs.
     pub(crate) fn states(&self, body_fixed: bool, states: &mut [BodyState]) {
         for (input, value) in self.all() {
             let Input::State { body, component } = input else { continue };
             let state = &mut states[body];
             match component {
-                0 => state.position_m.x = value,
-                1 => state.position_m.y = value,
-                2 => state.heading_rad = value,
-                3 => state.velocity_mps.x = value,
-                4 => state.velocity_mps.y = value,
-                _ => state.yaw_rate_radps = value,
+                StateComponent::X => state.position_m.x = value,
+                StateComponent::Y => state.position_m.y = value,
+                StateComponent::Heading => state.heading_rad = value,
+                StateComponent::VelocityX => state.velocity_mps.x = value,
+                StateComponent::VelocityY => state.velocity_mps.y = value,
+                StateComponent::YawRate => state.yaw_rate_radps = value,
             }
-            // The last of a body's components: its heading is known.
-            if component == 5 && body_fixed {
-                state.velocity_mps = earth_fixed(state, state.velocity_mps);
+        }
+        if !body_fixed {
+            return;
+        }
+        for (input, _) in self.all() {
+            // One input of each floating body.
+            if let Input::State { body, component: StateComponent::Heading } = input {
+                states[body].velocity_mps = earth_fixed(&states[body], states[body].velocity_mps);
             }
         }
     }
 
-    /// How often each body was put somewhere.
+    /// The repositioning counters.
     pub(crate) fn placed(&self) -> impl Iterator<Item = (usize, i32)> {
         self.all().filter_map(|(input, value)| match input {
             Input::Placed(body) => Some((body, value as i32)),
@@ -285,9 +332,9 @@ impl Inputs<'_> {
         for (input, value) in self.all() {
             let Input::Load { body, component } = input else { continue };
             match component {
-                0 => loads[body].force_n.x = value,
-                1 => loads[body].force_n.y = value,
-                _ => loads[body].moment_nm = value,
+                LoadComponent::X => loads[body].force_n.x = value,
+                LoadComponent::Y => loads[body].force_n.y = value,
+                LoadComponent::Moment => loads[body].moment_nm = value,
             }
         }
         loads
@@ -295,29 +342,30 @@ impl Inputs<'_> {
 
     /// The orders that follow from what changed since `before`.
     pub(crate) fn orders(&self, before: &Inputs<'_>) -> Vec<InputOrder> {
-        let changed = |input: Input| self.of(input).to_bits() != before.of(input).to_bits();
-        let taken = |by: Input| self.is_on(by) && !before.is_on(by);
+        let changed = |input: Input| self.value(input).to_bits() != before.value(input).to_bits();
         let mut orders = Vec::new();
         for (input, _) in self.all() {
-            let Some((by, parts, order)) = self.order_of(input) else { continue };
-            if self.is_on(by) && (taken(by) || parts.into_iter().any(changed)) {
+            let Some((control, parts, order)) = self.order_of(input) else { continue };
+            let is_new = !before.is_on(control) || parts.into_iter().any(changed);
+            if self.is_on(control) && is_new {
                 orders.push(order);
             }
         }
         orders
     }
 
-    /// The order that an input gives, with the input that says whether the master gives orders, and the inputs whose
-    /// change is a new order. `None`: it is not an order.
+    /// The order that an input gives, with the input that says whether the master is in control, and the inputs whose
+    /// change gives a new order. `None`: the input gives no order of its own.
     fn order_of(&self, input: Input) -> Option<(Input, Vec<Input>, InputOrder)> {
         let none = Arguments::new();
         let of_vessel = |vessel, order, arguments| {
-            (Input::ByHand(vessel), vec![input], InputOrder { order, target: vessel, arguments })
+            let order = InputOrder { order, target: vessel, arguments };
+            (Input::ExternalControl(vessel), vec![input], order)
         };
-        let value = self.of(input);
+        let value = self.value(input);
         let named = |index| Arguments::new().with("name", Value::Index(index));
         Some(match input {
-            Input::ByHand(vessel) => {
+            Input::ExternalControl(vessel) => {
                 let order = InputOrder { order: OrderName::Hands, target: vessel, arguments: none };
                 (input, vec![], order)
             }
@@ -339,17 +387,19 @@ impl Inputs<'_> {
             Input::TugForce(tug) => {
                 let parts =
                     vec![Input::TugForce(tug), Input::TugDirection(tug), Input::TugPulls(tug)];
-                (Input::TugByHand(tug), parts, self.tug_order(tug))
+                (Input::ExternalTugControl(tug), parts, self.tug_order(tug))
             }
-            // With the force, as one order.
-            Input::TugByHand(_) | Input::TugDirection(_) | Input::TugPulls(_) => return None,
+            // They are part of the order that the force gives.
+            Input::ExternalTugControl(_) | Input::TugDirection(_) | Input::TugPulls(_) => {
+                return None;
+            }
             Input::State { .. } | Input::Placed(_) | Input::Load { .. } => return None,
         })
     }
 
     fn tug_order(&self, tug: usize) -> InputOrder {
-        let force_n = self.of(Input::TugForce(tug));
-        let direction_rad = self.of(Input::TugDirection(tug));
+        let force_n = self.value(Input::TugForce(tug));
+        let direction_rad = self.value(Input::TugDirection(tug));
         let numbers = Arguments::new().number("force", force_n).number("direction", direction_rad);
         let (order, arguments) = match (force_n == 0.0, self.is_on(Input::TugPulls(tug))) {
             (true, _) => (OrderName::StandBy, Arguments::new()),
@@ -369,12 +419,12 @@ pub(crate) struct InputOrder {
     pub(crate) arguments: Arguments,
 }
 
-/// A vector in a body's axes, earth-fixed.
+/// Turns a vector from a body's axes to earth-fixed ones.
 pub(crate) fn earth_fixed(state: &BodyState, own: Vec2) -> Vec2 {
     Rotation::from_angle(state.heading_rad).apply(own)
 }
 
-/// An earth-fixed vector in a body's axes.
+/// Turns an earth-fixed vector to a body's axes.
 pub(crate) fn body_fixed(state: &BodyState, vector: Vec2) -> Vec2 {
     let own = Rotation::from_angle(state.heading_rad).apply_inverse(vector);
     vec2(own.x, own.y)

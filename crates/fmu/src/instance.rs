@@ -55,7 +55,7 @@ impl Instance {
         self.must_be(&[Phase::Instantiated], "setting up the experiment")?;
         if !start_s.is_finite() || stop_s.is_some_and(|stop_s| stop_s.is_nan() || stop_s < start_s)
         {
-            return Err(format!("from {start_s} s to {stop_s:?} is no experiment"));
+            return Err(format!("from {start_s} s to {stop_s:?} is not a valid experiment"));
         }
         let state = &mut self.state;
         (state.start_s, state.time_s) = (start_s, start_s);
@@ -168,7 +168,9 @@ impl Instance {
             if let Some([least, most]) = variable.range
                 && !(least..=most).contains(&value)
             {
-                return Err(format!("`{name}` cannot be {value}: {least} to {most} is taken"));
+                return Err(format!(
+                    "`{name}` cannot be {value}: it must be from {least} to {most}"
+                ));
             }
         }
         for (&reference, &value) in references.iter().zip(values) {
@@ -185,7 +187,7 @@ impl Instance {
         self.must_be(&[Phase::Stepping], "a step")?;
         let (plan, state) = (&*self.plan, &mut self.state);
         if !(step_s >= 0.0 && from_s.is_finite() && (from_s + step_s).is_finite()) {
-            return Err(format!("a step from {from_s} s of {step_s} s is none"));
+            return Err(format!("a step from {from_s} s of {step_s} s is not valid"));
         }
         let slack_s = SLACK_S * greater(state.time_s.abs(), 1.0) + SLACK_STEPS * step_s;
         if from_s < state.time_s - slack_s {
@@ -196,7 +198,7 @@ impl Instance {
         }
         if from_s > state.time_s + slack_s {
             return Err(format!(
-                "a step from {from_s} s leaps: only {} s was reached",
+                "a step from {from_s} s leaves a gap: only {} s was reached",
                 state.time_s
             ));
         }
@@ -214,7 +216,7 @@ impl Instance {
             Some(Run::Simulation(run)) => {
                 run.go_to(plan, &state.values, end_s - state.start_s)?;
             }
-            None => unreachable!("an instance that steps was initialized"),
+            None => unreachable!("the stepping phase always has a run"),
         }
         state.time_s = end_s;
         self.read_outputs();
@@ -227,7 +229,9 @@ impl Instance {
     }
 
     fn saved(&self, number: usize) -> Outcome<&State> {
-        self.saved.get(&number).ok_or_else(|| "no such FMU state, or that of another".to_owned())
+        self.saved
+            .get(&number)
+            .ok_or_else(|| "no such FMU state, or a state of another instance".to_owned())
     }
 
     pub(crate) fn restore(&mut self, number: usize) -> Outcome {

@@ -1,16 +1,16 @@
-//! Names of the shared library, here and within an FMU.
+//! File names of the shared library, as built and within an FMU.
 
 use std::env::consts::{ARCH, DLL_PREFIX, DLL_SUFFIX, OS};
 
 use crate::Fmi;
 
-/// Name of the file that cargo makes of this crate.
+/// File name of the library that cargo builds from this crate.
 #[must_use]
 pub fn file_name() -> String {
     format!("{DLL_PREFIX}fenderline_fmu{DLL_SUFFIX}")
 }
 
-/// Where a library for this machine lies within an FMU.
+/// Path within an FMU of a library for this machine.
 pub(crate) fn place(fmi: Fmi, identifier: &str) -> String {
     let platform = match fmi {
         // FMI 2.0 names the system and the width of a pointer only.

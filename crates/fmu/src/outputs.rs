@@ -173,20 +173,20 @@ pub(crate) fn add_peaks(table: &mut Table, setup: &Setup) {
     let columns: [Column; 3] = [
         (
             "peak_force_x_n",
-            "contact force when it was greatest within the step, north; forward where \
+            "contact force at its largest within the step, north; forward where \
              host.body_fixed. Size fenders by it, and move the body by force_x_n",
             Newton,
             |v, [b, _]| v.peak(b).force_n.x,
         ),
         (
             "peak_force_y_n",
-            "the same, east; to starboard where host.body_fixed",
+            "contact force at its largest within the step, east; to starboard where host.body_fixed",
             Newton,
             |v, [b, _]| v.peak(b).force_n.y,
         ),
         (
             "peak_moment_z_nm",
-            "moment of the contact forces when their force was greatest, positive to starboard",
+            "moment of the contact forces when their force was largest, positive to starboard",
             NewtonMetre,
             |v, [b, _]| v.peak(b).moment_nm,
         ),

@@ -1,4 +1,4 @@
-//! An FMU's file: a zip of model description, library and scenario.
+//! The file of an FMU: a zip of model description, library and scenario.
 
 use core::fmt;
 use std::io::{Cursor, Write as _};
@@ -14,19 +14,19 @@ use crate::plan::Plan;
 /// Name of the scenario among the resources.
 pub(crate) const BUNDLE_FILE: &str = "scenario.json";
 
-/// An FMU, and what lies beside it.
+/// An FMU, and the file that goes beside it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Packed {
     /// The FMU's bytes: the same for the same scenario, program and library.
     pub fmu: Vec<u8>,
-    /// File name of the description for the Open Simulation Platform, where its masters look for it: in
-    /// the FMU's folder.
+    /// File name of the description for the Open Simulation Platform. Its masters look for it in the FMU's
+    /// folder.
     pub osp_name: String,
-    /// Its text.
+    /// The text of that description.
     pub osp: String,
 }
 
-/// What keeps an FMU from being written.
+/// The reason why an FMU cannot be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PackError(String);
 
@@ -38,16 +38,16 @@ impl fmt::Display for PackError {
 
 impl std::error::Error for PackError {}
 
-/// Puts an FMU together. `stem` is the name of its file without ending: the model's name.
+/// Packs an FMU. `stem` is its file name without extension, and the model's name.
 ///
 /// # Errors
-/// What is too large for a zip.
+/// A file that is too large for a zip.
 pub fn pack(plan: &Plan, fmi: Fmi, stem: &str, library: &[u8]) -> Result<Packed, PackError> {
     let error = |e: &dyn fmt::Display| PackError(e.to_string());
     let identifier = identifier(stem);
     let description = description::model(plan, fmi, stem, &identifier).map_err(|e| error(&e))?;
     let osp = description::osp(&plan.table).map_err(|e| error(&e))?;
-    // No time of the day: the same scenario gives the same bytes.
+    // A fixed file time: the same scenario gives the same bytes.
     let options = SimpleFileOptions::default()
         .compression_method(CompressionMethod::Deflated)
         .last_modified_time(zip::DateTime::default());
@@ -67,7 +67,7 @@ pub fn pack(plan: &Plan, fmi: Fmi, stem: &str, library: &[u8]) -> Result<Packed,
     Ok(Packed { fmu, osp_name: format!("{stem}_OspModelDescription.xml"), osp })
 }
 
-/// A name as C has them.
+/// A C identifier.
 fn identifier(stem: &str) -> String {
     let fit = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
     let name: String = stem.chars().map(fit).collect();

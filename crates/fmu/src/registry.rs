@@ -30,13 +30,13 @@ pub(crate) enum Status {
 }
 
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    // Panics are caught before a lock is given back; a poisoned one would be whole all the same.
+    // Panics are caught while the lock is held, so that the lock is never poisoned; the value would be valid anyway.
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// A new handle, for an instance or a saved state.
 pub(crate) fn next_number() -> usize {
-    // Steps of 16, so that it looks like a pointer that is aligned to whoever asks.
+    // Multiples of 16 look like aligned pointers to masters that check.
     NEXT.fetch_add(1, Ordering::Relaxed).wrapping_mul(16)
 }
 
@@ -54,11 +54,11 @@ pub(crate) fn make(log: Log, make: impl FnOnce() -> Outcome<Instance>) -> *mut c
             as_pointer(number)
         }
         Ok(Err(why)) => {
-            log.tell(Status::Error, &why);
+            log.write(Status::Error, &why);
             std::ptr::null_mut()
         }
         Err(_) => {
-            log.tell(Status::Fatal, "a mistake of fenderline's: please report it");
+            log.write(Status::Fatal, "a mistake of fenderline's: please report it");
             std::ptr::null_mut()
         }
     }
@@ -69,14 +69,14 @@ pub(crate) fn free(component: *mut c_void) {
     lock(&ALL).remove(&component.addr());
 }
 
-/// Calls `body` with the instance of a component; what it refuses is logged.
+/// Calls `body` with the instance of a component, and logs its error.
 pub(crate) fn with(
     component: *mut c_void,
     name: &str,
     body: impl FnOnce(&mut Instance) -> Outcome,
 ) -> Status {
     let Some(held) = lock(&ALL).get(&component.addr()).cloned() else {
-        // Nobody to tell it to: the logger was the instance's.
+        // Nowhere to log: the logger belonged to the instance.
         return Status::Error;
     };
     let outcome = {
@@ -90,17 +90,17 @@ pub(crate) fn with(
                     instance.broken = true;
                     drop(instance);
                     let text = format!("{name}: a mistake of fenderline's: please report it");
-                    held.log.tell(Status::Fatal, &text);
+                    held.log.write(Status::Fatal, &text);
                     return Status::Fatal;
                 }
             }
         }
     };
-    // The lock is given back: a logger may call the FMU.
+    // The lock is released: a logger may call the FMU.
     match outcome {
         Ok(()) => Status::Ok,
         Err(why) => {
-            held.log.tell(Status::Error, &format!("{name}: {why}"));
+            held.log.write(Status::Error, &format!("{name}: {why}"));
             Status::Error
         }
     }

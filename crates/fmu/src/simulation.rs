@@ -68,7 +68,9 @@ impl SimulationRun {
     pub(crate) fn go_to(&mut self, plan: &Plan, values: &[f64], t_s: f64) -> Result<(), String> {
         let due = due(plan, t_s);
         if due.saturating_sub(self.steps) > MOST_STEPS_A_CALL {
-            return Err(format!("to {t_s} s are more than {MOST_STEPS_A_CALL} steps in one"));
+            return Err(format!(
+                "the step to {t_s} s has more than {MOST_STEPS_A_CALL} scenario steps"
+            ));
         }
         while self.steps < due {
             self.step(&plan.table, values)?;

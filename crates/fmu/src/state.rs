@@ -1,20 +1,20 @@
-//! All of an instance that changes, and its bytes.
+//! The state of an instance: everything of it that changes, and its byte format.
 //!
 //! | bytes | content |
 //! |---|---|
-//! | 8, 4 | `fndrlfmu`; version of this form |
-//! | 8 | FNV-1a of the token: of this FMU and no other |
-//! | 4, 8, 8, 8 | phase; start, stop (or the bits of infinity) and time (s) |
+//! | 8, 4 | `fndrlfmu`; version of this format |
+//! | 8 | FNV-1a of the token, which identifies this FMU |
+//! | 4, 8, 8, 8 | phase; start, stop (infinity where there is none) and time (s) |
 //! | 4 + 8 each | the values of all variables |
 //! | 4 | 0: not initialized; 1: an engine; 2: a simulation |
-//! | 4, 4 each | an engine: steps to wait, or all bits where it has begun; how often each body was put somewhere |
-//! | 4 + as many | its own bytes |
-//! | 8, 4 + 20 each | a simulation's steps and the inputs that it took: step, variable, value |
-//! | 8 | FNV-1a of all before |
+//! | 4, 4 each | an engine: first steps still to skip, or all bits set if it has started; repositioning counter of each body |
+//! | 4 + length | its own bytes |
+//! | 8, 4 + 20 each | a simulation: number of steps; changes of inputs: step, variable, value |
+//! | 8 | FNV-1a of all bytes before |
 //!
-//! A simulation is saved as what made it, and restored by playing it again: the same input gives the same
-//! bits, whereas a byte form of everything that a world holds would have to be kept in step with it. It costs
-//! the time of the run; a state that is not serialised is a copy and costs nothing.
+//! A simulation is saved as its inputs and restored by replaying them: the same input gives the same bits, and no
+//! byte format has to follow every change of the simulator. Restoring from bytes takes the time of the run; a state
+//! that is not serialised is a copy and restores at once.
 
 use fenderline_contact::hash::Fnv1a;
 
@@ -26,12 +26,12 @@ use crate::table::Class;
 
 const MAGIC: &[u8; 8] = b"fndrlfmu";
 const VERSION: u32 = 2;
-/// Stands for an engine that has begun.
+/// In place of the steps to skip: the engine has started.
 const BEGUN: u32 = u32::MAX;
-/// Most steps of a simulation that are played again: months of them.
+/// Limit of replayed steps: months of simulated time.
 const MOST_STEPS: u64 = 100_000_000;
 
-/// Where an instance is in its life.
+/// The phase of an instance's life cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Phase {
     Instantiated,
@@ -40,26 +40,44 @@ pub(crate) enum Phase {
     Terminated,
 }
 
-const PHASES: [Phase; 4] =
-    [Phase::Instantiated, Phase::Initializing, Phase::Stepping, Phase::Terminated];
+impl Phase {
+    fn to_word(self) -> u32 {
+        match self {
+            Phase::Instantiated => 0,
+            Phase::Initializing => 1,
+            Phase::Stepping => 2,
+            Phase::Terminated => 3,
+        }
+    }
 
-/// The run itself.
+    fn from_word(word: u32) -> Option<Phase> {
+        Some(match word {
+            0 => Phase::Instantiated,
+            1 => Phase::Initializing,
+            2 => Phase::Stepping,
+            3 => Phase::Terminated,
+            _ => return None,
+        })
+    }
+}
+
+/// The run, by the kind of FMU.
 #[derive(Clone, Debug)]
 pub(crate) enum Run {
     Engine(Box<EngineRun>),
     Simulation(Box<SimulationRun>),
 }
 
-/// All that changes.
+/// The state of an instance.
 #[derive(Clone, Debug)]
 pub(crate) struct State {
     pub(crate) phase: Phase,
     pub(crate) start_s: f64,
-    /// Infinity where the master named none.
+    /// Infinity where the master gave none.
     pub(crate) stop_s: f64,
     pub(crate) time_s: f64,
     pub(crate) values: Vec<f64>,
-    /// `None` before initialization, or where a value was set since it was made.
+    /// `None` before initialization, or where a value was set after the run was created.
     pub(crate) run: Option<Run>,
 }
 
@@ -76,7 +94,7 @@ impl State {
     }
 
     /// # Errors
-    /// A simulation that stopped within a communication step is at no point that can be played to.
+    /// A simulation that failed within a communication step: replaying cannot reach that point.
     pub(crate) fn to_bytes(&self, plan: &Plan) -> Result<Vec<u8>, String> {
         if let Some(Run::Simulation(run)) = &self.run
             && run.has_failed()
@@ -86,8 +104,7 @@ impl State {
         let mut out = MAGIC.to_vec();
         word32(&mut out, VERSION);
         word64(&mut out, Fnv1a::of(plan.token.as_bytes()));
-        let phase = PHASES.iter().position(|phase| *phase == self.phase);
-        word32(&mut out, phase.unwrap_or(0) as u32);
+        word32(&mut out, self.phase.to_word());
         [self.start_s, self.stop_s, self.time_s].iter().for_each(|&t| number(&mut out, t));
         word32(&mut out, self.values.len() as u32);
         self.values.iter().for_each(|&value| number(&mut out, value));
@@ -123,9 +140,8 @@ impl State {
         Ok(out)
     }
 
-    /// Of any bytes.
+    /// Reads a serialised state; any bytes may be given.
     pub(crate) fn of_bytes(plan: &Plan, bytes: &[u8]) -> Result<State, String> {
-        let broken = || "the bytes are no state that this FMU has serialised".to_owned();
         let end = bytes.len().checked_sub(8).ok_or_else(broken)?;
         let (summed, sum) = bytes.split_at(end);
         if sum != Fnv1a::of(summed).to_le_bytes() {
@@ -140,7 +156,7 @@ impl State {
             2 => Some(Run::Simulation(Box::new(read_simulation(plan, &state, &mut input)?))),
             _ => return Err(broken()),
         };
-        // A phase in which there is a run has one, of the FMU's own kind.
+        // In the stepping phase there is a run, and it is of the FMU's kind.
         let own = match (&state.run, plan.bundle.kind) {
             (None, _) => state.phase != Phase::Stepping,
             (Some(Run::Engine(_)), kind) => kind == crate::Kind::Engine,
@@ -150,7 +166,7 @@ impl State {
     }
 }
 
-/// Up to the kind of run.
+/// Reads up to the kind of run.
 fn read_head(plan: &Plan, input: &mut Reader<'_>) -> Option<(State, u32)> {
     if input.take(8)? != MAGIC || input.word32()? != VERSION {
         return None;
@@ -158,7 +174,7 @@ fn read_head(plan: &Plan, input: &mut Reader<'_>) -> Option<(State, u32)> {
     if input.word64()? != Fnv1a::of(plan.token.as_bytes()) {
         return None;
     }
-    let phase = *PHASES.get(input.word32()? as usize)?;
+    let phase = Phase::from_word(input.word32()?)?;
     let start_s = input.number()?;
     let stop_s = f64::from_bits(input.word64()?);
     let time_s = input.number()?;
@@ -181,7 +197,6 @@ fn read_head(plan: &Plan, input: &mut Reader<'_>) -> Option<(State, u32)> {
 }
 
 fn read_engine(plan: &Plan, state: &State, input: &mut Reader<'_>) -> Result<EngineRun, String> {
-    let broken = || "the bytes are no state that this FMU has serialised".to_owned();
     let beginning = match input.word32().ok_or_else(broken)? {
         BEGUN => Beginning::Begun,
         steps => Beginning::Waiting(steps),
@@ -206,15 +221,14 @@ fn read_simulation(
     state: &State,
     input: &mut Reader<'_>,
 ) -> Result<SimulationRun, String> {
-    let broken = || "the bytes are no state that this FMU has serialised".to_owned();
     if plan.bundle.kind != crate::Kind::Simulation {
         return Err(broken());
     }
-    // No more than the time that was reached: bytes cannot ask for more work than the run was.
+    // The steps must match the time reached, so that forged bytes cannot demand a longer replay than the run.
     let reached = due(plan, state.time_s - state.start_s);
     let steps = input.word64().filter(|steps| *steps == reached).ok_or_else(broken)?;
     if steps > MOST_STEPS {
-        return Err(format!("{steps} steps are too many to be played again"));
+        return Err(format!("{steps} steps are too many to replay"));
     }
     let count = input.word32().ok_or_else(broken)?;
     let mut journal = Vec::new();
@@ -234,4 +248,8 @@ fn read_entry(plan: &Plan, input: &mut Reader<'_>) -> Option<Entry> {
     let is_input = variable.causality == crate::Causality::Input;
     let within = variable.range.is_none_or(|[least, most]| (least..=most).contains(&entry.value));
     (is_input && within).then_some(entry)
+}
+
+fn broken() -> String {
+    "the bytes are not a state that this FMU has serialised".to_owned()
 }

@@ -175,10 +175,13 @@ impl Table {
         self.variables.iter().map(|variable| variable.start).collect()
     }
 
-    /// The value of a setting.
-    pub(crate) fn setting(&self, values: &[f64], wanted: Setting) -> Option<f64> {
+    /// The value of a setting, in the table of an engine.
+    ///
+    /// # Panics
+    /// The table is not an engine's.
+    pub(crate) fn setting(&self, values: &[f64], wanted: Setting) -> f64 {
         let is = |v: &Variable| matches!(v.stands_for, StandsFor::Setting(s) if s == wanted);
-        self.variables.iter().position(is).map(|index| values[index])
+        values[self.variables.iter().position(is).expect("an engine's table has all settings")]
     }
 
     /// The interface of the FMU as text. Libraries with the same text are compatible.

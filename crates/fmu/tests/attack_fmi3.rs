@@ -1,9 +1,9 @@
-//! States of FMI 3.0 altered and absurd, inputs of any size, steps from 1e-9 to 1e6 s, calls in any order. What must
-//! hold: no panic, no number that is none in an output, an answer in time, memory that does not grow.
+//! Attack on FMI 3.0: altered states, inputs of any size, steps from 1e-9 to 1e6 s, calls in any order. There must be
+//! no panic, no NaN in an output, no hang, and no growth of memory.
 //!
-//! `FENDERLINE_ATTACK_SECONDS` says how long (2 s without it), `FENDERLINE_ATTACK_SEED` with which seed it begins.
-#![allow(unsafe_code, reason = "it stands for a master")]
-#![allow(clippy::disallowed_methods, reason = "what is drawn, not what is computed")]
+//! `FENDERLINE_ATTACK_SECONDS` is the duration (2 s by default), `FENDERLINE_ATTACK_SEED` the first seed.
+#![allow(unsafe_code, reason = "the test acts as a master")]
+#![allow(clippy::disallowed_methods, reason = "they give random input, not results")]
 
 mod support;
 
@@ -15,8 +15,7 @@ use fenderline_contact::hash::Fnv1a;
 use fenderline_fmu::{Kind, fmi3};
 use support::{OK, Unpacked};
 
-/// A call that takes longer has hung (seconds of computing), and so much longer for each second that it
-/// simulates, in steps of 0.1 s.
+/// A call that takes longer counts as hung: seconds of computing, and more for each simulated second.
 const LONGEST_CALL_S: [f64; 2] = [20.0, 1e-3];
 
 #[derive(Default)]
@@ -44,7 +43,7 @@ fn altered_states_of_fmi_3() {
     while begun.elapsed() < Duration::from_secs(seconds) {
         attack(&fmus[seed as usize % 2], seed, &mut tally);
         seed += 1;
-        // Buffers have their size after a while; what grows later grows for ever.
+        // Buffers reach their size in the first quarter; later growth is a leak.
         if settled_kib.is_none() && begun.elapsed() > Duration::from_secs(seconds) / 4 {
             settled_kib = resident_kib();
         }
@@ -62,7 +61,7 @@ fn altered_states_of_fmi_3() {
     }
 }
 
-// SAFETY of all below: arrays are as long as told and live through the call.
+// SAFETY of all below: arrays have the given length and live during the call.
 fn attack(fmu: &Unpacked, seed: u64, tally: &mut Tally) {
     let mut random = Random(seed);
     let (token, path) = (fmu.token(), fmu.uri().into_string().expect("UTF-8"));
@@ -147,7 +146,7 @@ fn attack(fmu: &Unpacked, seed: u64, tally: &mut Tally) {
                     status
                 }
             }
-            // One that it never gave.
+            // A state that does not exist.
             9 => unsafe {
                 let made_up = without_provenance_mut(random.below(1000));
                 fmi3::fmi3SetFMUState(instance, made_up)
@@ -199,7 +198,7 @@ fn attack(fmu: &Unpacked, seed: u64, tally: &mut Tally) {
     unsafe { fmi3::fmi3FreeInstance(instance) };
 }
 
-/// A panic of ours comes as a message.
+/// A panic in the library is reported as a message.
 unsafe extern "C" fn log(
     _environment: *mut c_void,
     status: c_int,
@@ -214,7 +213,7 @@ unsafe extern "C" fn log(
     }
 }
 
-/// Bits, numbers and lengths; half of them with a check sum that fits.
+/// Changes bits, numbers and length; half of the results get a valid check sum.
 fn alter(bytes: &mut Vec<u8>, random: &mut Random) {
     for _ in 0..=random.below(3) {
         let at = random.below(bytes.len());
@@ -241,15 +240,15 @@ fn setting(name: &str, otherwise: u64) -> u64 {
     std::env::var(name).map_or(otherwise, |text| text.parse().expect("a whole number"))
 }
 
-/// What this thread has computed (s), where the system tells; else a clock's time. A call beside other work of the machine
-/// takes longer and has not hung.
+/// CPU time of this thread (s), or clock time where the system does not report it. On a busy machine a call takes longer
+/// without having hung.
 fn busy_s(since: Instant) -> f64 {
-    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let nanoseconds = told.and_then(|text| text.split(' ').next()?.parse::<f64>().ok());
+    let stat = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanoseconds = stat.and_then(|text| text.split(' ').next()?.parse::<f64>().ok());
     nanoseconds.map_or_else(|| since.elapsed().as_secs_f64(), |ns| 1e-9 * ns)
 }
 
-/// What the process holds, where the system tells.
+/// Resident memory of the process, where the system reports it.
 fn resident_kib() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
@@ -282,9 +281,9 @@ impl Random {
         if self.below(2) == 0 { size } else { -size }
     }
 
-    /// Any bits, and those that are asked for least.
+    /// Any bits, special values, or a usual number.
     fn number(&mut self) -> f64 {
-        const ODD: [f64; 12] = [
+        const SPECIAL: [f64; 12] = [
             0.0,
             -0.0,
             f64::NAN,
@@ -300,7 +299,7 @@ impl Random {
         ];
         match self.below(3) {
             0 => f64::from_bits(self.next()),
-            1 => ODD[self.below(ODD.len())],
+            1 => SPECIAL[self.below(SPECIAL.len())],
             _ => self.length(),
         }
     }

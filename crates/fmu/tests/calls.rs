@@ -1,5 +1,5 @@
-//! What masters get wrong: an error with a message, and everything as it was.
-#![allow(unsafe_code, reason = "it stands for a master")]
+//! Mistakes of masters: each gives an error with a message and changes nothing.
+#![allow(unsafe_code, reason = "the test acts as a master")]
 
 mod support;
 
@@ -10,48 +10,48 @@ use fenderline_fmu::{Kind, fmi2, fmi3};
 use support::{DISCARD, ERROR, Messages, OK, Unpacked};
 
 #[test]
-fn calls_out_of_order() {
+fn calls_out_of_order_are_errors() {
     let fmu = Unpacked::new(Kind::Engine, "order");
     let log = Messages::default();
     let tug = fmu.two(&log);
-    let told = |status: c_int, text: &str| {
+    let refused = |status: c_int, text: &str| {
         let message = log.last();
         assert_eq!(status, ERROR, "{text}");
         assert!(message.contains(text), "{message}");
     };
-    told(tug.step(0.0, 0.1), "was not initialized");
-    told(tug.exit(), "was not initialized");
-    told(tug.terminate(), "was not initialized");
-    told(tug.set_up(f64::NAN, None), "no experiment");
-    told(tug.set_up(1.0, Some(0.5)), "no experiment");
+    refused(tug.step(0.0, 0.1), "was not initialized");
+    refused(tug.exit(), "was not initialized");
+    refused(tug.terminate(), "was not initialized");
+    refused(tug.set_up(f64::NAN, None), "not a valid experiment");
+    refused(tug.set_up(1.0, Some(0.5)), "not a valid experiment");
     assert_eq!(tug.set_up(0.0, Some(1.0)), OK);
     assert_eq!(tug.enter(), OK);
-    told(tug.enter(), "is in initialization mode");
-    told(tug.set_up(0.0, None), "is in initialization mode");
-    told(tug.step(0.0, 0.1), "is in initialization mode");
+    refused(tug.enter(), "is in initialization mode");
+    refused(tug.set_up(0.0, None), "is in initialization mode");
+    refused(tug.step(0.0, 0.1), "is in initialization mode");
     assert_eq!(tug.exit(), OK);
-    told(tug.exit(), "was initialized");
+    refused(tug.exit(), "was initialized");
     let restitution = fmu.reference("material.rubber.restitution");
-    told(tug.set(&[restitution], &[0.2]), "`material.rubber.restitution`: the instance was");
+    refused(tug.set(&[restitution], &[0.2]), "`material.rubber.restitution`: the instance was");
     assert_eq!(tug.step(0.0, 0.1), OK);
-    told(tug.step(0.0, 0.1), "goes back");
-    told(tug.step(0.3, 0.1), "leaps");
+    refused(tug.step(0.0, 0.1), "goes back");
+    refused(tug.step(0.3, 0.1), "leaves a gap");
     assert_eq!(tug.step(0.1, 0.0), OK, "a pause");
     for step_s in [-0.1, f64::NAN, f64::INFINITY] {
-        told(tug.step(0.1, step_s), "is none");
+        refused(tug.step(0.1, step_s), "is not valid");
     }
-    told(tug.step(f64::NAN, 0.1), "is none");
-    told(tug.step(0.1, 1.0), "beyond the stop time");
-    // Masters count in nanoseconds, or add steps up.
+    refused(tug.step(f64::NAN, 0.1), "is not valid");
+    refused(tug.step(0.1, 1.0), "beyond the stop time");
+    // Masters round time to nanoseconds, or sum up steps.
     assert_eq!(tug.step(0.1 + 4e-10, 0.1), OK);
     assert_eq!(tug.terminate(), OK);
-    told(tug.step(0.2, 0.1), "was terminated");
+    refused(tug.step(0.2, 0.1), "was terminated");
     assert_eq!(tug.reset(), OK);
     assert_eq!(tug.set_up(0.0, None), OK);
 }
 
 #[test]
-fn bad_parameters_are_told_when_they_are_used() {
+fn bad_parameters_are_errors_at_the_end_of_initialization() {
     let fmu = Unpacked::new(Kind::Engine, "parameters");
     let log = Messages::default();
     let tug = fmu.two(&log);
@@ -69,7 +69,7 @@ fn bad_parameters_are_told_when_they_are_used() {
 }
 
 #[test]
-fn values_that_are_none() {
+fn invalid_values_are_refused() {
     let fmu = Unpacked::new(Kind::Engine, "values");
     let log = Messages::default();
     let tug = fmu.two(&log).initialized();
@@ -89,9 +89,9 @@ fn values_that_are_none() {
     assert_eq!(tug.set(&[force], &[0.0]), ERROR, "an output");
     assert_eq!(tug.set(&[0], &[0.0]), ERROR, "time");
     let following = fmu.reference("host.following");
-    assert_eq!(tug.get(&[following]), Err(ERROR), "it is no real");
+    assert_eq!(tug.get(&[following]), Err(ERROR), "it is not a real");
     assert_eq!(tug.get(&[u32::MAX]), Err(ERROR));
-    // A state that no ship has is refused by the step that looks at it, and named.
+    // An impossible state is refused by the step that uses it, and the body is named.
     assert_eq!(tug.step(0.0, 0.1), OK);
     assert_eq!(tug.set(&[x], &[1e300]), OK);
     assert_eq!(tug.step(0.1, 0.1), ERROR);
@@ -101,7 +101,7 @@ fn values_that_are_none() {
 }
 
 #[test]
-fn pointers_and_handles_that_are_none() {
+fn invalid_pointers_and_handles_are_refused() {
     let fmu = Unpacked::new(Kind::Engine, "pointers");
     let log = Messages::default();
     let tug = fmu.two(&log).initialized();
@@ -125,7 +125,7 @@ fn pointers_and_handles_that_are_none() {
         assert_eq!(fmi2::fmi2GetRealStatus(tug.0, 2, null_mut()), ERROR);
         assert_eq!(fmi2::fmi2GetStringStatus(tug.0, 1, null_mut()), ERROR);
         assert_eq!(fmi2::fmi2GetRealStatus(tug.0, 77, value.as_mut_ptr()), DISCARD);
-        // Components that nobody made, and one that was freed.
+        // Components that do not exist, and one that was freed.
         for component in [null_mut(), without_provenance_mut::<c_void>(7), (&raw mut value).cast()]
         {
             assert_eq!(fmi2::fmi2DoStep(component, 0.0, 0.1, 0), ERROR);
@@ -137,17 +137,17 @@ fn pointers_and_handles_that_are_none() {
         assert_eq!(fmi2::fmi2DoStep(freed, 0.0, 0.1, 0), ERROR);
         fmi2::fmi2FreeInstance(freed);
     }
-    assert_eq!(tug.step(0.0, 0.1), OK, "it still goes");
+    assert_eq!(tug.step(0.0, 0.1), OK, "the instance still works");
 }
 
 #[test]
-fn instances_that_cannot_be_made() {
+fn invalid_arguments_make_no_instance() {
     let fmu = Unpacked::new(Kind::Engine, "instances");
     let log = Messages::default();
     let callbacks = log.callbacks();
     let (uri, token) = (fmu.uri(), fmu.token());
     let (name, none) = (c"tug".as_ptr(), null());
-    // SAFETY: texts live through the calls; NULL is refused.
+    // SAFETY: texts live during the calls; NULL is refused.
     unsafe {
         let make = |kind, token, uri, callbacks| {
             fmi2::fmi2Instantiate(name, kind, token, uri, callbacks, 0, 0)
@@ -155,7 +155,7 @@ fn instances_that_cannot_be_made() {
         assert!(make(0, token.as_ptr(), uri.as_ptr(), &callbacks).is_null());
         assert!(log.last().contains("co-simulation only"));
         assert!(make(1, c"{other}".as_ptr(), uri.as_ptr(), &callbacks).is_null());
-        assert!(log.last().contains("not of one making"));
+        assert!(log.last().contains("do not belong together"));
         assert!(make(1, token.as_ptr(), c"file:///nowhere".as_ptr(), &callbacks).is_null());
         assert!(log.last().contains("scenario.json"));
         assert!(make(1, token.as_ptr(), c"nonsense".as_ptr(), &callbacks).is_null());
@@ -166,13 +166,13 @@ fn instances_that_cannot_be_made() {
         let no_logger = fmi2::Callbacks { logger: None, ..callbacks };
         let quiet = make(1, token.as_ptr(), uri.as_ptr(), &no_logger);
         assert!(!quiet.is_null());
-        assert_eq!(fmi2::fmi2DoStep(quiet, 0.0, 0.1, 0), ERROR, "nowhere to tell it");
+        assert_eq!(fmi2::fmi2DoStep(quiet, 0.0, 0.1, 0), ERROR, "there is no logger");
         fmi2::fmi2FreeInstance(quiet);
     }
 }
 
 #[test]
-fn several_instances_in_several_threads_do_not_touch_each_other() {
+fn instances_in_several_threads_are_independent() {
     let fmu = Unpacked::new(Kind::Simulation, "threads");
     let y = fmu.reference("body.tug.y_m");
     let push = fmu.reference("body.tug.external_y_n");
@@ -196,14 +196,14 @@ fn several_instances_in_several_threads_do_not_touch_each_other() {
 }
 
 #[test]
-fn version_3_refuses_the_same() {
+fn fmi_3_refuses_the_same_mistakes() {
     let fmu = Unpacked::new(Kind::Simulation, "three");
     let path = std::ffi::CString::new(fmu.uri().to_str().expect("text")[7..].to_owned());
     let (path, token) = (path.expect("no NUL"), fmu.token());
     let x = [fmu.reference("body.tug.x_m")];
     let mut values = [0.0, 0.0];
     let (mut flags, mut time_s) = ([7_u8; 3], 0.0);
-    // SAFETY: arrays are as long as told; NULL is refused.
+    // SAFETY: arrays have the given length; NULL is refused.
     unsafe {
         let make = |event_mode| {
             let (token, path) = (token.as_ptr(), path.as_ptr());
@@ -232,7 +232,7 @@ fn version_3_refuses_the_same() {
         assert_eq!(fmi3::fmi3EnterInitializationMode(tug, 0, 0.0, f64::NAN, 0, 0.0), ERROR);
         assert_eq!(fmi3::fmi3EnterInitializationMode(tug, 0, 0.0, 0.0, 0, 0.0), OK);
         assert_eq!(fmi3::fmi3ExitInitializationMode(tug), OK);
-        assert_eq!(step(0.0, null_mut()), ERROR, "nowhere to tell the time");
+        assert_eq!(step(0.0, null_mut()), ERROR, "no pointer for the time");
         assert_eq!(step(0.0, &mut time_s), OK);
         assert_eq!((flags, time_s), ([0; 3], 0.1));
         let get =

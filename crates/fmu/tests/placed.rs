@@ -1,6 +1,6 @@
-//! A master that puts a ship somewhere, and says so by counting.
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
-#![allow(unsafe_code, reason = "it stands for a master")]
+//! A master that repositions a ship and says so by increasing the counter.
+#![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
+#![allow(unsafe_code, reason = "the test acts as a master")]
 
 mod support;
 
@@ -11,9 +11,9 @@ use fenderline_fmu::{Kind, fmi2, fmi3};
 use support::{ERROR, Messages, OK, Two, Unpacked};
 
 const STEP_S: f64 = 0.1;
-/// What the engine has her weigh along her keel, which points at the quay (kg).
+/// Her mass in surge, towards the quay, with added mass (kg).
 const SURGE_KG: f64 = 930e3 * 1.08;
-/// Her bow touches the quay there (m).
+/// East position where her bow touches the quay (m).
 const TOUCH_M: f64 = 4.0;
 
 /// An engine of either version of the standard.
@@ -30,7 +30,7 @@ impl Engine for Two {
     }
 
     fn set_integer(&self, reference: u32, value: i32) -> c_int {
-        // SAFETY: one of each.
+        // SAFETY: one reference and one value.
         unsafe { fmi2::fmi2SetInteger(self.0, &reference, 1, &value) }
     }
 
@@ -52,7 +52,7 @@ impl Three {
         let (path, token) = (path.expect("no NUL"), fmu.token());
         let (token, path, name) = (token.as_ptr(), path.as_ptr(), c"tug".as_ptr());
         let none = null_mut();
-        // SAFETY: texts live through the call.
+        // SAFETY: texts live during the call.
         Three(unsafe {
             fmi3::fmi3InstantiateCoSimulation(
                 name,
@@ -72,7 +72,7 @@ impl Three {
     }
 
     fn initialized(self) -> Three {
-        // SAFETY: an instance.
+        // SAFETY: a valid instance.
         unsafe {
             assert_eq!(fmi3::fmi3EnterInitializationMode(self.0, 0, 0.0, 0.0, 0, 0.0), OK);
             assert_eq!(fmi3::fmi3ExitInitializationMode(self.0), OK);
@@ -81,7 +81,7 @@ impl Three {
     }
 }
 
-// SAFETY of all below: one of each.
+// SAFETY of all below: one reference and one value.
 impl Engine for Three {
     fn set(&self, reference: u32, value: f64) {
         assert_eq!(unsafe { fmi3::fmi3SetFloat64(self.0, &reference, 1, &value, 1) }, OK);
@@ -112,13 +112,13 @@ impl Drop for Three {
     }
 }
 
-/// A master whose tug goes east by forward Euler, and is shown a step late.
+/// A master that moves its tug by forward Euler and passes her state one step late.
 struct Master<'e, E> {
     engine: &'e E,
     references: [u32; 4],
     east_m: f64,
     east_mps: f64,
-    shown: [f64; 2],
+    input: [f64; 2],
     steps: u32,
 }
 
@@ -126,34 +126,34 @@ impl<'e, E: Engine> Master<'e, E> {
     fn new(fmu: &Unpacked, engine: &'e E, east_m: f64, east_mps: f64) -> Master<'e, E> {
         let references = ["y_m", "velocity_y_mps", "force_y_n", "reposition_count"]
             .map(|field| reference(fmu, field));
-        let shown = [east_m, east_mps];
-        Master { engine, references, east_m, east_mps, shown, steps: 0 }
+        let input = [east_m, east_mps];
+        Master { engine, references, east_m, east_mps, input, steps: 0 }
     }
 
-    /// The force that she was given.
+    /// Takes a step and returns the force on her.
     fn step(&mut self) -> f64 {
         let [y, v, force, _] = self.references;
-        self.engine.set(y, self.shown[0]);
-        self.engine.set(v, self.shown[1]);
+        self.engine.set(y, self.input[0]);
+        self.engine.set(v, self.input[1]);
         assert_eq!(self.engine.step(STEP_S * f64::from(self.steps)), OK);
         self.steps += 1;
-        // What she is given is for the step after the one that the states shown begin.
-        self.shown = [self.east_m, self.east_mps];
+        // The force is for the step after that of the states.
+        self.input = [self.east_m, self.east_mps];
         let force_n = self.engine.get(force);
         self.east_m += self.east_mps * STEP_S;
         self.east_mps += force_n / SURGE_KG * STEP_S;
         force_n
     }
 
-    /// Under way astern, then put into the quay, at rest: the largest force and the greatest speed from there on.
-    fn put(&mut self, count: Option<i32>) -> [f64; 2] {
+    /// Moves her ahead, then repositions her in the quay, at rest: the largest force and the highest speed from then on.
+    fn reposition(&mut self, count: Option<i32>) -> [f64; 2] {
         for _ in 0..20 {
             self.step();
         }
         (self.east_m, self.east_mps) = (TOUCH_M + 1.0, 0.0);
         let (mut largest_n, mut fastest_mps) = (0.0_f64, 0.0_f64);
         for k in 0..300 {
-            // From then on the states are those of where she was put.
+            // From this step on the input states are those of the new position.
             if let (1, Some(count)) = (k, count) {
                 assert_eq!(self.engine.set_integer(self.references[3], count), OK);
             }
@@ -171,25 +171,25 @@ fn reference(fmu: &Unpacked, field: &str) -> u32 {
 const BEGIN_M: f64 = TOUCH_M - 1.5;
 
 #[test]
-fn a_ship_that_is_counted_as_put_somewhere_is_pressed_out_slowly_in_both_versions() {
+fn a_repositioned_ship_is_pressed_out_slowly_in_both_versions() {
     let fmu = Unpacked::new(Kind::Engine, "placed");
     let log = Messages::default();
     let two = fmu.two(&log).initialized();
-    let [largest_n, fastest_mps] = Master::new(&fmu, &two, BEGIN_M, 0.5).put(Some(1));
+    let [largest_n, fastest_mps] = Master::new(&fmu, &two, BEGIN_M, 0.5).reposition(Some(1));
     assert!(largest_n < 0.021 * SURGE_KG, "{largest_n} N");
     assert!(fastest_mps < 0.081, "{fastest_mps} m/s");
     let three = Three::new(&fmu).initialized();
-    let of_three = Master::new(&fmu, &three, BEGIN_M, 0.5).put(Some(1));
+    let of_three = Master::new(&fmu, &three, BEGIN_M, 0.5).reposition(Some(1));
     assert_eq!(of_three, [largest_n, fastest_mps]);
-    // Without a word, from so near that it could be her own way, the way that she lost is read as a load.
-    let untold = fmu.two(&log).initialized();
-    let [untold_n, _] = Master::new(&fmu, &untold, BEGIN_M, 0.5).put(None);
-    assert!(untold_n > 10.0 * largest_n, "{untold_n} N");
+    // If the counter stays, a move this short could be her own motion: her loss of speed is taken for a load.
+    let unmarked = fmu.two(&log).initialized();
+    let [unmarked_n, _] = Master::new(&fmu, &unmarked, BEGIN_M, 0.5).reposition(None);
+    assert!(unmarked_n > 10.0 * largest_n, "{unmarked_n} N");
 }
 
-/// A count that was taken is not taken again, be it after a state was restored, and one that was not taken yet is.
+/// A restored state applies a counter that was set before the save but not stepped, and does not apply one twice.
 #[test]
-fn a_saved_state_knows_what_was_counted() {
+fn a_saved_state_includes_the_repositioning_counter() {
     let fmu = Unpacked::new(Kind::Engine, "counted");
     let log = Messages::default();
     let two = fmu.two(&log).initialized();
@@ -207,37 +207,39 @@ fn a_saved_state_knows_what_was_counted() {
     Engine::set(&two, v, 0.2);
     play(&two, 0);
     let without = two.save();
-    let never_put = play(&two, 12);
+    let not_placed = play(&two, 12);
     // Set, and not stepped yet.
     assert_eq!(two.restore(without), OK);
     assert_eq!(two.set_integer(placed, 7), OK);
     let set = two.save();
     let bytes = two.bytes(set);
-    let put = play(&two, 12);
-    assert_ne!(put, never_put);
+    let after_move = play(&two, 12);
+    assert_ne!(after_move, not_placed);
     let taken = two.save();
     let after = play(&two, 24);
-    for (state, from, right) in [(set, 12, &put), (taken, 24, &after), (without, 12, &never_put)] {
+    for (state, from, right) in
+        [(set, 12, &after_move), (taken, 24, &after), (without, 12, &not_placed)]
+    {
         assert_eq!(two.restore(state), OK);
         assert_eq!(&play(&two, from), right);
     }
     let other = fmu.two(&log);
     let state = other.of_bytes(&bytes).expect("good bytes");
     assert_eq!(other.restore(state), OK);
-    assert_eq!(play(&other, 12), put);
-    // A step that is refused takes nothing.
+    assert_eq!(play(&other, 12), after_move);
+    // A refused step changes nothing.
     assert_eq!(two.restore(set), OK);
     assert_eq!(two.set(&[y], &[1e300]), OK);
     assert_eq!(Engine::step(&two, STEP_S * 12.0), ERROR);
-    assert_eq!(play(&two, 12), put);
-    // Less than nothing is no count.
+    assert_eq!(play(&two, 12), after_move);
+    // A negative counter is refused.
     assert_eq!(two.set_integer(placed, -1), ERROR);
     assert!(log.last().contains("body.tug.reposition_count"));
 }
 
-/// The peak of a hit within one step, beside the mean that moves her.
+/// The peak of an impact within one step, beside the mean that moves her.
 #[test]
-fn the_peak_within_a_step_stands_beside_the_mean() {
+fn the_peak_within_a_step_is_reported_beside_the_mean() {
     let fmu = Unpacked::new(Kind::Engine, "peaks");
     let log = Messages::default();
     let tug = fmu.two(&log);

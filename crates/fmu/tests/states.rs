@@ -1,5 +1,5 @@
-//! States that a master saves, restores, serialises and invents; and calls in any order.
-#![allow(unsafe_code, reason = "it stands for a master")]
+//! States that a master saves, restores, serialises or forges; and calls in any order.
+#![allow(unsafe_code, reason = "the test acts as a master")]
 
 mod support;
 
@@ -22,7 +22,7 @@ fn value(kind: Kind, step: u32) -> f64 {
     }
 }
 
-/// Wrenches of some steps.
+/// Takes some steps and returns the forces.
 fn play(
     fmu: &Unpacked,
     tug: &Two,
@@ -41,7 +41,7 @@ fn play(
 }
 
 #[test]
-fn a_saved_state_goes_on_with_the_same_bits_here_and_elsewhere() {
+fn a_saved_state_continues_with_the_same_bits_in_any_instance() {
     for (kind, input, name) in KINDS {
         let fmu = Unpacked::new(kind, &format!("saved-{name}"));
         let log = Messages::default();
@@ -69,9 +69,9 @@ fn a_saved_state_goes_on_with_the_same_bits_here_and_elsewhere() {
     }
 }
 
-/// Begun at 1.6e308 s, or in an altered state of such a time, a step of as much was done, and the time reached infinite.
+/// At a time of 1.6e308 s, a step of the same length was taken and gave an infinite time.
 #[test]
-fn a_step_to_no_time_at_all_is_refused() {
+fn a_step_to_an_infinite_time_is_refused() {
     for (kind, _, name) in KINDS {
         let fmu = Unpacked::new(kind, &format!("nowhere-{name}"));
         let log = Messages::default();
@@ -79,12 +79,12 @@ fn a_step_to_no_time_at_all_is_refused() {
         assert_eq!(tug.set_up(1.6e308, None), OK);
         assert_eq!((tug.enter(), tug.exit()), (OK, OK));
         assert_eq!(tug.step(1.6e308, 1.6e308), ERROR, "{name}");
-        assert!(log.last().contains("is none"), "{name}");
+        assert!(log.last().contains("is not valid"), "{name}");
     }
 }
 
 #[test]
-fn bytes_that_are_no_state() {
+fn invalid_bytes_are_refused() {
     for (kind, input, name) in KINDS {
         let fmu = Unpacked::new(kind, &format!("bytes-{name}"));
         let log = Messages::default();
@@ -99,7 +99,7 @@ fn bytes_that_are_no_state() {
             broken[at] ^= 0x10;
             assert_eq!(tug.of_bytes(&broken), Err(ERROR), "byte {at}");
         }
-        // With a check sum that fits, whatever is taken is a state that can be stepped or refused.
+        // With a valid check sum, bytes that are accepted give a state whose steps succeed or are refused.
         for at in 0..bytes.len() - 8 {
             let mut broken = bytes.clone();
             broken[at] = broken[at].wrapping_add(1);
@@ -145,8 +145,8 @@ impl Random {
     }
 }
 
-/// Random calls in random order, states of random bytes among them: nothing crashes or hangs. By default
-/// some hundred sequences; `FENDERLINE_FMU_SEQUENCES=100000` for as many as the project asks for.
+/// Random calls in random order, among them states from random bytes: nothing crashes or hangs. By default 400
+/// sequences; the project requires `FENDERLINE_FMU_SEQUENCES=100000`.
 #[test]
 fn any_calls_in_any_order() {
     let sequences = std::env::var("FENDERLINE_FMU_SEQUENCES")
@@ -159,7 +159,7 @@ fn any_calls_in_any_order() {
         let tug = fmu.two(&log);
         let count = fmu.plan.table.variables.len() as u64 + 2;
         let (mut t_s, mut states) = (0.0, Vec::<*mut c_void>::new());
-        // Half of them get as far as to steps.
+        // Half of the sequences reach the stepping phase.
         if random.below(2) == 0 {
             tug.set_up(0.0, None);
             tug.enter();
@@ -195,7 +195,7 @@ fn call(random: &mut Random, tug: &Two, count: u64, t_s: &mut f64, states: &mut 
         }
         12 if !states.is_empty() => {
             let state = states[random.below(states.len() as u64) as usize];
-            // What stopped within a step is not serialised.
+            // A simulation that failed within a step is not serialised.
             let Some(mut bytes) = tug.try_bytes(state) else { return };
             if random.below(2) == 0 {
                 let at = random.below(bytes.len() as u64) as usize;

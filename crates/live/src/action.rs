@@ -1,19 +1,23 @@
-//! What people do to the simulation: the commands that are recorded.
+//! The commands to the simulation. They are recorded.
 
+use fenderline_sim::environment::current::Current;
+use fenderline_sim::environment::wind::MeanWind;
 use fenderline_sim::order::{Lead, OrderName, SidePlace, TugWord, TugWords};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
 
+use crate::approach::ApproachLimit;
+use crate::message::Pair;
 use crate::named_order::NamedOrder;
 
-/// A command that changes the simulated world, by the names of the scenario; units are SI. Its JSON is that of
-/// `web/src/protocol.ts`.
+/// A command that changes the simulated world. It uses the names of the scenario and SI units. `web/src/protocol.ts`
+/// describes its JSON.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
     /// An order of the table in `fenderline_sim`.
     Order(NamedOrder),
-    /// Anything else.
+    /// Any other command.
     Other(OtherAction),
 }
 
@@ -22,7 +26,7 @@ pub enum Action {
 #[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
 #[allow(missing_docs, reason = "protocol.ts explains the fields")]
 pub enum OtherAction {
-    /// A pilot's words to a tug of either kind. The simulation finds force, direction and place.
+    /// An order in words to a tug of either kind. The simulation resolves force, direction and place.
     Tug {
         tug: String,
         #[serde(with = "crate::word")]
@@ -35,18 +39,42 @@ pub enum OtherAction {
         #[serde(default, with = "crate::word")]
         place: SidePlace,
     },
-    /// A steady wind at 10 m in place of the present one.
+    /// Replaces the wind by a steady one, given at 10 m.
     Wind { speed_mps: f64, from_rad: f64 },
-    /// A uniform current in place of the present one.
+    /// Replaces the current by a uniform one.
     Current { speed_mps: f64, to_rad: f64 },
-    /// Something on a vessel fails, or is repaired.
+    /// A fault on a vessel begins or ends.
     Fault { vessel: String, fault: Fault, on: bool },
-    /// The greatest closing speed at the fenders that is no alarm.
+    /// Sets the speed limit at the fenders: a greater closing speed is an alarm.
     ApproachLimit { speed_mps: f64 },
 }
 
+/// The limits of commands that are not in the table of orders: least and greatest value. Pages get them in `hello`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct CommandLimits {
+    /// Force over a tug's bollard pull, in an order to a tug in words.
+    pub tug_power: Pair,
+    /// Speed of a wind (m/s).
+    pub wind_mps: Pair,
+    /// Speed of a current (m/s).
+    pub current_mps: Pair,
+    /// Speed limit at the fenders (m/s).
+    pub approach_limit_mps: Pair,
+    /// Simulated time over wall time.
+    pub pace: Pair,
+}
+
+/// The limits that the server applies.
+pub const COMMAND_LIMITS: CommandLimits = CommandLimits {
+    tug_power: [0.0, 1.0],
+    wind_mps: [0.0, MeanWind::FASTEST_MPS],
+    current_mps: [0.0, Current::FASTEST_MPS],
+    approach_limit_mps: ApproachLimit::LIMITS_MPS,
+    pace: [0.1, 20.0],
+};
+
 impl Action {
-    /// A pilot's words to a tug.
+    /// An order in words to a tug.
     #[must_use]
     pub fn tug(tug: &str, words: TugWords) -> Action {
         let TugWords { word: order, power, lead, place } = words;
@@ -88,24 +116,24 @@ impl<'de> Deserialize<'de> for Action {
     }
 }
 
-/// What can fail on a vessel: see [`fenderline_sim::Faults`].
+/// A fault of a vessel: see [`fenderline_sim::Faults`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Fault {
     /// The rudder stays where it is; azimuth units do not turn.
     RudderStuck,
-    /// Shaft and azimuth units give nothing.
+    /// Shaft and azimuth units give no thrust.
     EngineLost,
-    /// Tunnel thrusters give nothing.
+    /// Tunnel thrusters give no thrust.
     ThrustersLost,
     /// All of these.
     Blackout,
 }
 
 impl Fault {
-    /// Those of a vessel that are on.
+    /// The faults of a vessel that are on.
     #[must_use]
-    pub fn standing(faults: &fenderline_sim::Faults) -> Vec<Fault> {
+    pub fn active(faults: &fenderline_sim::Faults) -> Vec<Fault> {
         [
             (faults.rudder_stuck, Fault::RudderStuck),
             (faults.engine_lost, Fault::EngineLost),
@@ -117,7 +145,7 @@ impl Fault {
         .collect()
     }
 
-    /// Switches it on or off.
+    /// Switches the fault on or off.
     pub(crate) fn switch(self, faults: &mut fenderline_sim::Faults, on: bool) {
         match self {
             Fault::RudderStuck => faults.rudder_stuck = on,

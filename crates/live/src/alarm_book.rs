@@ -1,18 +1,18 @@
-//! The alarms that the server holds: what stands, what was acknowledged, and what went before anybody had seen it. As
-//! on a bridge: an alarm that nobody acknowledged stays when its cause ends.
+//! The list of alarms: those whose cause is active, and those whose cause ended before anybody acknowledged them. As on a
+//! ship's bridge, an alarm that nobody acknowledged stays when its cause ends.
 
 use crate::message::{AlarmNow, Role};
 use crate::refusal::Refusal;
 
-/// What the keys of touches begin with.
+/// The beginning of the keys of contact alarms.
 pub(crate) const TOUCH: &str = "touch";
 
 /// How urgent an alarm is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
-    /// Something to keep an eye on. It goes when its cause ends.
+    /// Needs attention. It is removed when its cause ends.
     Caution,
-    /// Something to act upon. It stays until it is acknowledged.
+    /// Needs action. It stays until it is acknowledged.
     Alarm,
 }
 
@@ -25,61 +25,62 @@ impl Level {
     }
 }
 
-/// A cause that stands in this tick.
+/// A cause that is active in this tick.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Alarm {
     /// How urgent.
     pub level: Level,
-    /// What kind it is and of what: one of each stands at a time.
+    /// Kind and subject. The list holds at most one alarm of a key.
     pub key: String,
-    /// In words.
+    /// The text for people.
     pub text: String,
-    /// The bodies, tugs and lines that it is about.
+    /// Names of the bodies, tugs and lines concerned.
     pub about: Vec<String>,
 }
 
-/// An alarm in the book.
+/// An alarm in the list.
 #[derive(Clone, Debug, PartialEq)]
 struct Entry {
     alarm: Alarm,
-    /// When it came, or grew to an alarm (s).
+    /// Time at which it began, or became more urgent (s).
     since_s: f64,
-    stands: bool,
+    /// Its cause is active.
+    active: bool,
     acknowledged: bool,
 }
 
-/// All alarms that stand or want to be acknowledged, in the order in which they came.
+/// All alarms that are active or not acknowledged, in the order in which they began.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AlarmBook(Vec<Entry>);
 
 impl AlarmBook {
-    /// Takes what stands after a tick.
-    pub fn note(&mut self, standing: Vec<Alarm>, t_s: f64) {
+    /// Updates the list with the causes that are active after a tick.
+    pub fn update(&mut self, causes: Vec<Alarm>, t_s: f64) {
         for entry in &mut self.0 {
-            entry.stands = false;
+            entry.active = false;
         }
-        for alarm in standing {
+        for alarm in causes {
             match self.0.iter_mut().find(|entry| entry.alarm.key == alarm.key) {
-                Some(entry) => entry.goes_on(alarm, t_s),
+                Some(entry) => entry.renew(alarm, t_s),
                 None => {
-                    self.0.push(Entry { alarm, since_s: t_s, stands: true, acknowledged: false })
+                    self.0.push(Entry { alarm, since_s: t_s, active: true, acknowledged: false })
                 }
             }
         }
         self.0.retain(|entry| {
-            entry.stands || entry.alarm.level == Level::Alarm && !entry.acknowledged
+            entry.active || entry.alarm.level == Level::Alarm && !entry.acknowledged
         });
     }
 
-    /// Forgets everything: another run is shown, or another time of this one.
+    /// Removes all alarms, because another run or another time is displayed.
     pub fn clear(&mut self) {
         self.0.clear();
     }
 
-    /// Acknowledges an alarm; its text.
+    /// Acknowledges an alarm and returns its text.
     ///
     /// # Errors
-    /// There is none of that key, or it is not this role's to acknowledge.
+    /// There is no alarm with that key, or the role may not acknowledge it.
     pub fn acknowledge(&mut self, key: &str, role: &Role) -> Result<String, Refusal> {
         let at = self.0.iter().position(|entry| entry.alarm.key == key);
         let at = at.ok_or_else(|| Refusal::new("there is no such alarm any more"))?;
@@ -89,29 +90,29 @@ impl AlarmBook {
             Role::Tugmaster { tug } if entry.alarm.about.contains(tug) => {}
             Role::Tugmaster { tug } => {
                 return Err(Refusal::new(format_args!(
-                    "the master of {tug} acknowledges her alarms alone"
+                    "the master of {tug} may acknowledge only her alarms"
                 )));
             }
-            Role::Observer => return Err(Refusal::new("an observer acknowledges nothing")),
+            Role::Observer => return Err(Refusal::new("an observer cannot acknowledge alarms")),
         }
         entry.acknowledged = true;
         let text = entry.alarm.text.clone();
-        if !entry.stands {
+        if !entry.active {
             self.0.remove(at);
         }
         Ok(text)
     }
 
-    /// As pages are told: alarms before cautions, then in the order in which they came.
+    /// The list for pages: alarms before cautions, then in the order in which they began.
     #[must_use]
-    pub fn told(&self) -> Vec<AlarmNow> {
+    pub fn messages(&self) -> Vec<AlarmNow> {
         let mut all: Vec<&Entry> = self.0.iter().collect();
-        // Stable.
+        // A stable sort keeps the order within a level.
         all.sort_by_key(|entry| std::cmp::Reverse(entry.alarm.level));
-        all.into_iter().map(Entry::told).collect()
+        all.into_iter().map(Entry::message).collect()
     }
 
-    /// Was a hull on something of these, and has nobody acknowledged it yet?
+    /// True if the list has a contact alarm of `hull` with a body that `on` selects, which nobody has acknowledged.
     pub(crate) fn has_open_touch(&self, hull: &str, on: impl Fn(&str) -> bool) -> bool {
         self.0.iter().any(|entry| {
             let about = &entry.alarm.about;
@@ -124,11 +125,11 @@ impl AlarmBook {
 }
 
 impl Entry {
-    /// Its cause stands on, or again. One that nobody acknowledged keeps the worst that it was.
-    fn goes_on(&mut self, alarm: Alarm, t_s: f64) {
-        self.stands = true;
+    /// The cause is active, still or again. An entry that nobody acknowledged keeps its greatest level.
+    fn renew(&mut self, alarm: Alarm, t_s: f64) {
+        self.active = true;
         if alarm.level > self.alarm.level {
-            // One that grows worse wants to be acknowledged again.
+            // A greater level has to be acknowledged again.
             (self.acknowledged, self.since_s) = (false, t_s);
         }
         if self.acknowledged || alarm.level >= self.alarm.level {
@@ -136,13 +137,13 @@ impl Entry {
         }
     }
 
-    fn told(&self) -> AlarmNow {
+    fn message(&self) -> AlarmNow {
         AlarmNow {
             level: self.alarm.level.word(),
             key: self.alarm.key.clone(),
             text: self.alarm.text.clone(),
             since_s: self.since_s,
-            stands: self.stands,
+            stands: self.active,
             acknowledged: self.acknowledged,
         }
     }
@@ -152,7 +153,7 @@ impl Entry {
 mod tests {
     use super::*;
 
-    fn of(level: Level, text: &str) -> Alarm {
+    fn touch(level: Level, text: &str) -> Alarm {
         Alarm {
             level,
             key: "touch ship quay".into(),
@@ -164,55 +165,55 @@ mod tests {
     #[test]
     fn an_alarm_that_nobody_acknowledged_stays_when_its_cause_ends() {
         let mut book = AlarmBook::default();
-        book.note(vec![of(Level::Alarm, "touches")], 1.0);
-        book.note(vec![], 2.0);
-        let told = book.told();
-        assert_eq!(told.len(), 1);
-        assert!(!told[0].stands && !told[0].acknowledged && told[0].since_s == 1.0);
+        book.update(vec![touch(Level::Alarm, "touches")], 1.0);
+        book.update(vec![], 2.0);
+        let alarms = book.messages();
+        assert_eq!(alarms.len(), 1);
+        assert!(!alarms[0].stands && !alarms[0].acknowledged && alarms[0].since_s == 1.0);
         let on_quay = |name: &str| name == "quay";
         assert!(book.has_open_touch("ship", on_quay) && !book.has_open_touch("tug", on_quay));
         book.acknowledge("touch ship quay", &Role::Pilot).expect("a pilot may");
-        assert!(book.told().is_empty());
+        assert!(book.messages().is_empty());
         let again = book.acknowledge("touch ship quay", &Role::Pilot);
         assert!(again.expect_err("it is gone").to_string().contains("no such alarm"));
     }
 
     #[test]
-    fn an_acknowledged_alarm_goes_with_its_cause_and_a_caution_with_its_own() {
+    fn acknowledged_alarms_and_cautions_are_removed_when_their_cause_ends() {
         let mut book = AlarmBook::default();
-        book.note(vec![of(Level::Alarm, "touches")], 1.0);
+        book.update(vec![touch(Level::Alarm, "touches")], 1.0);
         book.acknowledge("touch ship quay", &Role::Instructor).expect("an instructor may");
-        assert!(book.told()[0].acknowledged && book.told()[0].stands);
-        book.note(vec![], 2.0);
-        assert!(book.told().is_empty());
-        book.note(vec![of(Level::Caution, "near")], 3.0);
-        book.note(vec![], 4.0);
-        assert!(book.told().is_empty());
+        assert!(book.messages()[0].acknowledged && book.messages()[0].stands);
+        book.update(vec![], 2.0);
+        assert!(book.messages().is_empty());
+        book.update(vec![touch(Level::Caution, "near")], 3.0);
+        book.update(vec![], 4.0);
+        assert!(book.messages().is_empty());
     }
 
     #[test]
-    fn a_caution_that_grows_to_an_alarm_wants_to_be_acknowledged_again_and_keeps_its_worst() {
+    fn a_caution_that_becomes_an_alarm_must_be_acknowledged_again_and_keeps_its_greatest_level() {
         let mut book = AlarmBook::default();
-        book.note(vec![of(Level::Caution, "80 %")], 1.0);
+        book.update(vec![touch(Level::Caution, "80 %")], 1.0);
         book.acknowledge("touch ship quay", &Role::Pilot).expect("a pilot may");
-        book.note(vec![of(Level::Alarm, "110 %")], 2.0);
-        assert!(!book.told()[0].acknowledged);
-        book.note(vec![of(Level::Caution, "90 %")], 3.0);
-        assert_eq!((book.told()[0].level, &*book.told()[0].text), ("alarm", "110 %"));
+        book.update(vec![touch(Level::Alarm, "110 %")], 2.0);
+        assert!(!book.messages()[0].acknowledged);
+        book.update(vec![touch(Level::Caution, "90 %")], 3.0);
+        assert_eq!((book.messages()[0].level, &*book.messages()[0].text), ("alarm", "110 %"));
         book.acknowledge("touch ship quay", &Role::Pilot).expect("a pilot may");
-        book.note(vec![of(Level::Caution, "90 %")], 4.0);
-        assert_eq!((book.told()[0].level, &*book.told()[0].text), ("caution", "90 %"));
-        assert!(book.told()[0].acknowledged);
+        book.update(vec![touch(Level::Caution, "90 %")], 4.0);
+        assert_eq!((book.messages()[0].level, &*book.messages()[0].text), ("caution", "90 %"));
+        assert!(book.messages()[0].acknowledged);
     }
 
     #[test]
-    fn an_observer_and_another_ships_tugmaster_acknowledge_nothing() {
+    fn an_observer_and_the_master_of_another_tug_cannot_acknowledge() {
         let mut book = AlarmBook::default();
-        book.note(vec![of(Level::Alarm, "touches")], 1.0);
+        book.update(vec![touch(Level::Alarm, "touches")], 1.0);
         for role in [Role::Observer, Role::Tugmaster { tug: "forward".into() }] {
             assert!(book.acknowledge("touch ship quay", &role).is_err());
         }
-        assert!(!book.told()[0].acknowledged);
+        assert!(!book.messages()[0].acknowledged);
         let own = Role::Tugmaster { tug: "ship".into() };
         assert!(book.acknowledge("touch ship quay", &own).is_ok());
     }

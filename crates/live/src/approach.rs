@@ -1,15 +1,15 @@
-//! The greatest closing speed towards a berth that is no alarm: one limit for alarms and docking board.
+//! The limit of the closing speed towards a berth, for alarms and docking board.
 
 use fenderline_contact::number::greater;
 use serde::Serialize;
 
-/// The deceleration that a ship is allowed on her way to the fenders (m/s²).
+/// Deceleration on the way to the fenders that the limit assumes (m/s²).
 const SLOWING_MPS2: f64 = 0.002;
-/// From this share of the limit on it is a caution.
+/// A closing speed above this share of the limit is a caution.
 const CAUTION_SHARE: f64 = 2.0 / 3.0;
 
-/// The limit of a closing speed: at a distance d it is √(v₀² + 2ad), the speed of a ship that loses a = 0.002 m/s² and
-/// touches with v₀. Our choice, no port's rule and no standard's; pilot and instructor may set another v₀.
+/// The limit of the closing speed. At a distance d it is √(v₀² + 2ad): the speed of a ship that decelerates by a = 0.002 m/s²
+/// and touches at v₀. Our choice, from no port's rule and no standard. Pilot and instructor may set another v₀.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ApproachLimit {
     /// v₀, at the fenders (m/s).
@@ -65,7 +65,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn farther_off_a_ship_may_be_faster() {
+    fn the_limit_increases_with_the_distance() {
         let limit = ApproachLimit::default();
         assert_eq!(limit.light(0.16, 0.0), Light::Alarm);
         assert_eq!(limit.light(0.16, 5.0), Light::Caution);

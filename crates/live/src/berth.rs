@@ -1,4 +1,4 @@
-//! The berth: the line of the fenders of a quay or of another ship, and how a ship lies to it.
+//! The berth: a line through the fenders of a quay or of another ship; distances and speeds of a ship relative to it.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{BodyState, Outline, Rotation, Vec2, vec2};
@@ -9,40 +9,39 @@ use crate::cast::Cast;
 use crate::info::pair;
 use crate::message::{BerthEnd, BerthInfo, BerthNow, Lamp};
 
-/// Fenders belong to one berth where they face the same way to within this angle (rad).
+/// Fenders of one berth face the same direction to within this angle (rad).
 const SAME_WAY_RAD: f64 = 0.1;
-/// The flat of a ship's side: where she is at least this part of her greatest half breadth.
+/// The flat of a ship's side is where her half breadth is at least this share of the greatest one.
 const FLAT: f64 = 0.98;
 
-/// A straight line through fender faces, in the frame of the body that they are on: a quay, or a ship to come
-/// alongside of.
+/// A straight line through fender faces, in the frame of the body that carries them: a quay or another ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Berth {
     /// Index of that body.
     pub body: usize,
-    /// One end of it (m).
+    /// One end of the line (m).
     pub from_m: Vec2,
-    /// The other.
+    /// The other end (m).
     pub to_m: Vec2,
-    /// Unit vector to where the water is.
+    /// Unit normal towards the water.
     pub facing: Vec2,
-    /// From one fender to the next, in the mean (m); `None` for a single one.
+    /// Mean distance between neighbouring fenders (m); `None` for a single fender.
     pub apart_m: Option<f64>,
 }
 
-/// The two ends of the flat of a ship's side, on the side that the berth is on, and the berth's directions there.
+/// The two ends of the flat of a ship's side towards the berth.
 pub(crate) struct Ends {
-    /// Bow and stern, in the world (m).
+    /// Positions of the ends at bow and stern (m).
     pub(crate) at_m: [Vec2; 2],
-    /// How far along the berth each is, from the end that `from_m` is (m).
+    /// Distance of each end along the berth from `from_m` (m).
     pub(crate) along_m: [f64; 2],
-    /// Its length along the berth (m).
+    /// Length of the berth (m).
     pub(crate) length_m: f64,
 }
 
 impl Berth {
-    /// The berth with the most fenders; of those with as many, the one that is nearest to the pilot's own ship at the
-    /// start. Fenders of hers and of her tugs are none. `None` where there are no others, or no ship.
+    /// The berth with the most fenders; among equals, the one nearest to the pilot's own ship at the start. Fenders on the
+    /// own ship and on tugs do not count. `None` without a ship or without such fenders.
     #[must_use]
     pub fn of(setup: &Setup, cast: &Cast) -> Option<Berth> {
         let vessels = &setup.world.vessels;
@@ -79,7 +78,7 @@ impl Berth {
         best.map(|(.., berth)| berth)
     }
 
-    /// Through the faces that stand out farthest, from the first to the last of the row.
+    /// The line along a row of fenders, from the first to the last, through the face farthest out.
     fn through(body: usize, faces: &[Vec2], facing: Vec2) -> Berth {
         let along = facing.quarter_turn();
         let out_m = faces.iter().map(|at| at.dot(facing)).fold(f64::NEG_INFINITY, greater);
@@ -92,14 +91,14 @@ impl Berth {
         Berth { body, from_m: at(least), to_m: at(most), facing, apart_m }
     }
 
-    /// As pages are told.
+    /// The message to pages.
     #[must_use]
     pub fn info(&self) -> BerthInfo {
         let [from, to, facing] = [self.from_m, self.to_m, self.facing].map(pair);
         BerthInfo { body: self.body, from, to, facing }
     }
 
-    /// The ends of a ship's side that lies to it.
+    /// The ends of the ship's side towards the berth.
     pub(crate) fn ends(&self, on: &BodyState, outline: &Outline, state: &BodyState) -> Ends {
         let attitude = Rotation::from_angle(state.heading_rad);
         let quay = Rotation::from_angle(on.heading_rad);
@@ -111,10 +110,10 @@ impl Berth {
         Ends { at_m, along_m: at_m.map(way), length_m: (self.to_m - self.from_m).dot(along) }
     }
 
-    /// How a ship lies to it, where the body that it is on is: distances of the two ends of the flat of her side, on
-    /// the side that the berth is on, positive off the fenders; the speeds of these ends, positive towards the berth;
-    /// her speed along it, positive ahead; the angle between her and the berth, positive with the bow nearer. What her
-    /// ends are at is left to the board.
+    /// A ship relative to the berth on a body in state `on`: distances of the two ends of the flat of her side towards the
+    /// berth, positive off the fenders; the closing speeds of these ends, positive towards the berth; her speed along the
+    /// berth, positive ahead; the angle between her and the berth, positive with the bow nearer. The docking board fills in
+    /// lamps, limit and what each end is at.
     pub(crate) fn seen_from(
         &self,
         on: &BodyState,
@@ -129,7 +128,7 @@ impl Berth {
         let [bow, stern] = flat_of_side(outline, starboard);
         let from_m = on.position_m + quay.apply(self.from_m);
         let off_m = |at: Vec2| (state.position_m + attitude.apply(at) - from_m).dot(facing);
-        // As one on the berth sees it.
+        // Relative to the moving body of the berth.
         let velocity_mps = |at: Vec2| {
             let arm_m = state.position_m + attitude.apply(at) - on.position_m;
             let ours = state.velocity_mps + attitude.apply(at).spun_by(state.yaw_rate_radps);
@@ -153,7 +152,7 @@ impl Berth {
         }
     }
 
-    /// Is any of a ship abreast of it, and her middle within a distance of its line?
+    /// True if some part of the ship is abreast of the berth and her origin is within a distance of its line.
     pub(crate) fn is_near(
         &self,
         on: &BodyState,
@@ -180,7 +179,7 @@ struct Face {
 }
 
 impl Face {
-    /// Of one berth: on the same body, facing the same way.
+    /// True if both belong to one berth: on the same body, facing the same direction.
     fn is_beside(&self, other: &Face) -> bool {
         let between_rad =
             libm::remainder(self.facing_rad - other.facing_rad, core::f64::consts::TAU);
@@ -192,8 +191,8 @@ fn towards(angle_rad: f64) -> Vec2 {
     vec2(libm::cos(angle_rad), libm::sin(angle_rad))
 }
 
-/// The fore and after end of the flat of a side, in the body's frame. A hull without one has them at one third of
-/// her length from either end, where her side is there.
+/// The fore and after end of the flat of a side, in the body's frame. For a hull without a flat side: one third of the length
+/// from either end.
 fn flat_of_side(outline: &Outline, starboard: bool) -> [Vec2; 2] {
     let sign = if starboard { 1.0 } else { -1.0 };
     let (least, most) = outline.bounds();

@@ -1,10 +1,10 @@
-//! A state's fingerprint: equal where every bit that matters is.
+//! The fingerprint of a simulation's state: equal states have equal fingerprints.
 
 use fenderline_contact::hash::Fnv1a;
 use fenderline_sim::Simulation;
 
-/// FNV-1a of all bodies' states, the vessels' machinery, the lines and the tugs: a
-/// replay that differs anywhere shows here within a step or two. No protection against malice.
+/// FNV-1a of the states of all bodies, the vessels' machinery, the lines and the tugs. A replay that differs anywhere differs
+/// here within a step or two. No protection against malice.
 pub(crate) fn fingerprint(simulation: &Simulation) -> u64 {
     let mut hash = Fnv1a::default();
     let mut add = |number: f64| hash.word(number.to_bits());

@@ -1,4 +1,4 @@
-//! From a command to the simulation.
+//! Carries commands out on the simulation.
 
 use std::collections::BTreeSet;
 
@@ -8,26 +8,24 @@ use fenderline_sim::environment::wind::{MeanWind, Wind, WindProfile};
 use fenderline_sim::order::{Target, TugWord, TugWords, Word as _};
 use fenderline_sim::{Action as SimAction, Order, Setup, Simulation};
 
-use crate::action::{Action, OtherAction};
+use crate::action::{Action, COMMAND_LIMITS, OtherAction};
 use crate::approach::ApproachLimit;
 use crate::cast::Cast;
 use crate::refusal::Refusal;
 use crate::session::Now;
 
-/// The vessels, tugs and lines under manual control: the scenario's timed orders no longer reach them.
+/// The vessels, tugs and lines under manual control: timed orders of the scenario to them are dropped.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ManualControl(BTreeSet<Target>);
 
-/// The fastest current that may be set (m/s).
-const FASTEST_CURRENT_MPS: f64 = 15.0;
-/// The largest angle that is taken as a direction (rad).
+/// The largest angle that is accepted as a direction (rad).
 const LARGEST_ANGLE_RAD: f64 = 100.0;
 
-/// Carries a command out, from the next step on. True where it is the first manual order to a control that the scenario
-/// has timed orders for, which are then dropped.
+/// Carries a command out; it takes effect at the next step. The first manual order to a vessel, tug or line drops the
+/// scenario's later timed orders to it; the result is true if there were any.
 ///
 /// # Errors
-/// The reason for the person who gave it; nothing is changed then.
+/// The reason, for the person who gave the command. Nothing is changed then.
 pub(crate) fn carry_out(action: &Action, cast: &Cast, now: &mut Now) -> Result<bool, Refusal> {
     match action {
         Action::Order(named) => {
@@ -50,8 +48,8 @@ pub(crate) fn carry_out(action: &Action, cast: &Cast, now: &mut Now) -> Result<b
             Ok(false)
         }
         Action::Other(OtherAction::Current { speed_mps, to_rad }) => {
-            within("speed of the current [m/s]", *speed_mps, 0.0, FASTEST_CURRENT_MPS)?;
-            within("direction of the current", *to_rad, -LARGEST_ANGLE_RAD, LARGEST_ANGLE_RAD)?;
+            within("speed of the current [m/s]", *speed_mps, COMMAND_LIMITS.current_mps)?;
+            within("direction of the current", *to_rad, [-LARGEST_ANGLE_RAD, LARGEST_ANGLE_RAD])?;
             let velocity = vec2(libm::cos(*to_rad), libm::sin(*to_rad)) * *speed_mps;
             let current = Current::uniform(velocity).map_err(Refusal::new)?;
             now.simulation.set_current(Some(current));
@@ -65,15 +63,15 @@ pub(crate) fn carry_out(action: &Action, cast: &Cast, now: &mut Now) -> Result<b
             Ok(false)
         }
         Action::Other(OtherAction::ApproachLimit { speed_mps }) => {
-            let [low, high] = ApproachLimit::LIMITS_MPS;
-            within("speed limit at the fenders [m/s]", *speed_mps, low, high)?;
+            let limits = COMMAND_LIMITS.approach_limit_mps;
+            within("speed limit at the fenders [m/s]", *speed_mps, limits)?;
             now.approach = ApproachLimit { at_fenders_mps: *speed_mps };
             Ok(false)
         }
     }
 }
 
-/// Gives an order that counts from the next step on, and drops the scenario's own to the same target.
+/// Gives an order that takes effect at the next step, and drops the scenario's timed orders to the same target.
 fn order(action: SimAction, now: &mut Now) -> Result<bool, Refusal> {
     let simulation = &mut now.simulation;
     simulation.check_now(&action).map_err(Refusal::new)?;
@@ -92,7 +90,7 @@ fn order(action: SimAction, now: &mut Now) -> Result<bool, Refusal> {
     Ok(dropped)
 }
 
-/// The order that a pilot's words are to a tug: a vector tug, or a vessel at work on the pilot's own ship.
+/// Resolves an order in words to a tug: a vector tug, or a vessel that assists the pilot's own ship.
 fn tug_order(
     name: &str,
     words: &TugWords,
@@ -109,18 +107,24 @@ fn tug_order(
     words.for_vessel(tug, ship, setup, simulation.states()).map_err(Refusal::new)
 }
 
-/// The power of an order to a tug. Only an order without force goes without it.
+/// The power of an order to a tug. It may be missing only where the order asks for no force.
 fn power_of(word: TugWord, power: Option<f64>) -> Result<f64, Refusal> {
     match (word, power) {
-        (_, Some(power)) => within("power of a tug", power, 0.0, 1.0).map(|()| power),
+        (_, Some(power)) => {
+            within("power of a tug", power, COMMAND_LIMITS.tug_power).map(|()| power)
+        }
         (TugWord::Stop | TugWord::StandOff, None) => Ok(0.0),
         (TugWord::Push | TugWord::Pull, None) => {
-            Err(Refusal::new(format_args!("`{}` needs `power`, from 0 to 1", word.word())))
+            let [least, most] = COMMAND_LIMITS.tug_power;
+            Err(Refusal::new(format_args!(
+                "`{}` needs `power`, from {least} to {most}",
+                word.word()
+            )))
         }
     }
 }
 
-fn within(what: &str, value: f64, least: f64, most: f64) -> Result<(), Refusal> {
+fn within(what: &str, value: f64, [least, most]: [f64; 2]) -> Result<(), Refusal> {
     if value >= least && value <= most {
         return Ok(());
     }

@@ -1,4 +1,4 @@
-//! Who is who in a scenario: the pilot's own ship, the tugs, and which helm a command is for.
+//! The roles of a scenario's vessels: the pilot's own ship and the tugs; and the helm that a command belongs to.
 
 use fenderline_sim::order::TargetKind;
 use fenderline_sim::{LineEnd, Setup, VesselSetup};
@@ -7,32 +7,32 @@ use crate::action::{Action, OtherAction};
 use crate::named_order::NamedOrder;
 use crate::request::Control;
 
-/// A vessel is a tug where she goes by azimuth units alone and is no longer than this (m). The longest harbour
-/// and escort tugs are about 50 m (recalled); our choice.
+/// A vessel counts as a tug if azimuth units alone propel her and she is at most this long (m). The longest harbour and
+/// escort tugs are about 50 m (recalled); our choice.
 const LONGEST_TUG_M: f64 = 60.0;
 
-/// The parts in a scenario, by names.
+/// The vessels, tugs and lines of a scenario by name, with their roles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cast {
-    /// Index of the pilot's own ship among the vessels: the first that is no tug, or the first; `None` without
+    /// Index of the pilot's own ship among the vessels: the first that is not a tug, else the first; `None` without
     /// vessels.
     pub own: Option<usize>,
     /// Names of the vessels, in the order of the set-up.
     pub vessels: Vec<String>,
-    /// Which of them are tugs.
+    /// For each vessel, whether she is a tug.
     pub is_tug: Vec<bool>,
     /// Names of the vector tugs, in the order of the set-up.
     pub tugs: Vec<String>,
-    /// Of each line the name, and the vessels that its ends are on.
+    /// Name of each line, and the vessels at its ends.
     lines: Vec<(String, Vec<usize>)>,
 }
 
-/// What a command is for.
+/// The helm that a command belongs to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Helm {
     /// A vessel or a vector tug.
     Of(Control),
-    /// A line, with the vessels that its ends are on.
+    /// A line, with the vessels at its ends.
     Line(Vec<String>),
     /// Weather and faults.
     World,
@@ -41,7 +41,7 @@ pub enum Helm {
 }
 
 impl Cast {
-    /// Of a set-up.
+    /// The roles in a set-up.
     #[must_use]
     pub fn of(setup: &Setup) -> Cast {
         let vessels = &setup.world.vessels;
@@ -69,14 +69,14 @@ impl Cast {
         }
     }
 
-    /// Every helm there is: vessels, then vector tugs.
+    /// All helms: vessels, then vector tugs.
     #[must_use]
     pub fn controls(&self) -> Vec<Control> {
         let vessels = self.vessels.iter().cloned().map(Control::Vessel);
         vessels.chain(self.tugs.iter().cloned().map(Control::Tug)).collect()
     }
 
-    /// Names of all that a tug master can be on: tugs that are vessels, then vector tugs.
+    /// Names of all tugs: those that are vessels, then vector tugs.
     #[must_use]
     pub fn tug_names(&self) -> Vec<String> {
         let vessels = self.vessels.iter().zip(&self.is_tug);
@@ -84,14 +84,14 @@ impl Cast {
         vessels.chain(self.tugs.iter().cloned()).collect()
     }
 
-    /// Is this vessel a tug?
+    /// True if the vessel of this name is a tug.
     #[must_use]
     pub fn is_tug(&self, vessel: &str) -> bool {
         let index = self.vessels.iter().position(|name| name == vessel);
         index.is_some_and(|index| self.is_tug[index])
     }
 
-    /// The helm that a command is for. Names that do not exist are refused when it is carried out.
+    /// The helm that a command belongs to. A name that does not exist is refused when the command is carried out.
     #[must_use]
     pub fn helm(&self, action: &Action) -> Helm {
         match action {

@@ -1,11 +1,11 @@
-//! States kept so that a session can be rewound without playing it from its start.
+//! States that are kept so that a rewind need not start from the beginning.
 
-/// Ticks between two checkpoints at first; doubled each time that there are too many.
+/// First number of ticks between two checkpoints; it doubles when there are too many of them.
 const FIRST_INTERVAL: u64 = 100;
-/// The most that are kept. A state of a harbour scene is some 100 kB.
+/// Largest number of checkpoints. A state of a harbour scene takes some 100 kB.
 const MOST: usize = 48;
 
-/// States of one or more branches, bounded in number: the longer a session, the farther apart they are.
+/// States of one or more branches, bounded in number: the longer the session, the greater the intervals.
 #[derive(Clone, Debug)]
 pub(crate) struct Checkpoints<S> {
     interval: u64,
@@ -14,12 +14,12 @@ pub(crate) struct Checkpoints<S> {
 }
 
 impl<S: Clone> Checkpoints<S> {
-    /// With the state at the very start, which is kept for good.
+    /// With the state at the start, which is never dropped.
     pub(crate) fn new(start: S) -> Checkpoints<S> {
         Checkpoints { interval: FIRST_INTERVAL, kept: vec![(0, 0, start)] }
     }
 
-    /// Offers a state; it is kept where it is due.
+    /// Keeps a state if one is due at its tick.
     pub(crate) fn offer(&mut self, branch: usize, tick: u64, state: &S) {
         if !tick.is_multiple_of(self.interval)
             || self.kept.iter().any(|(b, t, _)| (*b, *t) == (branch, tick))
@@ -30,7 +30,7 @@ impl<S: Clone> Checkpoints<S> {
         while self.kept.len() > MOST {
             self.interval *= 2;
             let interval = self.interval;
-            // Tick 0 is a multiple of everything.
+            // Tick 0 is a multiple of every interval, so the start stays.
             self.kept.retain(|(_, tick, _)| tick.is_multiple_of(interval));
             if self.kept.len() > MOST && interval > u64::MAX / 4 {
                 self.kept.truncate(1);
@@ -38,7 +38,7 @@ impl<S: Clone> Checkpoints<S> {
         }
     }
 
-    /// The latest state of a branch at a tick or before.
+    /// The latest state of a branch within `from..=to`, with its tick.
     pub(crate) fn latest(&self, branch: usize, from: u64, to: u64) -> Option<(u64, &S)> {
         let own = self.kept.iter().filter(|(b, t, _)| *b == branch && (from..=to).contains(t));
         own.max_by_key(|(_, tick, _)| *tick).map(|(_, tick, state)| (*tick, state))
@@ -50,7 +50,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn they_stay_few_and_the_start_stays() {
+    fn their_number_is_bounded_and_the_start_is_kept() {
         let mut kept = Checkpoints::new(0_u64);
         for tick in 0..1_000_000 {
             kept.offer(usize::from(tick > 500_000), tick, &tick);

@@ -1,4 +1,4 @@
-//! What pages need to know of a scenario once: hulls, machinery, fenders, lines, tugs, orders.
+//! The constant data of a scenario for pages: hulls, machinery, fenders, lines, tugs, orders.
 
 use fenderline_contact::Vec2;
 use fenderline_contact::number::lesser;
@@ -14,11 +14,13 @@ use crate::message::{
 };
 use crate::order_info::order_infos;
 
-/// The working load of a line over its breaking load. Public summaries of OCIMF's MEG4 have
-/// the same for synthetic ropes, and 55 % for wire.
+/// Working load of a line over its breaking load: that of synthetic ropes in public summaries of OCIMF's MEG4, which have
+/// 55 % for wire.
 pub(crate) const WORKING_SHARE: f64 = 0.5;
+/// Rate of a manual order to a winch that can go as fast (m/s): a usual speed for warping under load.
+const MANUAL_WINCH_MPS: f64 = 0.15;
 
-/// The constant part of what a page shows.
+/// The constant data of a scenario.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Info {
     /// As in [`crate::message::Hello`].
@@ -33,16 +35,16 @@ pub struct Info {
     pub tugs: Vec<TugInfo>,
     /// As in [`crate::message::Hello`].
     pub orders: Vec<OrderInfo>,
-    /// Places at the side of the pilot's own ship where a tug may work.
+    /// Words for the positions at the own ship's side where a tug may work.
     pub places: Vec<&'static str>,
-    /// The berth that distances are to.
+    /// The berth to which distances are measured.
     pub berth: Option<Berth>,
     /// Depth of the water (m).
     pub depth_m: Option<f64>,
 }
 
 impl Info {
-    /// Of a set-up.
+    /// The data of a set-up.
     #[must_use]
     pub fn of(setup: &Setup, cast: &Cast) -> Info {
         let world = &setup.world;
@@ -97,7 +99,7 @@ fn vessel_info(setup: &Setup, cast: &Cast, vessel: &VesselSetup, is_tug: bool) -
     let name = setup.bodies[vessel.body].name.clone();
     let title = if vessel.origin.title.is_empty() { &name } else { &vessel.origin.title };
     let propelled = vessel.ship.propulsion.is_some();
-    // From midship to the body's origin, which is her centre of gravity.
+    // From midship to the centre of gravity, which is the body's origin.
     let ahead_m = hull.centre_of_gravity_m;
     let thrusters = vessel.thrusters.iter().map(|thruster| ThrusterInfo {
         name: thruster.name.clone(),
@@ -154,7 +156,10 @@ fn line_info(line: &MooringSetup) -> LineInfo {
         },
         breaking_n,
         working_n: WORKING_SHARE * breaking_n,
-        has_winch: matches!(line.line.inboard_end, InboardEnd::Winch(_)),
+        winch_mps: match line.line.inboard_end {
+            InboardEnd::Winch(winch) => Some(lesser(MANUAL_WINCH_MPS, winch.rate_mps)),
+            InboardEnd::Bitts => None,
+        },
     }
 }
 

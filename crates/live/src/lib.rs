@@ -1,11 +1,11 @@
-//! A session under people's hands, as a deterministic thing: no clock, no threads, no sockets, no files.
+//! A simulation that people steer: a deterministic session without clock, threads, sockets or files.
 //!
-//! A [`Session`] has a scenario ([`Source`]) and a log of commands, each with the tick in which it counts and
-//! who gave it; from these two alone every state can be made again, bit for bit. So it can be rewound, branched
-//! from any tick, recorded line by line ([`RecordingReader`]) and played again ([`Replay`]). What the pages are shown is made here too
-//! ([`message`]), and what they say is read here ([`Request`]).
+//! A [`Session`] consists of a scenario ([`Source`]) and a log of commands, each with its tick and its author. These two
+//! determine every state, bit for bit. So a session can be rewound, branched from any tick, recorded line by line
+//! ([`RecordingReader`]) and replayed ([`Replay`]). This crate also makes the messages to pages ([`message`]) and reads their
+//! requests ([`Request`]).
 //!
-//! Whoever owns a session decides when it steps: `fenderline serve` paces it to wall time.
+//! The owner of a session decides when it steps: `fenderline serve` paces it to wall time.
 #![forbid(unsafe_code)]
 
 mod action;
@@ -31,7 +31,7 @@ mod session;
 mod source;
 mod word;
 
-pub use action::{Action, Fault, OtherAction};
+pub use action::{Action, COMMAND_LIMITS, CommandLimits, Fault, OtherAction};
 pub use alarm_book::{Alarm, AlarmBook, Level};
 pub use approach::{ApproachLimit, Light};
 pub use cast::{Cast, Helm};

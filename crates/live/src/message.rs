@@ -4,14 +4,14 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::action::Fault;
+use crate::action::{CommandLimits, Fault};
 use crate::approach::Light;
 use crate::request::Control;
 
-/// The protocol's number; a page of another one asks to be loaded anew.
+/// Number of the protocol. A page with another number asks the user to reload it.
 pub const PROTOCOL: u32 = 2;
 
-/// A place or a vector.
+/// A position, a vector or a range.
 pub type Pair = [f64; 2];
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -28,6 +28,7 @@ pub struct Hello<'a> {
     pub lines: &'a [LineInfo],
     pub tugs: &'a [TugInfo],
     pub orders: &'a [OrderInfo],
+    pub limits: CommandLimits,
     pub places: &'a [&'static str],
     pub mine: Vec<Control>,
     pub claims: &'a [Claim],
@@ -155,7 +156,7 @@ pub struct LineInfo {
     pub end: LineEndInfo,
     pub breaking_n: f64,
     pub working_n: f64,
-    pub has_winch: bool,
+    pub winch_mps: Option<f64>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -176,7 +177,7 @@ pub struct TugInfo {
     pub pull_at_m: Pair,
 }
 
-/// A frame but for its `events`, which differ from client to client.
+/// A frame without its `events`, which differ between clients.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "type", rename = "frame")]
 pub struct Frame {
@@ -277,7 +278,7 @@ pub struct AssistNow {
     pub force_n: f64,
 }
 
-/// How far a tug that is a vessel has come with her order.
+/// How far a tug that is a vessel has carried out her order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum AssistState {
@@ -304,14 +305,14 @@ pub struct BerthNow {
     pub angle_rad: f64,
 }
 
-/// The signal of the docking board for an end of a ship: the worse of her speed and of what the end is at.
+/// The signal of the docking board for an end of a ship: the worse of the signals for her speed and for the position of the end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Lamp {
     pub light: Light,
     pub text: &'static str,
 }
 
-/// What an end of a ship is at.
+/// The position of an end of a ship at the berth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum BerthEnd {
@@ -403,23 +404,23 @@ pub struct EventNow {
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "type", rename_all = "snake_case")]
-pub enum Told {
+pub enum Reply {
     Prediction { tick: u64, vessel: usize, path: Vec<[f64; 4]> },
     Ack { id: i64, tick: u64 },
     Refused { id: Option<i64>, reason: String },
     Notice { text: String },
 }
 
-/// A message as text.
+/// The JSON text of a message.
 ///
 /// # Panics
-/// Never: these types have no maps with keys that are none, and a number that is not finite becomes `null`.
+/// Never: all maps in these types have text keys, and a number that is not finite becomes `null`.
 #[must_use]
 pub fn text(message: &impl Serialize) -> String {
     serde_json::to_string(message).unwrap_or_else(|e| unreachable!("{e}"))
 }
 
-/// A frame's text, with what happened since the last one that its reader got.
+/// The text of a frame with the events since the client's last frame.
 #[must_use]
 pub fn with_events(frame: &str, events: &[EventNow]) -> String {
     let open = frame.strip_suffix('}').unwrap_or(frame);

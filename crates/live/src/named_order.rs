@@ -1,4 +1,4 @@
-//! An order of the table by the names of the scenario: as pages send it and recordings keep it.
+//! An order of the table with the names of the scenario, as pages send it and recordings store it.
 
 use fenderline_contact::vec2;
 use fenderline_sim::order::{
@@ -13,15 +13,15 @@ use crate::refusal::Refusal;
 /// words of the table in `fenderline_sim`; an argument that is `null` or missing has its default.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedOrder {
-    /// Which order.
+    /// The order.
     pub order: OrderName,
-    /// The name of the vessel, tug or line that it is for.
+    /// Name of the vessel, tug or line that it is for.
     pub to: String,
     /// The arguments that are given.
     given: Vec<(&'static Argument, Given)>,
 }
 
-/// A value that was given.
+/// The value of an argument.
 #[derive(Clone, Debug, PartialEq)]
 enum Given {
     Number(f64),
@@ -30,34 +30,34 @@ enum Given {
 }
 
 impl NamedOrder {
-    /// Without arguments.
+    /// An order without arguments.
     #[must_use]
     pub fn new(order: OrderName, to: &str) -> NamedOrder {
         NamedOrder { order, to: to.to_owned(), given: Vec::new() }
     }
 
-    /// With a number, by its name in the table.
+    /// Adds a number, by the argument's name in the table.
     ///
     /// # Panics
-    /// Where the order has no such argument.
+    /// If the order has no such argument.
     #[must_use]
     pub fn number(self, name: &str, value: f64) -> NamedOrder {
         self.with(name, Given::Number(value))
     }
 
-    /// With a place, by its name in the table.
+    /// Adds a position, by the argument's name in the table.
     ///
     /// # Panics
-    /// Where the order has no such argument.
+    /// If the order has no such argument.
     #[must_use]
     pub fn place(self, name: &str, at_m: [f64; 2]) -> NamedOrder {
         self.with(name, Given::Place(at_m))
     }
 
-    /// With a name, by its name in the table.
+    /// Adds a name, by the argument's name in the table.
     ///
     /// # Panics
-    /// Where the order has no such argument.
+    /// If the order has no such argument.
     #[must_use]
     pub fn name(self, name: &str, value: &str) -> NamedOrder {
         self.with(name, Given::Name(value.to_owned()))
@@ -74,7 +74,7 @@ impl NamedOrder {
     /// Reads the JSON of an order, without its word.
     ///
     /// # Errors
-    /// A field that is missing, not known or of another kind.
+    /// A field that is missing, unknown or of the wrong kind.
     pub(crate) fn from_json(
         order: OrderName,
         map: Map<String, Json>,
@@ -108,14 +108,14 @@ impl NamedOrder {
         if let Some(missing) = missing {
             return Err(format!("missing field `{}`", missing.field()));
         }
-        // By the table, whatever the order in the text: one order has one text.
+        // In the order of the table, so that equal orders have equal texts.
         given.sort_by_key(|(argument, _)| {
             spec.arguments.iter().position(|other| other.name == argument.name)
         });
         Ok(NamedOrder { order, to, given })
     }
 
-    /// The same order as JSON.
+    /// The order as JSON.
     pub(crate) fn to_json(&self) -> Map<String, Json> {
         let spec = self.order.spec();
         let mut map = Map::new();
@@ -132,10 +132,10 @@ impl NamedOrder {
         map
     }
 
-    /// The action that it asks for, checked by the simulation.
+    /// The action of the simulation, checked.
     ///
     /// # Errors
-    /// A name that is not there, and whatever the simulation refuses.
+    /// A name that does not exist, or an order that the simulation refuses.
     pub(crate) fn resolve(&self, setup: &Setup) -> Result<Action, Refusal> {
         let world = &setup.world;
         let (kind, name) = (self.order.spec().target, self.to.as_str());
@@ -195,7 +195,7 @@ impl NamedOrder {
 }
 
 impl Given {
-    /// `None`: it is `null`.
+    /// Reads a value; `None` for `null`.
     fn from_json(argument: &Argument, field: &str, value: &Json) -> Result<Option<Given>, String> {
         if value.is_null() && argument.absent != Absent::Refused {
             return Ok(None);

@@ -1,10 +1,10 @@
-//! The table of orders as pages get it: words, units, limits and defaults.
+//! The table of orders for pages: words, units, limits and defaults.
 
 use fenderline_sim::order::{Absent, Argument, ArgumentKind, Gear, OrderName};
 
 use crate::message::{ArgumentInfo, OrderInfo};
 
-/// Every order.
+/// All orders.
 #[must_use]
 pub fn order_infos() -> Vec<OrderInfo> {
     OrderName::ALL.iter().map(|order| order_info(*order)).collect()

@@ -1,11 +1,11 @@
-//! Where the pilot's ship goes if nothing is ordered: a copy of the simulation, run on.
+//! Prediction of the own ship's path without further orders, by a copy of the simulation.
 
 use fenderline_sim::Simulation;
 
-use crate::message::Told;
+use crate::message::Reply;
 use crate::session::Session;
 
-/// A simulation to be run on beside the session, on another thread if need be.
+/// A copy of the simulation that can be run ahead, also on another thread.
 #[derive(Clone, Debug)]
 pub struct Prediction {
     simulation: Simulation,
@@ -15,29 +15,24 @@ pub struct Prediction {
 }
 
 impl Session {
-    /// A copy to look ahead with; `None` without a ship of the pilot's own.
+    /// A prediction from the present state; `None` without an own ship.
     #[must_use]
     pub fn prediction(&self) -> Option<Prediction> {
         let vessel = self.cast().own?;
         let mut simulation = self.simulation().clone();
-        // Nothing is ordered: neither by a hand nor by the scenario.
-        simulation.retain_orders(|order| order.at_s < simulation_time(self));
+        // Without later orders of the scenario. Those that are due in the next step were given already.
+        let end_s = simulation.time_s() + simulation.setup().step_s;
+        simulation.retain_orders(|order| order.at_s < end_s);
         let body = simulation.setup().world.vessels[vessel].body;
         Some(Prediction { simulation, tick: self.tick(), vessel, body })
     }
 }
 
-/// What is due in the next step was ordered already.
-fn simulation_time(session: &Session) -> f64 {
-    let simulation = session.simulation();
-    simulation.time_s() + simulation.setup().step_s
-}
-
 impl Prediction {
-    /// Runs on for some seconds and tells a place each `every_s`, the present one first. Ends early where
-    /// `go_on` says no, or the simulation cannot step.
+    /// Runs for a number of seconds and returns a position every `every_s`, the present one first. Ends early if `go_on`
+    /// returns false or a step fails.
     #[must_use]
-    pub fn run(mut self, seconds: f64, every_s: f64, mut go_on: impl FnMut() -> bool) -> Told {
+    pub fn run(mut self, seconds: f64, every_s: f64, mut go_on: impl FnMut() -> bool) -> Reply {
         let step_s = self.simulation.setup().step_s;
         let steps = libm::round(seconds / step_s) as u64;
         let every = (libm::round(every_s / step_s) as u64).max(1);
@@ -55,6 +50,6 @@ impl Prediction {
                 break;
             }
         }
-        Told::Prediction { tick: self.tick, vessel: self.vessel, path }
+        Reply::Prediction { tick: self.tick, vessel: self.vessel, path }
     }
 }

@@ -1,13 +1,13 @@
-//! Why a command is not carried out.
+//! The reason why a command was not carried out.
 
 use std::fmt;
 
-/// A command that was refused; nothing was changed. The text is for the person who gave it.
+/// The reason why a command was refused, for the person who gave it. Nothing was changed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal(String);
 
 impl Refusal {
-    /// With its reason.
+    /// A refusal with this reason.
     #[must_use]
     pub fn new(reason: impl fmt::Display) -> Refusal {
         Refusal(reason.to_string())

@@ -1,4 +1,4 @@
-//! Plays a recording again, some steps at a time.
+//! Replays a recording, a number of steps at a time.
 
 use std::fmt;
 use std::io::BufRead;
@@ -7,24 +7,24 @@ use crate::limits::MOST_TICKS;
 use crate::recording::{Line, Outline, RecordingError, RecordingReader, Writer};
 use crate::session::{Session, SessionError};
 
-/// The most steps that are made a second time, to go to and fro between branches.
-const MOST_AGAIN: u64 = MOST_TICKS;
+/// Largest number of steps that are repeated to change between branches.
+const MOST_REPEATED: u64 = MOST_TICKS;
 
-/// Why a recording cannot be played.
+/// Why a recording cannot be replayed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ReplayError {
     /// It cannot be read.
     Recording(RecordingError),
-    /// What it begins with is no scenario for a session.
+    /// A session cannot be opened from its scenario.
     Session(Box<SessionError>),
-    /// A line cannot be played: its number and why. Another version of the program may have made the recording.
+    /// A line cannot be replayed. Another version of the program may have made the recording.
     Line {
-        /// From 1.
+        /// Number of the line, from 1.
         line: usize,
-        /// What is wrong.
+        /// The reason.
         why: String,
     },
-    /// It is not what it was when it was checked.
+    /// The recording has changed since it was checked.
     Changed,
 }
 
@@ -34,47 +34,47 @@ impl fmt::Display for ReplayError {
             ReplayError::Recording(error) => error.fmt(f),
             ReplayError::Session(error) => error.fmt(f),
             ReplayError::Line { line, why } => write!(f, "line {line}: {why}"),
-            ReplayError::Changed => f.write_str("it was changed while it was read"),
+            ReplayError::Changed => f.write_str("the recording was changed while it was read"),
         }
     }
 }
 
 impl std::error::Error for ReplayError {}
 
-/// A session that was played again, ready to go on.
+/// A replayed session, ready to continue.
 #[derive(Debug)]
 pub struct Replayed {
-    /// It stands where its recording ended; the lines that it records follow those that [`crate::copy_kept`] copies.
+    /// The session at the end of the recording. Its further lines follow those that [`crate::copy_kept`] copies.
     pub session: Session,
-    /// States that were found to have the recorded bits.
+    /// Number of states whose bits equal the recorded ones.
     pub same: u64,
 }
 
-/// A recording that is being played.
+/// A replay in progress.
 #[derive(Debug)]
 pub struct Replay<R> {
     reader: RecordingReader<R>,
     outline: Outline,
     session: Session,
-    /// The line that is being played.
+    /// The line that is being replayed.
     line: Option<Line>,
-    /// While the session goes to a tick that it has been at: that tick.
+    /// While the session goes to an earlier tick: that tick.
     back_to: Option<u64>,
-    /// The bits at the end of each branch that was left there.
+    /// The bits at the end of each branch, where the replay left the branch there.
     left: Vec<Option<String>>,
-    /// Where the recording stood last.
+    /// The branch of the last line.
     last_branch: usize,
     done: u64,
-    again: u64,
+    repeated: u64,
     same: u64,
     is_over: bool,
 }
 
 impl<R: BufRead> Replay<R> {
-    /// Ready to play; `input` stands at its start, and `outline` was read of it.
+    /// Begins a replay. `input` is at its start, and `outline` was read from it.
     ///
     /// # Errors
-    /// A first line without a scenario for a session.
+    /// A session cannot be opened from the first line.
     pub fn begin(input: R, outline: Outline) -> Result<Replay<R>, ReplayError> {
         let reader = RecordingReader::open(input).map_err(ReplayError::Recording)?;
         let session = Session::open(reader.source().clone());
@@ -89,17 +89,17 @@ impl<R: BufRead> Replay<R> {
             back_to: None,
             last_branch: 0,
             done: 0,
-            again: 0,
+            repeated: 0,
             same: 0,
             is_over: false,
         })
     }
 
-    /// Plays on for so many steps or lines; true when all of it has been played.
+    /// Replays up to `count` steps and lines. Returns true when the replay is complete.
     ///
     /// # Errors
-    /// A line that cannot be carried out, or a state with other bits than recorded: another version of the program may
-    /// have made it.
+    /// A line that cannot be carried out, or a state whose bits differ from the recorded ones: another version of the program
+    /// may have made the recording.
     pub fn play(&mut self, count: u64) -> Result<bool, ReplayError> {
         let mut left = count;
         while left > 0 && !self.is_over {
@@ -115,21 +115,21 @@ impl<R: BufRead> Replay<R> {
         Ok(self.is_over)
     }
 
-    /// Ticks that were played, of those in the outline.
+    /// Number of ticks replayed, of those in the outline.
     #[must_use]
     pub fn done(&self) -> u64 {
         self.done
     }
 
-    /// The session, when all of it has been played.
+    /// The session, when the replay is complete.
     ///
     /// # Errors
-    /// The recording was changed since it was checked.
+    /// The recording has changed since it was checked.
     ///
     /// # Panics
-    /// Before all of it has been played.
+    /// If the replay is not complete.
     pub fn finish(self) -> Result<Replayed, ReplayError> {
-        assert!(self.is_over, "it is to be played to its end first");
+        assert!(self.is_over, "the replay is not complete");
         let (bytes, chain) = self.reader.kept();
         if (bytes, chain) != (self.outline.kept_bytes, self.outline.chain) {
             return Err(ReplayError::Changed);
@@ -139,14 +139,13 @@ impl<R: BufRead> Replay<R> {
         Ok(Replayed { session, same: self.same })
     }
 
-    /// The branch and the tick that the line is about; `None` for a state that was held against the recording when its
-    /// branch was left.
+    /// Branch and tick of the line; `None` for a state that was compared already when the replay left its branch.
     fn goal(&mut self) -> Option<(usize, u64)> {
         let ends = |branch: usize| self.session.branches()[branch].ends_tick;
         match &self.line {
             Some(Line::Reached { branch, tick, bits }) => {
                 self.last_branch = *branch;
-                let is_left = *branch != self.session.shown() && *tick == ends(*branch);
+                let is_left = *branch != self.session.current_branch() && *tick == ends(*branch);
                 if is_left && self.left[*branch].as_ref() == Some(bits) {
                     self.same += 1;
                     self.line = None;
@@ -156,22 +155,22 @@ impl<R: BufRead> Replay<R> {
             }
             Some(Line::Command { branch, tick, .. }) => Some((*branch, *tick)),
             Some(Line::Branch { parent, from_tick, .. }) => Some((*parent, *from_tick)),
-            Some(Line::End {}) => unreachable!("the reader keeps it"),
+            Some(Line::End {}) => unreachable!("the reader does not return it"),
             None => Some((self.last_branch, ends(self.last_branch))),
         }
     }
 
-    /// Goes to a tick of a branch; true when it is there.
+    /// Goes to a tick of a branch. Returns true when the session is there.
     fn go(&mut self, branch: usize, tick: u64, left: &mut u64) -> Result<bool, ReplayError> {
         let ends_tick = self.session.branches()[branch].ends_tick;
         let session = &mut self.session;
-        // Under way it is rewound, and so it is where a branch is to begin.
-        if self.back_to.is_none() && (branch != session.shown() || tick < session.tick()) {
+        // Go back to another branch or an earlier tick. The session counts as rewound until it arrives.
+        if self.back_to.is_none() && (branch != session.current_branch() || tick < session.tick()) {
             if !session.is_rewound() {
-                self.left[session.shown()] = Some(session.bits());
+                self.left[session.current_branch()] = Some(session.bits());
             }
             let to = tick.min(ends_tick);
-            session.turn_to(branch, to);
+            session.begin_to_go_to(branch, to);
             self.back_to = Some(to);
         }
         if let Some(to) = self.back_to {
@@ -180,11 +179,12 @@ impl<R: BufRead> Replay<R> {
                     return Ok(false);
                 }
                 *left -= 1;
-                self.again += 1;
+                self.repeated += 1;
                 session.step_again();
             }
-            if self.again > MOST_AGAIN {
-                let why = format!("more than {MOST_AGAIN} steps to and fro between branches");
+            if self.repeated > MOST_REPEATED {
+                let why =
+                    format!("more than {MOST_REPEATED} repeated steps to change between branches");
                 return Err(self.wrong(why));
             }
             if !session.is_rewound() {
@@ -203,7 +203,7 @@ impl<R: BufRead> Replay<R> {
         Ok(true)
     }
 
-    /// Carries the line out, where the session is.
+    /// Carries out the line; the session is at its tick.
     fn carry_out(&mut self) -> Result<(), ReplayError> {
         match self.line.take() {
             Some(Line::Command { branch, action, .. }) => {
@@ -213,7 +213,9 @@ impl<R: BufRead> Replay<R> {
             Some(Line::Reached { tick, bits, .. }) => {
                 let ours = self.session.bits();
                 if ours != bits {
-                    let why = format!("{ours} here, {bits} recorded at tick {tick}");
+                    let why = format!(
+                        "the state at tick {tick} has the bits {ours}, but the recording has {bits}"
+                    );
                     return Err(self.wrong(why));
                 }
                 self.same += 1;
@@ -222,7 +224,7 @@ impl<R: BufRead> Replay<R> {
                 self.last_branch = self.session.branch().map_err(|e| self.wrong(e))?;
                 self.left.push(None);
             }
-            Some(Line::End {}) => unreachable!("the reader keeps it"),
+            Some(Line::End {}) => unreachable!("the reader does not return it"),
             None => self.is_over = true,
         }
         self.session.take_events();
@@ -240,7 +242,7 @@ mod tests {
     use crate::source::Source;
 
     #[test]
-    fn going_to_and_fro_between_branches_has_a_limit() {
+    fn repeated_steps_to_change_between_branches_are_limited() {
         let text = include_str!("../../../scenarios/berth/alongside_with_two_tugs.toml");
         let none = |name: &str| Err(format!("{name}: none is needed"));
         let (source, _) =
@@ -254,13 +256,13 @@ mod tests {
         session.step().expect("a step");
         session.mark();
         let text = session.take_lines() + &session.end_line();
-        for (again, is_refused) in [(MOST_AGAIN - 50, false), (MOST_AGAIN - 49, true)] {
+        for (repeated, is_refused) in [(MOST_REPEATED - 50, false), (MOST_REPEATED - 49, true)] {
             let outline = Outline::read(text.as_bytes(), |_| Ok(())).expect("sound");
             let mut replay = Replay::begin(text.as_bytes(), outline).expect("a scenario");
-            replay.again = again;
+            replay.repeated = repeated;
             match replay.play(1000) {
                 Ok(is_over) => assert!(is_over && !is_refused),
-                Err(e) => assert!(is_refused && e.to_string().contains("to and fro"), "{e}"),
+                Err(e) => assert!(is_refused && e.to_string().contains("repeated steps"), "{e}"),
             }
         }
     }

@@ -1,4 +1,4 @@
-//! What a page asks for: a command to the simulation, a claim, or the conduct of the session.
+//! The requests of a page: a command to the simulation, or one to the session itself.
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -18,68 +18,63 @@ pub enum Control {
     Session(bool),
 }
 
-/// What is done to the session rather than in it. Not recorded, but for its consequences.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
-#[allow(missing_docs, reason = "the fields are those of protocol.ts")]
-pub enum Conduct {
+/// Defines [`Conduct`] and [`Conduct::WORDS`] from one list, so that they cannot differ.
+macro_rules! conducts {
+    ($($(#[$doc:meta])* $name:ident = $word:literal { $($field:ident: $type:ty)? },)*) => {
+        /// A command to the session itself: claims, time, branches, files. The recording keeps only what follows from it.
+        #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+        #[serde(tag = "do", deny_unknown_fields)]
+        #[allow(missing_docs, reason = "the fields are those of protocol.ts")]
+        pub enum Conduct {
+            $($(#[$doc])* #[serde(rename = $word)] $name { $($field: $type)? },)*
+        }
+
+        impl Conduct {
+            /// The word in `do` of each variant.
+            pub const WORDS: &[&str] = &[$($word),*];
+        }
+    };
+}
+
+conducts! {
     /// Take a helm.
-    Claim { control: Control },
-    /// Give it back.
-    Release { control: Control },
-    /// Stop the time.
-    Pause {},
-    /// Let it go on; while rewound, what is recorded plays on.
-    Resume {},
-    /// One tick.
-    SingleStep {},
-    /// Simulated over wall time.
-    Pace { pace: f64 },
+    Claim = "claim" { control: Control },
+    /// Give a helm back.
+    Release = "release" { control: Control },
+    /// Stop the simulated time.
+    Pause = "pause" {},
+    /// Continue; while the run is rewound, the recorded ticks are played again.
+    Resume = "resume" {},
+    /// Take one step.
+    SingleStep = "single_step" {},
+    /// Set simulated time over wall time.
+    Pace = "pace" { pace: f64 },
     /// Go to a tick of this branch.
-    Rewind { tick: u64 },
-    /// Go on from where it is rewound to, as a new branch.
-    Branch {},
+    Rewind = "rewind" { tick: u64 },
+    /// Begin a new branch at the tick that the run is rewound to.
+    Branch = "branch" {},
     /// Go to the end of another branch.
-    ShowBranch { id: usize },
-    /// Another scenario, or a saved session; frames tell how far that is until it is there.
-    Load { file: String },
-    /// What is being opened shall not be.
-    StopOpening {},
-    /// An alarm was seen.
-    Acknowledge { key: String },
-    /// Keep a copy of the recording under a name.
-    Save { name: String },
+    ShowBranch = "show_branch" { id: usize },
+    /// Open another scenario or a saved session; frames report the progress.
+    Load = "load" { file: String },
+    /// Cancel the opening of a file.
+    StopOpening = "stop_opening" {},
+    /// Acknowledge an alarm.
+    Acknowledge = "acknowledge" { key: String },
+    /// Save a copy of the recording under a name.
+    Save = "save" { name: String },
 }
 
-impl Conduct {
-    /// The word of each; a test holds them against the variants.
-    pub const WORDS: &[&str] = &[
-        "claim",
-        "release",
-        "pause",
-        "resume",
-        "single_step",
-        "pace",
-        "rewind",
-        "branch",
-        "show_branch",
-        "load",
-        "stop_opening",
-        "acknowledge",
-        "save",
-    ];
-}
-
-/// Anything that a page may ask for.
+/// A request of a page.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Request {
-    /// To be recorded and carried out.
+    /// A command to the simulation. It is recorded.
     Action(Action),
-    /// To be done.
+    /// A command to the session.
     Conduct(Conduct),
 }
 
-/// A message of a page before its action is looked at.
+/// A message of a page whose action is not read yet.
 #[derive(Deserialize)]
 #[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
 enum Message {
@@ -87,15 +82,15 @@ enum Message {
 }
 
 impl Request {
-    /// Reads a message of a page: its number, where one could be read, and what it asks for.
+    /// Reads a message of a page: its number, if one could be read, and its request.
     ///
     /// # Errors
-    /// A reason to be told: no JSON, a number beyond all numbers, a field that is not there or not known.
+    /// The reason for the page: text that is not JSON, a number that is not finite, a missing or unknown field.
     pub fn parse(text: &str) -> (Option<i64>, Result<Request, Refusal>) {
-        let told = |e: serde_json::Error| Refusal::new(format_args!("not understood: {e}"));
+        let refused = |e: serde_json::Error| Refusal::new(format_args!("not understood: {e}"));
         let message: Message = match serde_json::from_str(text) {
             Ok(message) => message,
-            Err(e) => return (None, Err(told(e))),
+            Err(e) => return (None, Err(refused(e))),
         };
         let Message::Command { id, action } = message;
         let request = match action.get("do").and_then(Value::as_str) {
@@ -104,7 +99,7 @@ impl Request {
             }
             _ => serde_json::from_value(action).map(Request::Action),
         };
-        (Some(id), request.map_err(told))
+        (Some(id), request.map_err(refused))
     }
 }
 
@@ -116,7 +111,7 @@ mod tests {
     use crate::named_order::NamedOrder;
 
     #[test]
-    fn a_message_is_read_and_what_is_none_is_told() {
+    fn a_valid_message_is_read_and_an_invalid_one_is_refused_with_the_reason() {
         let good =
             r#"{"type":"command","id":7,"action":{"do":"rudder","vessel":"a","angle_rad":0.5}}"#;
         let action = Action::from(NamedOrder::new(OrderName::Rudder, "a").number("angle", 0.5));
@@ -126,7 +121,7 @@ mod tests {
         let claim = r#"{"type":"command","id":9,"action":{"do":"claim","control":{"tug":"fore"}}}"#;
         let control = Control::Tug("fore".into());
         assert_eq!(Request::parse(claim).1, Ok(Request::Conduct(Conduct::Claim { control })));
-        for (bad, told) in [
+        for (bad, expected) in [
             ("", "EOF"),
             ("{", "EOF"),
             (r#"{"type":"command","id":1,"action":{"do":"fly"}}"#, "unknown variant `fly`"),
@@ -153,13 +148,13 @@ mod tests {
             (r#"{"type":"command","id":1,"action":7}"#, "invalid type"),
         ] {
             let reason = Request::parse(bad).1.expect_err(bad).to_string();
-            assert!(reason.contains(told), "{bad}: {reason}");
+            assert!(reason.contains(expected), "{bad}: {reason}");
         }
     }
 
     #[test]
-    fn a_tower_of_brackets_is_refused_and_overflows_no_stack() {
-        let tower = "[".repeat(16_000);
-        assert!(Request::parse(&tower).1.is_err());
+    fn deeply_nested_brackets_are_refused_without_a_stack_overflow() {
+        let nested = "[".repeat(16_000);
+        assert!(Request::parse(&nested).1.is_err());
     }
 }

@@ -1,4 +1,4 @@
-//! The session: a simulation, the commands that made it what it is, and the way back.
+//! The session: a simulation, its log of commands, and rewinding.
 
 use std::fmt;
 
@@ -17,16 +17,16 @@ use crate::recording::{Line, Writer};
 use crate::refusal::Refusal;
 use crate::source::Source;
 
-/// Commands from a tick on, and where they leave what was before.
+/// A branch: the commands from a tick on. Before that tick the commands of its parent apply.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branch {
-    /// The branch that it left; `None` for the first.
+    /// The branch from which it begins; `None` for the first.
     pub parent: Option<usize>,
-    /// Where it left it.
+    /// Its first tick.
     pub from_tick: u64,
-    /// How far it has come.
+    /// Its last tick so far.
     pub ends_tick: u64,
-    /// By rising tick.
+    /// Tick and command, by increasing tick.
     commands: Vec<(u64, Action)>,
 }
 
@@ -37,45 +37,45 @@ pub(crate) struct Now {
     pub(crate) manual: ManualControl,
     pub(crate) approach: ApproachLimit,
     pub(crate) seen: Seen,
-    /// Steps taken.
+    /// Number of steps taken.
     pub(crate) tick: u64,
 }
 
-/// A run under people's hands: see the crate's documentation.
+/// A simulation that people steer: see the documentation of the crate.
 #[derive(Clone, Debug)]
 pub struct Session {
     source: Source,
     title: String,
     cast: Cast,
     branches: Vec<Branch>,
-    shown: usize,
+    current: usize,
     commands: usize,
-    /// Of all branches together.
+    /// Number of ticks of all branches together.
     ticks: u64,
     now: Now,
     checkpoints: Checkpoints<Now>,
     writer: Writer,
-    /// Texts of events since the owner last took them, with their time (s).
+    /// Time (s) and text of the events since the last call of [`Session::take_events`].
     events: Vec<(f64, String)>,
 }
 
-/// Why there is no session.
+/// Why a session cannot be opened.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SessionError {
     /// The scenario cannot be used.
     Scenario(Box<ScenarioError>),
     /// The simulation refuses it.
     Setup(SetupError),
-    /// With all the files that it names it is more than a recording's first line holds.
+    /// The scenario with all files that it names is too large for the first line of a recording.
     TooLarge,
 }
 
-/// Why there is no next step.
+/// Why a step failed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StepError {
-    /// The simulation could not make it.
+    /// The simulation failed.
     Simulation(SimError),
-    /// The session has come to a limit.
+    /// The session has reached a limit.
     Full(Full),
 }
 
@@ -86,7 +86,7 @@ impl fmt::Display for SessionError {
             SessionError::Setup(error) => error.fmt(f),
             SessionError::TooLarge => write!(
                 f,
-                "with all the files that it names it is larger than {} MiB: it cannot be recorded",
+                "the scenario with all files that it names is larger than {} MiB: it cannot be recorded",
                 LONGEST_HEADER_BYTES >> 20
             ),
         }
@@ -107,10 +107,10 @@ impl fmt::Display for StepError {
 impl std::error::Error for StepError {}
 
 impl Session {
-    /// Ready for its first step; the recording's first line can be taken.
+    /// Opens a session before its first step. The first line of the recording can be taken.
     ///
     /// # Errors
-    /// A scenario that is none, that cannot be simulated, or that is too large to be recorded.
+    /// A scenario that is invalid, cannot be simulated, or is too large to be recorded.
     pub fn open(source: Source) -> Result<Session, SessionError> {
         let writer = Writer::begin(&source).ok_or(SessionError::TooLarge)?;
         let scenario = source.scenario().map_err(|e| SessionError::Scenario(Box::new(e)))?;
@@ -125,7 +125,7 @@ impl Session {
             title: scenario.title,
             cast,
             branches: vec![first],
-            shown: 0,
+            current: 0,
             commands: 0,
             ticks: 0,
             checkpoints: Checkpoints::new(now.clone()),
@@ -135,7 +135,7 @@ impl Session {
         })
     }
 
-    /// Where it began.
+    /// The scenario with its files.
     #[must_use]
     pub fn source(&self) -> &Source {
         &self.source
@@ -147,13 +147,13 @@ impl Session {
         &self.title
     }
 
-    /// Who is who.
+    /// The roles of the vessels.
     #[must_use]
     pub fn cast(&self) -> &Cast {
         &self.cast
     }
 
-    /// The simulation as it is now.
+    /// The simulation in its present state.
     #[must_use]
     pub fn simulation(&self) -> &Simulation {
         &self.now.simulation
@@ -163,28 +163,28 @@ impl Session {
         &self.now
     }
 
-    /// Steps taken from the start to now.
+    /// Number of steps from the start to the present state.
     #[must_use]
     pub fn tick(&self) -> u64 {
         self.now.tick
     }
 
-    /// All branches, by their numbers.
+    /// All branches, by number.
     #[must_use]
     pub fn branches(&self) -> &[Branch] {
         &self.branches
     }
 
-    /// The branch that is shown.
+    /// Number of the current branch.
     #[must_use]
-    pub fn shown(&self) -> usize {
-        self.shown
+    pub fn current_branch(&self) -> usize {
+        self.current
     }
 
-    /// Is what is shown before the end of its branch?
+    /// True if the present tick is before the end of the current branch.
     #[must_use]
     pub fn is_rewound(&self) -> bool {
-        self.now.tick < self.branches[self.shown].ends_tick
+        self.now.tick < self.branches[self.current].ends_tick
     }
 
     /// The state's fingerprint, in hexadecimal.
@@ -193,11 +193,10 @@ impl Session {
         bits(&self.now.simulation)
     }
 
-    /// Carries a command out, from the next step on; the tick in which it counts. `at_ms` is for the recording
-    /// alone.
+    /// Carries out and records a command, which takes effect at the next step. Returns its tick. `at_ms` is only recorded.
     ///
     /// # Errors
-    /// Why it was refused; nothing is changed then.
+    /// Why the command was refused. Nothing is changed then.
     pub fn command(&mut self, who: &str, at_ms: u64, action: Action) -> Result<u64, Refusal> {
         if self.is_rewound() {
             return Err(Refusal::new(
@@ -205,15 +204,18 @@ impl Session {
             ));
         }
         if self.commands >= MOST_COMMANDS {
-            return Err(Refusal::new(format_args!("{MOST_COMMANDS} commands are enough")));
+            return Err(Refusal::new(format_args!(
+                "a session has at most {MOST_COMMANDS} commands"
+            )));
         }
-        let (branch, tick) = (self.shown, self.now.tick);
+        let (branch, tick) = (self.current, self.now.tick);
         let line =
             Line::Command { branch, tick, who: who.to_owned(), at_ms, action: action.clone() };
         let line = self.writer.prepare(&line).map_err(Refusal::new)?;
         let dropped = carry_out(&action, &self.cast, &mut self.now)?;
         if dropped {
-            let text = "manual control: the scenario's own orders to it are dropped".to_owned();
+            let text =
+                "manual control: the timed orders of the scenario to it are dropped".to_owned();
             self.events.push((self.now.simulation.time_s(), text));
         }
         self.commands += 1;
@@ -222,10 +224,10 @@ impl Session {
         Ok(tick)
     }
 
-    /// Takes one step: at the end of a branch with what hands have just ordered, before it with what is recorded.
+    /// Takes one step. While the session is rewound, the step repeats the recorded commands.
     ///
     /// # Errors
-    /// A run that blew up, or a session at its limits; it stays where it is.
+    /// The simulation failed, or the session has reached a limit. The session is unchanged then.
     pub fn step(&mut self) -> Result<(), StepError> {
         let rewound = self.is_rewound();
         if rewound {
@@ -241,7 +243,7 @@ impl Session {
             }
             return Ok(());
         }
-        let branch = self.shown;
+        let branch = self.current;
         self.branches[branch].ends_tick = tick;
         self.ticks += 1;
         if tick.is_multiple_of(MARKS) {
@@ -250,7 +252,7 @@ impl Session {
         Ok(())
     }
 
-    /// For one more tick.
+    /// Checks that the limits allow one more tick.
     fn has_room(&self) -> Result<(), Full> {
         if self.ticks >= MOST_TICKS {
             return Err(Full::Ticks);
@@ -258,22 +260,22 @@ impl Session {
         if self.writer.has_room() { Ok(()) } else { Err(Full::Bytes) }
     }
 
-    /// One step of the simulation, and what there was to see.
+    /// Takes one step of the simulation and keeps its contacts and events.
     fn advance(&mut self) -> Result<(), SimError> {
         let Now { simulation, seen, tick, .. } = &mut self.now;
         let t_s = simulation.time_s();
         seen.step(simulation)?;
         *tick += 1;
         self.events.extend(seen.events(simulation.setup()).map(|text| (t_s, text)));
-        let (segment, _) = self.segment(self.shown, self.now.tick);
+        let (segment, _) = self.segment(self.current, self.now.tick);
         self.checkpoints.offer(segment, self.now.tick, &self.now);
         Ok(())
     }
 
-    /// Gives the recorded commands of this tick again.
+    /// Carries out the recorded commands of this tick.
     pub(crate) fn apply_recorded(&mut self) {
         let at = self.now.tick;
-        let (segment, _) = self.segment(self.shown, at);
+        let (segment, _) = self.segment(self.current, at);
         let commands = &self.branches[segment].commands;
         let from = commands.partition_point(|(tick, _)| *tick < at);
         let own = commands[from..].iter().take_while(|(tick, _)| *tick == at);
@@ -283,8 +285,8 @@ impl Session {
         }
     }
 
-    /// The branch whose commands count at a tick of a branch: itself, or one that it comes from; and where that one
-    /// begins. What begins a branch counts in the branch.
+    /// The branch whose commands apply at a tick of `branch`, which is itself or one of its ancestors, and the first tick of
+    /// that branch. At its first tick a branch's own commands apply.
     fn segment(&self, branch: usize, tick: u64) -> (usize, u64) {
         let mut at = branch;
         loop {
@@ -296,12 +298,12 @@ impl Session {
         }
     }
 
-    /// Goes to a tick of the branch that is shown.
+    /// Goes to a tick of the current branch.
     ///
     /// # Errors
-    /// A tick beyond its end.
+    /// A tick beyond the end of the branch.
     pub fn rewind(&mut self, tick: u64) -> Result<(), Refusal> {
-        let ends_tick = self.branches[self.shown].ends_tick;
+        let ends_tick = self.branches[self.current].ends_tick;
         if tick > ends_tick {
             return Err(Refusal::new(format_args!(
                 "there is no tick {tick} yet: this branch ends at {ends_tick}"
@@ -312,7 +314,7 @@ impl Session {
         Ok(())
     }
 
-    /// Goes to a tick that the branch that is shown has; what is shown now may be of another.
+    /// Goes to a tick within the current branch, from the state of any branch.
     fn go_to(&mut self, tick: u64) {
         self.restore(tick);
         while self.now.tick < tick {
@@ -323,14 +325,14 @@ impl Session {
         }
     }
 
-    /// For a replay: begins to go to a tick that a branch has. What is missing is as many [`Session::step_again`] as
-    /// the session is before that tick, and at the end of the branch its commands there.
-    pub(crate) fn turn_to(&mut self, branch: usize, tick: u64) {
-        self.shown = branch;
+    /// For a replay: begins to go to a tick of a branch. The caller completes it with [`Session::step_again`] up to that tick,
+    /// and at the end of the branch with [`Session::apply_recorded`].
+    pub(crate) fn begin_to_go_to(&mut self, branch: usize, tick: u64) {
+        self.current = branch;
         self.restore(tick);
     }
 
-    /// Makes a step that was made before, without telling again what there was to see.
+    /// Repeats a step, without reporting its events again.
     pub(crate) fn step_again(&mut self) {
         let events = self.events.len();
         self.apply_recorded();
@@ -339,44 +341,45 @@ impl Session {
         self.events.truncate(events);
     }
 
-    /// Notes in the recording how far the branch that is shown has come, where it is at its end.
+    /// Records the present tick of the current branch and its fingerprint, if the session is at the end of the branch.
     pub fn mark(&mut self) {
         if !self.is_rewound() {
             let now = &self.now;
-            self.writer.mark(self.shown, now.tick, || bits(&now.simulation));
+            self.writer.mark(self.current, now.tick, || bits(&now.simulation));
         }
     }
 
-    /// Puts back the latest state that is kept on the way to a tick.
+    /// Restores the latest checkpoint at or before a tick of the current branch.
     fn restore(&mut self, tick: u64) {
-        let (mut to, mut at) = (tick, self.shown);
+        let (mut to, mut at) = (tick, self.current);
         loop {
             let (segment, from) = self.segment(at, to);
             if let Some((_, state)) = self.checkpoints.latest(segment, from, to) {
                 self.now = state.clone();
                 return;
             }
-            // None of this branch's own: its beginning is its parent's state before that tick's commands.
+            // The branch has no checkpoint: it begins with its parent's state before the commands of that tick.
             let Some(parent) = self.branches[segment].parent else {
-                unreachable!("the start of the first branch is kept for good")
+                unreachable!("the start of the first branch is never dropped")
             };
             (to, at) = (from, parent);
         }
     }
 
-    /// Goes on from here as a new branch, whose number is returned.
+    /// Begins a new branch at the present tick and returns its number.
     ///
     /// # Errors
-    /// There is nothing to leave: it is at the end of its branch; or there are too many branches, or the recording is
-    /// full.
+    /// The session is at the end of its branch, has too many branches, or the recording is full.
     pub fn branch(&mut self) -> Result<usize, Refusal> {
         if !self.is_rewound() {
             return Err(Refusal::new("the run is at its end: rewind it first"));
         }
         if self.branches.len() >= MOST_BRANCHES {
-            return Err(Refusal::new(format_args!("{MOST_BRANCHES} branches are enough")));
+            return Err(Refusal::new(format_args!(
+                "a session has at most {MOST_BRANCHES} branches"
+            )));
         }
-        let (id, parent, from_tick) = (self.branches.len(), self.shown, self.now.tick);
+        let (id, parent, from_tick) = (self.branches.len(), self.current, self.now.tick);
         let line = Line::Branch { id, parent, from_tick };
         let line = self.writer.prepare(&line).map_err(Refusal::new)?;
         self.writer.put(&line);
@@ -386,48 +389,48 @@ impl Session {
             ends_tick: from_tick,
             commands: Vec::new(),
         });
-        self.shown = id;
+        self.current = id;
         Ok(id)
     }
 
-    /// Shows another branch, at its end.
+    /// Goes to the end of another branch.
     ///
     /// # Errors
-    /// There is none of that number.
-    pub fn show(&mut self, branch: usize) -> Result<(), Refusal> {
+    /// There is no branch of that number.
+    pub fn go_to_branch(&mut self, branch: usize) -> Result<(), Refusal> {
         if branch >= self.branches.len() {
             return Err(Refusal::new(format_args!("there is no branch {branch}")));
         }
         self.mark();
-        self.shown = branch;
+        self.current = branch;
         self.go_to(self.branches[branch].ends_tick);
         Ok(())
     }
 
-    /// Lines for the recording since this was asked last, to be added to its file; the first ones begin it.
+    /// Takes the lines since the last call, to be appended to the recording's file.
     pub fn take_lines(&mut self) -> String {
         self.writer.take()
     }
 
-    /// The line that ends the recording after all that was taken and is to be taken: for its file when the session is
-    /// over, and for a copy at any time.
+    /// The line that would end the recording after all lines so far: for its file when the session is over, and for a copy at
+    /// any time.
     #[must_use]
     pub fn end_line(&self) -> String {
         self.writer.end_line()
     }
 
-    /// Length of the recording so far, without its end (bytes).
+    /// Length of the recording so far, without its last line (bytes).
     #[must_use]
     pub fn recorded_bytes(&self) -> u64 {
         self.writer.bytes()
     }
 
-    /// For a replay: what is recorded from here on goes on after lines that stand already.
+    /// For a replay: replaces the writer of the recording.
     pub(crate) fn record_with(&mut self, writer: Writer) {
         self.writer = writer;
     }
 
-    /// What happened since this was asked last: time (s) and text.
+    /// Takes the events since the last call: time (s) and text.
     pub fn take_events(&mut self) -> Vec<(f64, String)> {
         std::mem::take(&mut self.events)
     }
@@ -442,7 +445,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_session_at_its_limit_of_ticks_goes_on_no_more_and_can_be_rewound() {
+    fn a_session_at_its_limit_of_ticks_cannot_continue_but_can_be_rewound() {
         let text = include_str!("../../../scenarios/berth/alongside_with_two_tugs.toml");
         let none = |name: &str| Err(format!("{name}: none is needed"));
         let (source, _) =

@@ -1,26 +1,26 @@
-//! Where a session begins: a scenario with all that it names, as text.
+//! The start of a session: a scenario and the files that it names, as text.
 
 use std::collections::BTreeMap;
 
 use fenderline_scenario::{Override, Scenario, ScenarioError};
 use serde::{Deserialize, Serialize};
 
-/// A scenario that stands alone: its text and the texts of the files that it names. What a recording holds, so
-/// that it can be replayed when those files are gone or changed.
+/// A self-contained scenario: its text and the texts of the files that it names. A recording holds it, so that it can be
+/// replayed after those files have changed.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Source {
     /// Name of the scenario's file, without folders.
     pub file: String,
     /// The scenario.
     pub text: String,
-    /// Texts of the files that it names, by the names that stand in it.
+    /// Texts of the files that it names, by their names in the scenario.
     pub files: BTreeMap<String, String>,
-    /// Changes of keys, as `KEY=VALUE`.
+    /// Overrides of keys, as `KEY=VALUE`.
     pub set: Vec<String>,
 }
 
 impl Source {
-    /// Collects a scenario: `read` is from a name that stands in it to that file's text, or why there is none.
+    /// Collects a scenario. `read` returns the text of a file that the scenario names, or why it cannot be read.
     ///
     /// # Errors
     /// The first mistake in the scenario.
@@ -39,18 +39,21 @@ impl Source {
         Ok((Source { file: file.to_owned(), text, files, set }, scenario))
     }
 
-    /// The scenario.
+    /// Parses the scenario.
     ///
     /// # Errors
-    /// The first mistake in it, a file that it names and that is not among `files` for one.
+    /// The first mistake in it, such as a file that it names but that `files` lacks.
     pub fn scenario(&self) -> Result<Scenario, ScenarioError> {
         let overrides = overrides(&self.set)?;
         Scenario::parse_among(&self.text, &self.file, &overrides, &mut |name| {
-            self.files.get(name).cloned().ok_or_else(|| format!("{name}: the recording lacks it"))
+            self.files
+                .get(name)
+                .cloned()
+                .ok_or_else(|| format!("{name} is missing in the recording"))
         })
     }
 
-    /// What stands above the first key, without comment signs: what the scenario's author says of it.
+    /// The comment above the first key, without comment signs: the author's description of the scenario.
     #[must_use]
     pub fn leading_comment(text: &str) -> String {
         let lines = text.lines().skip_while(|line| line.trim().is_empty());

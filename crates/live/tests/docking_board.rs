@@ -1,5 +1,5 @@
-//! What the docking board says of a ship's ends, over a sweep of poses: from contacts and the berth, not from a
-//! distance alone.
+//! The docking board's report of each end of a ship over a sweep of poses: from contacts and the berth, not from distance
+//! alone.
 
 mod support;
 
@@ -8,10 +8,10 @@ use fenderline_live::{AlarmBook, Info, Session};
 
 /// The line of the fenders of the scenario is at this east coordinate (m), and the concrete 1.9 m behind it.
 const FENDERS_M: f64 = 28.5;
-/// The eight fenders are from −98 m to 42 m, 20 m apart: with her midship here her parallel side lies at them.
+/// Midship is here when her parallel side lies at the eight fenders, which are 20 m apart from −98 m to 42 m.
 const MIDDLE_M: f64 = 0.0;
 
-/// The ship at rest with her parallel side so far off the fenders, her midship at a place along the quay.
+/// The ship at rest: midship at `along_m` along the quay, her parallel side `off_m` off the fenders.
 fn lying(along_m: f64, off_m: f64, heading_deg: f64) -> Session {
     let half_beam_m = {
         let setup_of = support::harbour();
@@ -28,7 +28,7 @@ fn lying(along_m: f64, off_m: f64, heading_deg: f64) -> Session {
     )
 }
 
-/// A run as the server has it: alarms are noted every tick.
+/// A session with alarms that are updated every tick, as in the server.
 struct Run {
     session: Session,
     info: Info,
@@ -44,7 +44,7 @@ impl Run {
     fn step(&mut self) -> BerthNow {
         support::go(&mut self.session, 1);
         let causes = self.session.causes_for_alarm(&self.info);
-        self.book.note(causes, self.session.simulation().time_s());
+        self.book.update(causes, self.session.simulation().time_s());
         self.berth()
     }
 
@@ -55,7 +55,7 @@ impl Run {
 }
 
 #[test]
-fn the_board_says_what_each_end_is_at() {
+fn the_docking_board_reports_the_position_of_each_end() {
     use BerthEnd::{AtFenders, Off, OverRated, PastEnd, Structure};
     for (pose, along_m, off_m, heading_deg, bow, stern) in [
         ("off", MIDDLE_M, 10.0, 0.0, Off, Off),
@@ -72,7 +72,7 @@ fn the_board_says_what_each_end_is_at() {
     }
 }
 
-/// Until neither end says this any more.
+/// Steps until neither end reports this.
 fn until_over(run: &mut Run, what: BerthEnd) {
     for _ in 0..6000 {
         let now = run.berth();
@@ -85,27 +85,27 @@ fn until_over(run: &mut Run, what: BerthEnd) {
 }
 
 #[test]
-fn the_docking_board_said_green_with_steel_on_concrete() {
+fn a_hull_on_the_concrete_is_red_on_the_docking_board() {
     let mut run = Run::of(lying(MIDDLE_M, -2.0, 0.0));
     let now = run.step();
     assert!(now.bow_m < 0.0 && now.bow == BerthEnd::Structure, "{now:?}");
-    // She is pressed off the concrete; the fenders have failed, and stay so.
+    // She is pushed off the concrete; the fenders have failed and stay failed.
     until_over(&mut run, BerthEnd::Structure);
     let now = run.berth();
     assert_eq!((now.bow, now.stern), (BerthEnd::OverRated, BerthEnd::OverRated), "{now:?}");
 }
 
 #[test]
-fn a_touch_of_the_quay_stays_on_the_board_until_somebody_has_acknowledged_it() {
-    // Along the quay where no fender is.
+fn a_contact_with_the_quay_stays_on_the_board_until_it_is_acknowledged() {
+    // At a part of the quay without fenders.
     let mut run = Run::of(lying(190.0, -2.0, 0.0));
     let now = run.step();
     assert_eq!((now.bow, now.stern), (BerthEnd::Structure, BerthEnd::Structure), "{now:?}");
     until_over(&mut run, BerthEnd::Structure);
     let now = run.berth();
     assert_eq!((now.bow, now.stern), (BerthEnd::Touched, BerthEnd::Touched), "{now:?}");
-    let (key, told) = ("touch ship quay", run.book.told());
-    assert!(told.iter().any(|alarm| alarm.key == key && !alarm.stands), "{told:?}");
+    let (key, alarms) = ("touch ship quay", run.book.messages());
+    assert!(alarms.iter().any(|alarm| alarm.key == key && !alarm.stands), "{alarms:?}");
     run.book.acknowledge(key, &Role::Pilot).expect("a pilot acknowledges it");
     let now = run.berth();
     assert!(now.bow < BerthEnd::Touched && now.stern < BerthEnd::Touched, "{now:?}");

@@ -1,16 +1,16 @@
-//! The names in messages and orders are those of `web/src/protocol.ts`.
+//! Compares the names in messages and orders with `web/src/protocol.ts` and `web/src/orders.ts`.
 
 mod support;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use fenderline_live::message::{self, Hello, Role, RunState};
-use fenderline_live::{Alarm, AlarmBook, Conduct, Info, Level, Request, Session};
+use fenderline_live::{Alarm, AlarmBook, COMMAND_LIMITS, Conduct, Info, Level, Request, Session};
 use fenderline_sim::OrderName;
 use fenderline_sim::order::Argument;
 use serde_json::Value;
 
-/// The interfaces of the file: each name with its fields, and whether a field may be left out.
+/// The interfaces in the file: each name with its fields, and whether a field is optional.
 fn interfaces(text: &str) -> BTreeMap<String, Vec<(String, bool)>> {
     let mut all = BTreeMap::new();
     let mut rest = text;
@@ -34,7 +34,7 @@ fn interfaces(text: &str) -> BTreeMap<String, Vec<(String, bool)>> {
     all
 }
 
-/// The orders of the file with their fields.
+/// The orders in the file with their fields.
 fn orders(text: &str) -> BTreeMap<String, BTreeSet<String>> {
     let body = text.split("export interface Orders {").nth(1).expect("the orders");
     let body = body.split("\n}").next().expect("their end");
@@ -49,7 +49,7 @@ fn orders(text: &str) -> BTreeMap<String, BTreeSet<String>> {
     .collect()
 }
 
-/// The words of all commands of the file that are not orders.
+/// The words of all commands in the file that are not orders.
 fn other_commands(text: &str) -> BTreeSet<String> {
     let union = text.split("export type OtherAction =").nth(1).expect("the other commands");
     let union = union.split("export type Fault").next().expect("their end");
@@ -83,17 +83,17 @@ fn each<'v>(value: &'v Value, key: &str) -> impl Iterator<Item = &'v Value> {
     list.iter()
 }
 
-/// So that there is an alarm to be told.
+/// A cause, so that there is an alarm in the frame.
 fn cause() -> Alarm {
     let (key, text) = ("touch ship quay".into(), "ship touches quay".into());
     Alarm { level: Level::Alarm, key, text, about: vec!["ship".into(), "quay".into()] }
 }
 
-fn shown(session: &Session) -> (Value, Value) {
+fn messages(session: &Session) -> (Value, Value) {
     let info = Info::of(session.simulation().setup(), session.cast());
     let mut book = AlarmBook::default();
-    book.note(session.causes_for_alarm(&info), 1.0);
-    book.note(vec![cause()], 2.0);
+    book.update(session.causes_for_alarm(&info), 1.0);
+    book.update(vec![cause()], 2.0);
     let run = RunState { pace: 1.0, ..RunState::default() };
     let frame = message::text(&session.frame(&info, 7, run, &book));
     let events = [message::EventNow { t_s: 1.0, text: "x".into() }];
@@ -117,6 +117,7 @@ fn shown(session: &Session) -> (Value, Value) {
         lines: &info.lines,
         tugs: &info.tugs,
         orders: &info.orders,
+        limits: COMMAND_LIMITS,
         places: &info.places,
         mine: vec![],
         claims: &claims,
@@ -134,12 +135,13 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
     let text = protocol();
     let known = interfaces(&text);
     let mut session = support::harbour();
-    // Until she lies in her fenders: then there is something of everything.
+    // Until she lies at the fenders, so that every part of a frame is filled.
     support::go(&mut session, 21_000);
-    let (frame, hello) = shown(&session);
+    let (frame, hello) = messages(&session);
     assert_eq!((&frame["type"], &hello["type"]), (&"frame".into(), &"hello".into()));
     has_fields(&frame, "Frame", &known);
     has_fields(&hello, "Hello", &known);
+    has_fields(&hello["limits"], "CommandLimits", &known);
     has_fields(&frame["run"], "RunState", &known);
     for (key, name) in [
         ("vessels", "VesselNow"),
@@ -163,19 +165,19 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
     }
     let berth = &frame["vessels"][0]["berth"];
     has_fields(berth, "BerthNow", &known);
-    // Eight fenders hold her: compressed, and nearly at rest.
+    // Eight compressed fenders carry her, nearly at rest.
     assert!(berth["bow_m"].as_f64().is_some_and(|m| m < 0.0 && m > -1.0), "{berth}");
     let mut pressed = each(&frame, "fenders").filter_map(|fender| fender["reaction_n"].as_f64());
     assert!(pressed.any(|n| n > 0.0), "wind and lines press her on");
     assert_eq!(hello["role"], serde_json::json!({ "name": "tugmaster", "tug": "aft" }));
     assert_eq!(hello["claims"][1]["control"], serde_json::json!({ "tug": "forward" }));
-    for (told, name) in [
-        (message::Told::Ack { id: 1, tick: 2 }, "Ack"),
-        (message::Told::Refused { id: None, reason: "x".into() }, "Refused"),
-        (message::Told::Notice { text: "x".into() }, "Notice"),
+    for (reply, name) in [
+        (message::Reply::Ack { id: 1, tick: 2 }, "Ack"),
+        (message::Reply::Refused { id: None, reason: "x".into() }, "Refused"),
+        (message::Reply::Notice { text: "x".into() }, "Notice"),
         (session.prediction().expect("a ship").run(5.0, 1.0, || true), "Prediction"),
     ] {
-        let value: Value = serde_json::from_str(&message::text(&told)).expect("JSON");
+        let value: Value = serde_json::from_str(&message::text(&reply)).expect("JSON");
         has_fields(&value, name, &known);
         let first = &known[name][0];
         assert_eq!(first.0, "type");
@@ -198,7 +200,7 @@ fn the_orders_of_the_protocol_are_those_of_the_table_field_by_field() {
 }
 
 #[test]
-fn every_other_command_of_the_protocol_is_known_here_and_no_other_is() {
+fn the_other_commands_of_the_protocol_are_those_of_the_program() {
     let words = other_commands(&protocol());
     for word in &words {
         let text = format!(r#"{{"type":"command","id":1,"action":{{"do":"{word}"}}}}"#);
@@ -213,12 +215,12 @@ fn every_other_command_of_the_protocol_is_known_here_and_no_other_is() {
 }
 
 #[test]
-fn a_prediction_is_where_she_goes_if_nothing_is_ordered() {
+fn a_prediction_is_her_path_without_further_orders() {
     let mut session = support::harbour();
-    support::say(&mut session, support::rudder(0.2));
-    support::say(&mut session, support::engine(0.3));
+    support::command(&mut session, support::rudder(0.2));
+    support::command(&mut session, support::engine(0.3));
     support::go(&mut session, 50);
-    let message::Told::Prediction { tick, vessel, path } =
+    let message::Reply::Prediction { tick, vessel, path } =
         session.prediction().expect("a ship").run(60.0, 10.0, || true)
     else {
         panic!("a prediction")

@@ -8,19 +8,19 @@ use std::time::{Duration, Instant};
 
 use damage::{damaged, forged, objects, sealed};
 use fenderline_live::{Ending, RecordingFault, Session, copy_kept};
-use support::{engine, go, harbour, outline, replay, rudder, saved, say};
+use support::{command, engine, go, harbour, outline, replay, rudder, saved};
 
-/// What a damaged recording may take at most until it is refused.
+/// Longest time until a damaged recording is refused.
 const LONGEST: Duration = Duration::from_secs(10);
 
-/// A number from the environment, for longer attacks than those of every test.
+/// A number from an environment variable, for longer attacks.
 fn parameter(name: &str, default: u64) -> u64 {
     let text = std::env::var(name);
     text.map_or(default, |text| text.parse().unwrap_or_else(|e| panic!("{name}={text}: {e}")))
 }
 
-/// Some minutes with two branches, and commands by hands of several names.
-fn played() -> (Session, String) {
+/// A session of some minutes with two branches and commands of several people, and its recording.
+fn recorded() -> (Session, String) {
     let mut session = harbour();
     for turn in 0..12 {
         let who = if turn % 3 == 0 { "pilot 2" } else { "master of forward 3" };
@@ -31,21 +31,21 @@ fn played() -> (Session, String) {
     }
     session.rewind(123).expect("it is there");
     session.branch().expect("a branch");
-    say(&mut session, engine(-0.3));
+    command(&mut session, engine(-0.3));
     go(&mut session, 95);
     let text = saved(&mut session);
     (session, text)
 }
 
-/// The fault of a recording that is refused before anything is played.
+/// The fault of a recording that is refused before the replay.
 fn fault(text: &[u8]) -> (usize, RecordingFault) {
     let error = fenderline_live::Outline::read(text, |_| Ok(())).expect_err("it is refused");
     (error.line, error.fault)
 }
 
 #[test]
-fn a_recording_that_was_ended_is_whole_and_comes_to_the_same_bits() {
-    let (session, text) = played();
+fn an_ended_recording_is_complete_and_replays_to_the_same_bits() {
+    let (session, text) = recorded();
     let outline = outline(&text).expect("sound");
     assert_eq!(outline.ending, Ending::Whole);
     assert_eq!((outline.branches, outline.commands), (2, 13));
@@ -59,36 +59,36 @@ fn a_recording_that_was_ended_is_whole_and_comes_to_the_same_bits() {
 }
 
 #[test]
-fn a_torn_last_line_is_told_as_torn_and_dropped_and_the_session_goes_on() {
-    let (_, text) = played();
+fn a_torn_last_line_is_reported_and_dropped_and_the_session_continues() {
+    let (_, text) = recorded();
     let lines: Vec<&str> = text.split_inclusive('\n').collect();
     let all = lines.len();
-    // Within the line that ends it, and within the one before.
+    // Within the last line, and within the line before.
     for (torn, part) in [(all - 1, 1), (all - 1, 30), (all - 2, 1), (all - 2, 50)] {
         let kept: String = lines[..torn].concat();
         for part in [part, lines[torn].len() - 1] {
             let cut = kept.clone() + &lines[torn][..part];
-            let told = outline(&cut).expect("its lines are as they were written");
-            assert_eq!(told.ending, Ending::Torn { bytes: part as u64 });
-            assert_eq!(told.kept_bytes as usize, kept.len());
-            // What goes on after the lines that are kept is one recording with them.
+            let outline_of_cut = outline(&cut).expect("its whole lines are sound");
+            assert_eq!(outline_of_cut.ending, Ending::Torn { bytes: part as u64 });
+            assert_eq!(outline_of_cut.kept_bytes as usize, kept.len());
+            // The kept lines and the further lines are one recording.
             let mut again = replay(&cut).expect("the same bits").session;
             go(&mut again, 25);
             let mut more = Vec::new();
-            copy_kept(cut.as_bytes(), &told, &mut more).expect("copied");
+            copy_kept(cut.as_bytes(), &outline_of_cut, &mut more).expect("copied");
             assert_eq!(more, kept.as_bytes());
             let more = kept.clone() + &saved(&mut again);
             assert_eq!(outline(&more).expect("sound").ending, Ending::Whole);
             assert_eq!(replay(&more).expect("the same bits").session.bits(), again.bits());
         }
     }
-    // The first line is needed whole.
+    // The first line must be complete.
     assert_eq!(fault(&text.as_bytes()[..50]), (1, RecordingFault::NoRecording));
 }
 
 #[test]
-fn a_recording_whose_last_lines_are_gone_is_not_called_whole() {
-    let (_, text) = played();
+fn a_recording_without_its_last_lines_is_not_reported_as_complete() {
+    let (_, text) = recorded();
     let lines: Vec<&str> = text.split_inclusive('\n').collect();
     for count in 1..lines.len() {
         let cut: String = lines[..count].concat();
@@ -97,8 +97,8 @@ fn a_recording_whose_last_lines_are_gone_is_not_called_whole() {
 }
 
 #[test]
-fn a_bit_that_flips_in_a_title_a_name_or_a_time_is_found() {
-    let (_, text) = played();
+fn a_flipped_bit_in_a_title_a_name_or_a_time_is_detected() {
+    let (_, text) = recorded();
     for place in ["title = ", "\"who\":\"pilot", "\"at_ms\":17", "\"version\":\"", "\"file\":"] {
         let start = text.find(place).unwrap_or_else(|| panic!("{place} in {text}"));
         for at in start..start + place.len() {
@@ -113,10 +113,10 @@ fn a_bit_that_flips_in_a_title_a_name_or_a_time_is_found() {
 }
 
 /// `cargo test -p fenderline-live --test recordings damaged`, with `FENDERLINE_DAMAGED=100000` for more of them and
-/// `FENDERLINE_SEED=7` for others.
+/// `FENDERLINE_SEED=7` for other ones.
 #[test]
-fn of_a_thousand_damaged_recordings_none_is_called_sound() {
-    let (_, text) = played();
+fn a_thousand_damaged_recordings_are_all_detected() {
+    let (_, text) = recorded();
     let sound = text.as_bytes();
     let (count, first) = (parameter("FENDERLINE_DAMAGED", 1000), parameter("FENDERLINE_SEED", 1));
     let (mut refused, mut cut, mut slowest) = (0, 0, Duration::ZERO);
@@ -142,8 +142,8 @@ fn of_a_thousand_damaged_recordings_none_is_called_sound() {
 
 /// `FENDERLINE_FORGED=10000` for more of them.
 #[test]
-fn recordings_with_absurd_numbers_and_right_sums_are_refused_or_played_in_time() {
-    let (_, text) = played();
+fn recordings_with_absurd_numbers_and_correct_check_sums_are_refused_or_replayed_in_time() {
+    let (_, text) = recorded();
     let (count, first) = (parameter("FENDERLINE_FORGED", 60), parameter("FENDERLINE_SEED", 1));
     let (mut refused, mut slowest) = (0, Duration::ZERO);
     for seed in first..first + count {
@@ -156,7 +156,7 @@ fn recordings_with_absurd_numbers_and_right_sums_are_refused_or_played_in_time()
     assert!(slowest < LONGEST, "{slowest:?}");
 }
 
-/// A recording with other lines after the first one's.
+/// A recording with these lines after the first one.
 fn with_lines(lines: &[&str]) -> String {
     let header = objects(&harbour().take_lines()).remove(0);
     sealed([header.as_str()].into_iter().chain(lines.iter().copied()))
@@ -164,13 +164,13 @@ fn with_lines(lines: &[&str]) -> String {
 
 fn refused(lines: &[&str]) -> (usize, String) {
     match fault(with_lines(lines).as_bytes()) {
-        (line, RecordingFault::NotOurs(why)) => (line, why),
+        (line, RecordingFault::Invalid(why)) => (line, why),
         (line, other) => panic!("line {line}: {other}"),
     }
 }
 
 #[test]
-fn a_line_that_says_reached_at_a_far_tick_is_refused_before_anything_is_played() {
+fn a_reached_line_at_a_far_tick_is_refused_before_the_replay() {
     let reached =
         r#"{"line":"reached","branch":0,"tick":1000000000000000000,"bits":"0000000000000000"}"#;
     let (line, why) = refused(&[reached]);
@@ -185,8 +185,7 @@ fn a_line_that_says_reached_at_a_far_tick_is_refused_before_anything_is_played()
 }
 
 #[test]
-fn branches_from_far_ticks_and_two_hundred_thousand_branches_are_refused_before_anything_is_played()
-{
+fn branches_from_far_ticks_and_too_many_branches_are_refused_before_the_replay() {
     let far = r#"{"line":"branch","id":1,"parent":0,"from_tick":1000000000000000000}"#;
     assert!(refused(&[far]).1.contains("ends at tick 0"));
     let command = r#"{"line":"command","branch":0,"tick":1,"who":"","at_ms":0,"action":{"do":"hands","vessel":"ship"}}"#;
@@ -199,7 +198,7 @@ fn branches_from_far_ticks_and_two_hundred_thousand_branches_are_refused_before_
     let (line, why) = refused(&lines);
     assert!(line == 1002 && why.contains("more than 1000 branches"), "line {line}: {why}");
     assert!(start.elapsed() < LONGEST);
-    // Nor do branches come from nowhere, or out of turn.
+    // Likewise branches without a parent or with a wrong number.
     for bad in [
         r#"{"line":"branch","id":2,"parent":0,"from_tick":0}"#,
         r#"{"line":"branch","id":1,"parent":1,"from_tick":0}"#,
@@ -215,19 +214,19 @@ fn branches_from_far_ticks_and_two_hundred_thousand_branches_are_refused_before_
 }
 
 #[test]
-fn a_recording_that_somebody_forged_is_told_at_its_line() {
-    let (_, text) = played();
+fn a_forged_recording_is_refused_at_the_forged_line() {
+    let (_, text) = recorded();
     let forge = |from: &str, to: &str| {
         let objects: Vec<String> =
             objects(&text).iter().map(|object| object.replace(from, to)).collect();
         replay(&sealed(objects.iter().map(String::as_str)))
     };
     let why = forge("\"angle_rad\":0.25", "\"angle_rad\":0.35").expect_err("other bits");
-    assert!(why.contains("recorded at tick"), "{why}");
+    assert!(why.contains("but the recording has"), "{why}");
     let why = forge("\"vessel\":\"ship\"", "\"vessel\":\"shop\"").expect_err("no such ship");
     assert!(why.contains("line 2: there is no vessel `shop`"), "{why}");
     let why = forge("\"angle_rad\":", "\"angle\":").expect_err("no such field");
-    assert!(why.contains("line 2: no session says this"), "{why}");
+    assert!(why.contains("line 2: the line is invalid"), "{why}");
     let why = forge("\"fenderline_session\":3", "\"fenderline_session\":2").expect_err("old");
     assert!(why.contains("format 2, but this program reads 3"), "{why}");
     let more = text.clone() + "{}";
@@ -237,7 +236,7 @@ fn a_recording_that_somebody_forged_is_told_at_its_line() {
 }
 
 #[test]
-fn four_hands_for_fifteen_minutes_are_recorded_and_played_again() {
+fn four_users_for_fifteen_minutes_are_recorded_and_replayed() {
     let mut session = harbour();
     let mut text = String::new();
     // Thirty commands a second each, as the server permits.
@@ -263,19 +262,19 @@ fn four_hands_for_fifteen_minutes_are_recorded_and_played_again() {
 }
 
 #[test]
-fn a_session_that_was_shown_to_and_fro_is_played_without_going_to_and_fro() {
+fn changes_between_branches_are_not_repeated_in_a_replay() {
     let mut session = harbour();
     go(&mut session, 400);
     session.rewind(100).expect("it is there");
     session.branch().expect("a branch");
     go(&mut session, 300);
     for _ in 0..40 {
-        session.show(0).expect("it is there");
-        session.show(1).expect("it is there");
+        session.go_to_branch(0).expect("it is there");
+        session.go_to_branch(1).expect("it is there");
     }
     let text = saved(&mut session);
     let again = replay(&text).expect("the same bits");
     assert_eq!(again.session.bits(), session.bits());
-    assert_eq!((again.session.shown(), again.session.tick()), (1, 400));
+    assert_eq!((again.session.current_branch(), again.session.tick()), (1, 400));
     assert!(again.same > 100, "each mark was held against the state: {}", again.same);
 }

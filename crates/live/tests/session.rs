@@ -1,5 +1,4 @@
-//! The session against itself: replay, rewind and branches give the same bits; what cannot be is refused and
-//! changes none.
+//! Replay, rewind and branches give the same bits; a refused command changes nothing.
 
 mod support;
 
@@ -7,7 +6,7 @@ use fenderline_live::{Action, Fault, OtherAction, Request, Session};
 use fenderline_sim::OrderName;
 use fenderline_sim::order::{Lead, SidePlace, TugWord, TugWords};
 use proptest::prelude::*;
-use support::{engine, go, harbour, open, order, replay, rudder, saved, say};
+use support::{command, engine, go, harbour, open, order, replay, rudder, saved};
 
 fn commands() -> Vec<Action> {
     vec![
@@ -33,56 +32,56 @@ fn commands() -> Vec<Action> {
     ]
 }
 
-/// A pilot's words to a tug, at half her power.
+/// An order in words to a tug, at half her power.
 fn words(tug: &str, word: TugWord) -> Action {
     let (lead, place) = (Lead::default(), SidePlace::default());
     Action::tug(tug, TugWords { word, power: 0.5, lead, place })
 }
 
-/// What a hand may do to a session, drawn at random.
+/// A random command to a session.
 #[derive(Clone, Debug)]
-enum Deed {
-    Step(u64),
+enum UserAction {
+    Steps(u64),
     Command(usize),
     Rewind(f64),
     Branch,
     Show(usize),
 }
 
-fn deed() -> impl Strategy<Value = Deed> {
+fn user_action() -> impl Strategy<Value = UserAction> {
     prop_oneof![
-        4 => (1..180_u64).prop_map(Deed::Step),
-        4 => (0..commands().len()).prop_map(Deed::Command),
-        2 => (0.0..1.0).prop_map(Deed::Rewind),
-        1 => Just(Deed::Branch),
-        1 => (0..4_usize).prop_map(Deed::Show),
+        4 => (1..180_u64).prop_map(UserAction::Steps),
+        4 => (0..commands().len()).prop_map(UserAction::Command),
+        2 => (0.0..1.0).prop_map(UserAction::Rewind),
+        1 => Just(UserAction::Branch),
+        1 => (0..4_usize).prop_map(UserAction::Show),
     ]
 }
 
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
 
-    /// However it was played, a session's recording makes every branch's end again, bit for bit, and so does
-    /// scrubbing to and fro; a command that was refused leaves no trace.
+    /// The replay of any session gives the end of every branch, bit for bit, as does rewinding in any order. A refused
+    /// command leaves no trace.
     #[test]
-    fn a_session_replays_to_the_same_bits(deeds in prop::collection::vec(deed(), 1..40)) {
+    fn a_session_replays_to_the_same_bits(actions in prop::collection::vec(user_action(), 1..40)) {
         let mut session = harbour();
         let mut text = String::new();
-        for deed in deeds {
-            match deed {
-                Deed::Step(ticks) => go(&mut session, ticks),
-                Deed::Command(index) => {
+        for action in actions {
+            match action {
+                UserAction::Steps(ticks) => go(&mut session, ticks),
+                UserAction::Command(index) => {
                     let _ = session.command("test", 0, commands()[index].clone());
                 }
-                Deed::Rewind(share) => {
-                    let ends = session.branches()[session.shown()].ends_tick;
+                UserAction::Rewind(share) => {
+                    let ends = session.branches()[session.current_branch()].ends_tick;
                     session.rewind((share * ends as f64) as u64).expect("it is there");
                 }
-                Deed::Branch => {
+                UserAction::Branch => {
                     let _ = session.branch();
                 }
-                Deed::Show(branch) => {
-                    let _ = session.show(branch);
+                UserAction::Show(branch) => {
+                    let _ = session.go_to_branch(branch);
                 }
             }
             text += &session.take_lines();
@@ -91,8 +90,8 @@ proptest! {
         let mut again = replay(&text).expect("the same bits").session;
         prop_assert_eq!(again.branches().len(), session.branches().len());
         for branch in 0..session.branches().len() {
-            session.show(branch).expect("it is there");
-            again.show(branch).expect("it is there");
+            session.go_to_branch(branch).expect("it is there");
+            again.go_to_branch(branch).expect("it is there");
             let ends = again.branches()[branch].ends_tick;
             prop_assert_eq!(ends, session.branches()[branch].ends_tick);
             for tick in [ends, ends / 2, ends / 3, ends] {
@@ -101,10 +100,10 @@ proptest! {
                 prop_assert_eq!(again.bits(), session.bits(), "branch {} tick {}", branch, tick);
             }
         }
-        // And both go on alike: orders that wait in tugs and pilots are the same too. What is recorded then goes on
-        // where the first recording ended.
+        // Both continue alike, so delayed orders of tugs and states of pilots are equal too. The recording continues where the
+        // first one ended.
         for session in [&mut session, &mut again] {
-            session.show(0).expect("it is there");
+            session.go_to_branch(0).expect("it is there");
             go(session, 120);
         }
         prop_assert_eq!(again.bits(), session.bits());
@@ -117,7 +116,7 @@ proptest! {
 }
 
 proptest! {
-    /// Whatever a page says: it is read or refused.
+    /// Any message of a page is read or refused.
     #[test]
     fn no_text_is_too_strange_to_be_refused(text in ".{0,200}") {
         let _ = Request::parse(&text);
@@ -127,15 +126,15 @@ proptest! {
 }
 
 #[test]
-fn a_rewound_session_plays_what_is_recorded_and_comes_to_the_same_end() {
+fn a_rewound_session_replays_its_recording_to_the_same_end() {
     let mut session = harbour();
     let mut bits = Vec::new();
     for tick in 0..600 {
         if tick == 150 {
-            say(&mut session, rudder(0.4));
+            command(&mut session, rudder(0.4));
         }
         if tick == 300 {
-            say(&mut session, engine(-0.5));
+            command(&mut session, engine(-0.5));
         }
         bits.push(session.bits());
         go(&mut session, 1);
@@ -151,30 +150,30 @@ fn a_rewound_session_plays_what_is_recorded_and_comes_to_the_same_end() {
 }
 
 #[test]
-fn a_branch_goes_its_own_way_and_leaves_the_other_as_it_was() {
+fn a_new_branch_does_not_change_its_parent() {
     let mut session = harbour();
     go(&mut session, 200);
-    say(&mut session, rudder(0.5));
+    command(&mut session, rudder(0.5));
     go(&mut session, 400);
     let first_end = session.bits();
     assert!(session.branch().is_err(), "at its end there is nothing to leave");
     session.rewind(200).expect("it is there");
     assert!(session.command("test", 0, rudder(0.1)).is_err(), "nothing is ordered in the past");
     assert_eq!(session.branch(), Ok(1));
-    say(&mut session, rudder(-0.5));
+    command(&mut session, rudder(-0.5));
     go(&mut session, 400);
     assert_ne!(session.bits(), first_end);
     let second_end = session.bits();
-    session.show(0).expect("it is there");
+    session.go_to_branch(0).expect("it is there");
     assert_eq!(session.bits(), first_end);
-    session.show(1).expect("it is there");
+    session.go_to_branch(1).expect("it is there");
     assert_eq!(session.bits(), second_end);
-    assert!(session.show(2).is_err() && session.rewind(601).is_err());
+    assert!(session.go_to_branch(2).is_err() && session.rewind(601).is_err());
     assert_eq!(session.bits(), second_end);
 }
 
 #[test]
-fn what_cannot_be_is_refused_with_a_reason_and_changes_nothing() {
+fn an_impossible_command_is_refused_with_a_reason_and_changes_nothing() {
     let (mut bothered, mut left_alone) = (harbour(), harbour());
     go(&mut bothered, 30);
     go(&mut left_alone, 30);
@@ -259,17 +258,17 @@ fn what_cannot_be_is_refused_with_a_reason_and_changes_nothing() {
 }
 
 #[test]
-fn a_hand_on_a_control_takes_it_from_the_scenarios_own_orders_for_good() {
-    // At 90 s the scenario would put its station pilot on.
+fn a_manual_order_drops_the_timed_orders_of_the_scenario_to_that_control() {
+    // At 90 s the scenario would engage the station pilot.
     let mut session = harbour();
-    say(&mut session, rudder(0.0));
-    say(&mut session, engine(0.1));
+    command(&mut session, rudder(0.0));
+    command(&mut session, engine(0.1));
     go(&mut session, 1000);
     let vessel = &session.simulation().vessels()[0];
     assert!(vessel.pilots.station.is_none() && vessel.pilots.course.is_none());
     assert_eq!((vessel.orders.rudder_rad, vessel.orders.shaft), (0.0, 0.1));
     let texts: Vec<String> = session.take_events().into_iter().map(|(_, text)| text).collect();
-    assert!(texts.iter().any(|text| text.contains("own orders")), "{texts:?}");
+    assert!(texts.iter().any(|text| text.contains("timed orders")), "{texts:?}");
 }
 
 #[test]
@@ -278,24 +277,24 @@ fn a_tug_that_is_a_vessel_pulls_the_ship_off_on_her_line() {
     let towards_quay = |session: &Session| session.simulation().states()[0].velocity_mps.y;
     let mut left_alone = open("scenarios/live/berthing.toml", &["body.ship.velocity.surge=0"]);
     for tug in ["forward_tug", "after_tug"] {
-        say(&mut session, words(tug, TugWord::Pull));
+        command(&mut session, words(tug, TugWord::Pull));
     }
     go(&mut session, 1800);
     go(&mut left_alone, 1800);
     let [pulled, alone] = [&session, &left_alone].map(towards_quay);
-    // Some 600 kN for a good minute on 47,000 t and as much added mass is 0.4 m/s and more.
+    // Some 600 kN during more than a minute on 47,000 t and as much added mass give 0.4 m/s and more.
     assert!(pulled < alone - 0.3, "{pulled} beside {alone} m/s");
 }
 
 #[test]
-fn a_tug_is_not_ordered_by_hand_while_the_station_pilot_uses_her() {
+fn a_tug_takes_no_manual_orders_while_the_station_pilot_uses_her() {
     let mut session = harbour();
     go(&mut session, 1000);
     let push: Action =
         order(OrderName::Push, "aft").number("force", 1e5).number("direction", 1.5).into();
     let why = session.command("test", 0, push.clone()).expect_err("refused").to_string();
     assert!(why.contains("station"), "{why}");
-    say(&mut session, order(OrderName::Hands, "ship").into());
+    command(&mut session, order(OrderName::Hands, "ship").into());
     go(&mut session, 1);
-    say(&mut session, push);
+    command(&mut session, push);
 }

@@ -1,4 +1,4 @@
-//! Prints every kind of sentence, each after a line of JSON with what it has to say: `check.py` reads both.
+//! Prints sentences of every kind, after a line of JSON with their values: `check.py` compares the two.
 
 use fenderline_nautical::{
     GeoPoint, Instruments, Moment, PositionReport, Shaft, ShipData, ais_position, ais_ship_data,

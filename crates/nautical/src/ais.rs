@@ -1,4 +1,4 @@
-//! AIS: position reports and ship data, as bits in six-bit letters in sentences.
+//! AIS: position reports and ship data, encoded in six-bit characters in sentences.
 
 use core::f64::consts::TAU;
 
@@ -9,7 +9,7 @@ use crate::sentence::sentence;
 /// A position report (message 1).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PositionReport {
-    /// The ship's number, nine digits.
+    /// Maritime mobile service identity, nine digits.
     pub mmsi: u32,
     /// Navigational status: 0 under way with her engine, 5 moored, 8 under sail, 15 not defined.
     pub status: u8,
@@ -17,32 +17,32 @@ pub struct PositionReport {
     pub turn_radps: f64,
     /// Speed over ground (m/s).
     pub speed_mps: f64,
-    /// Place of her antenna.
+    /// Position of her antenna.
     pub place: GeoPoint,
     /// Course over ground (rad).
     pub course_rad: f64,
     /// Heading from true north (rad).
     pub heading_rad: f64,
-    /// Second of UTC's minute, 0 to 59.
+    /// Second of the minute in UTC, 0 to 59.
     pub second: u8,
-    /// State of her radio, 19 bits; what it says means nothing on a wire.
+    /// Radio status, 19 bits; without meaning where there is no radio.
     pub radio: u32,
 }
 
 /// Static and voyage data (message 5).
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShipData {
-    /// The ship's number, nine digits.
+    /// Maritime mobile service identity, nine digits.
     pub mmsi: u32,
     /// IMO number; 0: not available.
     pub imo: u32,
-    /// Up to 7 letters.
+    /// Up to 7 characters.
     pub call_sign: String,
-    /// Up to 20 letters; others than those of AIS become `?`.
+    /// Up to 20 characters; those that AIS does not have become `?`.
     pub name: String,
     /// Type of ship and cargo: 52 a tug, 70 a cargo ship, 80 a tanker.
     pub kind: u8,
-    /// From the antenna to bow, stern, port and starboard side (m).
+    /// Distances from the antenna to bow, stern, port and starboard side (m).
     pub extent_m: [f64; 4],
     /// Position fixing device: 1 GPS, 0 undefined.
     pub device: u8,
@@ -50,11 +50,11 @@ pub struct ShipData {
     pub arrival: (u8, u8, u8, u8),
     /// Draught (m).
     pub draught_m: f64,
-    /// Up to 20 letters.
+    /// Up to 20 characters.
     pub destination: String,
 }
 
-/// Bits of a message, most significant first.
+/// The bits of a message, most significant first.
 #[derive(Default)]
 struct Bits(Vec<bool>);
 
@@ -69,7 +69,7 @@ impl Bits {
         self.unsigned(value as u32, width);
     }
 
-    /// Letters of six bits: `@` to `_`, space to `?`; small ones as capitals, filled up with `@`.
+    /// Characters of six bits: `@` to `_`, space to `?`; lower case becomes upper case; padded with `@`.
     fn text(&mut self, text: &str, letters: usize) {
         let mut all = text.chars().map(|c| match c.to_ascii_uppercase() {
             c @ '@'..='_' => c as u32 - 64,
@@ -81,7 +81,7 @@ impl Bits {
         }
     }
 
-    /// In letters of a sentence, and how many bits of the last one mean nothing.
+    /// The bits as characters of a sentence, and the number of fill bits in the last one.
     fn armoured(&self) -> (String, usize) {
         let letter = |bits: &[bool]| {
             let value =
@@ -93,10 +93,10 @@ impl Bits {
     }
 }
 
-/// Letters in one sentence: 82 characters hold no more than 62.
+/// Payload characters per sentence: the limit of 82 characters leaves 62.
 const LETTERS: usize = 60;
 
-/// The sentences of a message: `AIVDM` of others, `AIVDO` of the own ship.
+/// The sentences of a message: `AIVDM` for other ships, `AIVDO` for the own ship.
 fn sentences(bits: &Bits, own: bool, channel: char, sequence: u8) -> Vec<String> {
     let (text, fill) = bits.armoured();
     let talker = if own { "AIVDO" } else { "AIVDM" };
@@ -112,20 +112,20 @@ fn sentences(bits: &Bits, own: bool, channel: char, sequence: u8) -> Vec<String>
     parts.map(part).collect()
 }
 
-/// A rate of turn as AIS has it: 4.733 √(°/min), its sign; at most 126.
+/// A rate of turn in AIS's form: 4.733 √|°/min| with the sign of the turn, at most ±126.
 fn turn(turn_radps: f64) -> i32 {
     let deg_per_min = 60.0 * turn_radps.to_degrees();
     let size = libm::fmin(libm::round(4.733 * libm::sqrt(deg_per_min.abs())), 126.0);
     (size as i32) * if deg_per_min < 0.0 { -1 } else { 1 }
 }
 
-/// An angle in units of a part of a degree, in [0, 360°).
+/// An angle in [0, 360°), in units of 1/`per_deg` degree.
 fn bearing(angle_rad: f64, per_deg: f64) -> u32 {
     let turned = libm::fmod(libm::fmod(angle_rad, TAU) + TAU, TAU).to_degrees();
     libm::fmod(libm::round(turned * per_deg), 360.0 * per_deg) as u32
 }
 
-/// A position report; `own`: of the ship that the instruments are on.
+/// The sentences of a position report; `own`: of the own ship.
 #[must_use]
 pub fn ais_position(of: &PositionReport, own: bool) -> Vec<String> {
     let mut bits = Bits::default();
@@ -142,13 +142,13 @@ pub fn ais_position(of: &PositionReport, own: bool) -> Vec<String> {
     bits.unsigned(bearing(of.course_rad, 10.0), 12);
     bits.unsigned(bearing(of.heading_rad, 1.0), 9);
     bits.unsigned(u32::from(of.second), 6);
-    // No special manoeuvre told, spare, no integrity monitoring.
+    // Special manoeuvre not available, spare, no integrity monitoring.
     bits.unsigned(0, 6);
     bits.unsigned(of.radio, 19);
     sentences(&bits, own, 'B', 0)
 }
 
-/// Static and voyage data; `sequence` ties its two sentences together and changes from message to message.
+/// The two sentences of static and voyage data. `sequence` links them and changes from message to message.
 #[must_use]
 pub fn ais_ship_data(of: &ShipData, own: bool, sequence: u8) -> Vec<String> {
     let mut bits = Bits::default();
@@ -173,7 +173,7 @@ pub fn ais_ship_data(of: &ShipData, own: bool, sequence: u8) -> Vec<String> {
     bits.unsigned(u32::from(minute), 6);
     bits.unsigned((libm::round(of.draught_m * 10.0) as u32).min(255), 8);
     bits.text(&of.destination, 20);
-    // Her terminal is ready; spare.
+    // Data terminal ready; spare.
     bits.unsigned(0, 2);
     sentences(&bits, own, 'A', sequence)
 }
@@ -182,10 +182,10 @@ pub fn ais_ship_data(of: &ShipData, own: bool, sequence: u8) -> Vec<String> {
 mod tests {
     use super::*;
 
-    /// The example of the AIVDM article of Wikipedia and of gpsd, with its decoded fields, held
-    /// against two parsers in `check.py`.
+    /// The example of the AIVDM article of Wikipedia and of gpsd, with its decoded fields. `check.py` reads the
+    /// sentences with two parsers.
     #[test]
-    fn a_published_position_report_comes_out_letter_by_letter() {
+    fn a_published_position_report_is_reproduced() {
         let report = PositionReport {
             mmsi: 477_553_000,
             status: 5,
@@ -202,11 +202,11 @@ mod tests {
     }
 
     #[test]
-    fn published_ship_data_come_out_letter_by_letter() {
+    fn published_ship_data_are_reproduced() {
         let data = ShipData {
             mmsi: 351_759_000,
             imo: 9_134_270,
-            // Whoever sent it filled up with spaces, where we do with `@`.
+            // The published message is padded with spaces, not with `@`.
             call_sign: "3FOF8  ".into(),
             name: format!("{:20}", "EVER DIADEM"),
             kind: 70,
@@ -223,7 +223,7 @@ mod tests {
     }
 
     #[test]
-    fn turns_are_those_of_the_formula_and_never_beyond_its_end() {
+    fn rates_of_turn_follow_the_formula_up_to_its_limit() {
         let at = |deg_per_min: f64| turn((deg_per_min / 60.0).to_radians());
         assert_eq!(
             (at(0.0), at(10.0), at(-10.0), at(5000.0), at(-5000.0)),

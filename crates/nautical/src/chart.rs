@@ -1,8 +1,8 @@
-//! Places on the earth for places in metres.
+//! Geographic positions from positions in metres.
 
 use core::fmt;
 
-/// A place on WGS 84.
+/// A position on WGS 84.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GeoPoint {
     /// North positive (°).
@@ -11,30 +11,30 @@ pub struct GeoPoint {
     pub longitude_deg: f64,
 }
 
-/// The place of a scenario's origin, with its axes north and east.
+/// The geographic position of a scenario's origin, with axes north and east.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChartOrigin {
     at: GeoPoint,
-    /// Metres in a degree of latitude and of longitude there.
+    /// Length of a degree of latitude and of longitude there (m).
     metres_per_deg: [f64; 2],
 }
 
-/// A place that is no origin of a chart.
+/// A position that cannot be a chart's origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutOfChart(pub GeoPoint);
 
 impl fmt::Display for OutOfChart {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let GeoPoint { latitude_deg, longitude_deg } = self.0;
-        // No degrees have so many digits: powers of ten then.
-        let shown = |deg: f64| match deg.abs() < 1e6 {
+        // Absurd values in powers of ten.
+        let text = |deg: f64| match deg.abs() < 1e6 {
             true => format!("{deg}"),
             false => format!("{deg:e}"),
         };
-        let [latitude_deg, longitude_deg] = [latitude_deg, longitude_deg].map(shown);
+        let [latitude_deg, longitude_deg] = [latitude_deg, longitude_deg].map(text);
         write!(
             f,
-            "{latitude_deg}, {longitude_deg} is no origin of a chart: latitude within 85 degrees, longitude within 180"
+            "{latitude_deg}, {longitude_deg} cannot be a chart's origin: latitude must be within 85 degrees, longitude within 180"
         )
     }
 }
@@ -46,10 +46,10 @@ const AXIS_M: f64 = 6_378_137.0;
 const FLATTENING: f64 = 1.0 / 298.257_223_563;
 
 impl ChartOrigin {
-    /// A scenario's origin at a place.
+    /// A scenario's origin at a position.
     ///
     /// # Errors
-    /// Beyond 85° of latitude, where a plane chart means little, or beyond 180° of longitude, or no number.
+    /// A latitude beyond 85°, where a plane chart is of little use, a longitude beyond 180°, or NaN.
     pub fn new(at: GeoPoint) -> Result<ChartOrigin, OutOfChart> {
         let good = at.latitude_deg.abs() <= 85.0 && at.longitude_deg.abs() <= 180.0;
         if !good {
@@ -66,8 +66,8 @@ impl ChartOrigin {
         Ok(ChartOrigin { at, metres_per_deg: [along_m * per_deg, across_m * cos * per_deg] })
     }
 
-    /// The place so many metres north and east of the origin, on the plane that touches the ellipsoid there: within a
-    /// metre 5 km off at middle latitudes.
+    /// The geographic position of a point north and east of the origin, on the plane tangent to the ellipsoid there. At
+    /// middle latitudes the error is below 1 m at 5 km.
     #[must_use]
     pub fn place(&self, north_m: f64, east_m: f64) -> GeoPoint {
         let latitude_deg = self.at.latitude_deg + north_m / self.metres_per_deg[0];
@@ -83,10 +83,9 @@ impl ChartOrigin {
 mod tests {
     use super::*;
 
-    /// Lengths of a degree on WGS 84 as tables have them (Wikipedia, "Latitude" and "Longitude"; recalled to the
-    /// metre): 110,574 and 111,320 m at the equator, 111,132 and 78,847 m at 45°, 111,412 and 55,800 m at 60°.
+    /// Published lengths of a degree on WGS 84 (Wikipedia, "Latitude" and "Longitude"; recalled to the metre): 110,574 and 111,320 m at the equator, 111,132 and 78,847 m at 45°, 111,412 and 55,800 m at 60°.
     #[test]
-    fn a_degree_is_as_long_as_tables_say() {
+    fn lengths_of_a_degree_match_published_ones() {
         for (latitude_deg, north_m, east_m) in
             [(0.0, 110_574.0, 111_320.0), (45.0, 111_132.0, 78_847.0), (60.0, 111_412.0, 55_800.0)]
         {
@@ -103,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn the_date_line_is_no_edge() {
+    fn longitudes_wrap_at_the_date_line() {
         let at = GeoPoint { latitude_deg: 0.0, longitude_deg: 179.999 };
         let place = ChartOrigin::new(at).expect("a place").place(0.0, 1000.0);
         assert!(place.longitude_deg < -179.99, "{place:?}");

@@ -1,4 +1,4 @@
-//! NMEA 0183: what the own ship's instruments say.
+//! NMEA 0183 sentences of the own ship's instruments.
 
 use core::f64::consts::TAU;
 
@@ -20,7 +20,7 @@ pub struct Moment {
 }
 
 impl Moment {
-    /// From seconds since the beginning of 1970, by the calendar of today (Hinnant's days-to-civil algorithm).
+    /// From seconds since the start of 1970, in the Gregorian calendar (Hinnant's days-to-civil algorithm).
     #[must_use]
     pub fn from_unix(seconds: f64) -> Moment {
         let days = libm::floor(seconds / 86_400.0);
@@ -53,25 +53,25 @@ pub struct Shaft {
 /// What the instruments of a ship measure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Instruments {
-    /// When.
+    /// Time of the measurements.
     pub at: Moment,
-    /// Place of the ship's antenna.
+    /// Position of the ship's antenna.
     pub place: GeoPoint,
     /// Heading from true north (rad).
     pub heading_rad: f64,
     /// Rate of turn, positive to starboard (rad/s).
     pub turn_radps: f64,
-    /// Ahead and to starboard over ground (m/s).
+    /// Velocity over ground, ahead and to starboard (m/s).
     pub ground_mps: [f64; 2],
-    /// Ahead and to starboard through the water (m/s).
+    /// Velocity through the water, ahead and to starboard (m/s).
     pub water_mps: [f64; 2],
-    /// At the stern, to starboard through the water and over ground (m/s).
+    /// Transverse velocity at the stern, to starboard, through the water and over ground (m/s).
     pub stern_mps: [f64; 2],
-    /// Wind over the deck: from where, clockwise from the bow (rad), and its speed (m/s).
+    /// Relative wind: direction it comes from, clockwise from the bow (rad), and speed (m/s).
     pub wind_over_deck: (f64, f64),
-    /// True wind: from where, clockwise from the bow (rad), and its speed (m/s).
+    /// True wind: direction it comes from, clockwise from the bow (rad), and speed (m/s).
     pub true_wind: (f64, f64),
-    /// Water under the transducer, and how far the keel is below it (m); `None` where the water is deep.
+    /// Depth of water below the transducer, and of the keel below it (m); `None` in deep water.
     pub depth_m: Option<(f64, f64)>,
     /// Rudder, positive to starboard (rad); `None` without one.
     pub rudder_rad: Option<f64>,
@@ -81,15 +81,15 @@ pub struct Instruments {
 
 const KNOT_MPS: f64 = NAUTICAL_MILE_M / 3600.0;
 
-/// Sentences HDT, ROT, RMC, VTG, VBW, MWV (relative and true), DPT, RSA and RPM, each with its end.
+/// The sentences HDT, ROT, RMC, VTG, VBW, MWV (relative and true), DPT, RSA and RPM, with line ends.
 ///
-/// Talkers: `HE` a gyro compass, `TI` a rate-of-turn indicator, `GP` a satellite receiver, `VW` a log, `WI` weather
-/// instruments, `SD` a depth sounder, `AG` a rudder, `ER` an engine room.
+/// Talkers: `HE` gyro compass, `TI` rate-of-turn indicator, `GP` satellite receiver, `VW` log, `WI` weather instruments,
+/// `SD` depth sounder, `AG` rudder, `ER` engine room.
 #[must_use]
 pub fn instruments(of: &Instruments) -> Vec<String> {
     let [ahead_mps, across_mps] = of.ground_mps;
     let speed_kn = libm::hypot(ahead_mps, across_mps) / KNOT_MPS;
-    // Of a ship that lies still the course over ground is no number; instruments show her heading.
+    // A ship at rest has no course over ground; instruments show her heading.
     let drift_rad = if speed_kn > 0.01 { libm::atan2(across_mps, ahead_mps) } else { 0.0 };
     let heading_deg = degrees(of.heading_rad, 1);
     let course_deg = degrees(of.heading_rad + drift_rad, 1);
@@ -112,7 +112,7 @@ pub fn instruments(of: &Instruments) -> Vec<String> {
         all.push(sentence('$', &format!("AGRSA,{:.1},A,,V", rudder_rad.to_degrees())));
     }
     for shaft in &of.shafts {
-        // No pitch: 100 % of a fixed one.
+        // Fixed pitch: 100 %.
         let body = format!("ERRPM,S,{},{:.1},100.0,A", shaft.number, 60.0 * shaft.rps);
         all.push(sentence('$', &body));
     }
@@ -126,9 +126,9 @@ fn degrees(angle_rad: f64, decimals: i32) -> f64 {
     libm::fmod(libm::round(turned * scale), 360.0 * scale) / scale
 }
 
-/// Degrees and minutes, with a letter for the side: `4807.03800,N`.
+/// Degrees and minutes with the hemisphere: `4807.03800,N`.
 fn angle(value_deg: f64, width: usize, sides: [char; 2]) -> String {
-    // In units of the last digit, so that minutes never round up to 60.
+    // In units of the last digit, so that minutes are never rounded to 60.
     let units = libm::round(value_deg.abs() * 60.0 * 1e5) as u64;
     let (minutes, rest) = (units / 100_000, units % 100_000);
     let side = if value_deg < 0.0 { sides[1] } else { sides[0] };
@@ -173,9 +173,9 @@ fn mwv((from_rad, speed_mps): (f64, f64), reference: char) -> String {
 mod tests {
     use super::*;
 
-    /// A thousand million seconds were celebrated on 9 September 2001 at 01:46:40.
+    /// Unix time 1,000,000,000 is 9 September 2001, 01:46:40.
     #[test]
-    fn the_calendar_is_todays() {
+    fn dates_from_unix_time() {
         let of = |seconds| {
             let Moment { year, month, day, seconds } = Moment::from_unix(seconds);
             (year, month, day, seconds)
@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn places_are_degrees_and_minutes_that_never_come_to_sixty() {
+    fn minutes_of_a_position_are_never_rounded_to_sixty() {
         assert_eq!(angle(48.1173, 2, ['N', 'S']), "4807.03800,N");
         assert_eq!(angle(-11.516_666_67, 3, ['E', 'W']), "01131.00000,W");
         assert_eq!(angle(9.999_999_99, 3, ['E', 'W']), "01000.00000,E");

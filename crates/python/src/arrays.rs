@@ -27,13 +27,13 @@ impl Shared {
         self.0.clone_ref(py)
     }
 
-    /// What is in it now, handed to `read`.
+    /// Calls `read` with the current values.
     pub(crate) fn read<T>(&self, py: Python<'_>, read: impl FnOnce(&[f64]) -> T) -> PyResult<T> {
         let array: PyReadonlyArray2<'_, f64> = self.0.bind(py).try_readonly()?;
         Ok(read(array.as_slice()?))
     }
 
-    /// Its memory, handed to `write`.
+    /// Calls `write` with the memory.
     pub(crate) fn write(&self, py: Python<'_>, write: impl FnOnce(&mut [f64])) -> PyResult<()> {
         let mut array = self.0.bind(py).try_readwrite()?;
         write(array.as_slice_mut()?);
@@ -41,21 +41,21 @@ impl Shared {
     }
 }
 
-/// An array that Python only reads.
-pub(crate) struct Shown {
+/// An array that is read-only for Python.
+pub(crate) struct ReadOnly {
     own: Shared,
     view: Py<PyAny>,
 }
 
-impl Shown {
-    /// Zeros of a shape; rows and columns of the memory are those of its first and all other axes.
-    pub(crate) fn zeros(py: Python<'_>, rows: usize, others: &[usize]) -> PyResult<Shown> {
+impl ReadOnly {
+    /// Zeros. The view has a first axis of `rows` and the `others`; the memory has two axes.
+    pub(crate) fn zeros(py: Python<'_>, rows: usize, others: &[usize]) -> PyResult<ReadOnly> {
         let own = Shared::zeros(py, rows, others.iter().product());
         let mut shape = vec![rows];
         shape.extend_from_slice(others);
         let view = own.0.bind(py).call_method1("reshape", (shape,))?.call_method0("view")?;
         view.getattr("flags")?.setattr("writeable", false)?;
-        Ok(Shown { own, view: view.unbind() })
+        Ok(ReadOnly { own, view: view.unbind() })
     }
 
     /// The view for Python.
@@ -106,11 +106,11 @@ pub(crate) fn write_wrenches(wrenches: &[Wrench], into: &mut [f64]) {
     }
 }
 
-/// Python may have given an array of ours another shape.
+/// Python can change an array's shape.
 fn check_length(numbers: &[f64], wanted: usize) -> PyResult<()> {
     if numbers.len() == wanted {
         return Ok(());
     }
     let found = numbers.len();
-    Err(PyValueError::new_err(format!("the array has {found} numbers where {wanted} should be")))
+    Err(PyValueError::new_err(format!("the array has {found} numbers, not {wanted}")))
 }

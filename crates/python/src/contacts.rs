@@ -95,7 +95,7 @@ pub(crate) fn contact_type(py: Python<'_>) -> PyResult<&Bound<'_, PyAny>> {
     Ok(made.bind(py))
 }
 
-/// Contacts as a structured array of their own.
+/// Contacts as a new structured array.
 pub(crate) fn contacts_array<'py>(
     py: Python<'py>,
     contacts: &[Contact],

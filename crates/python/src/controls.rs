@@ -1,5 +1,5 @@
-//! Controls: each a number that holds until it is set again. Here they only get their names; orders and limits are those
-//! of the table in `fenderline_sim`.
+//! Controls: numbers that hold until they are set again. Only their names are defined here; orders and limits come from
+//! the table in `fenderline_sim`.
 
 use fenderline_sim::order::{Arguments, OrderName, Target, Value};
 use fenderline_sim::{Order, OrderError, Setup};
@@ -55,7 +55,7 @@ pub(crate) fn controls(setup: &Setup) -> Vec<Control> {
 }
 
 impl Control {
-    /// The least and the greatest value.
+    /// The smallest and the largest value.
     pub(crate) fn limits(&self) -> [f64; 2] {
         match self.kind {
             Kind::Argument { order, argument, .. } => order.limits(argument),

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
 use crate::arrays::{
-    STATE, Shared, Shown, WRENCH, read_states, read_wrenches, write_states, write_wrenches,
+    ReadOnly, STATE, Shared, WRENCH, read_states, read_wrenches, write_states, write_wrenches,
 };
 use crate::contacts::{StepEvent, contact_event, contacts_array};
 use crate::errors;
@@ -18,10 +18,10 @@ use crate::scenario::Scenario;
 /// The contact engine for a simulator that moves its own bodies: write `states` and, where there are any, `loads`,
 /// call `step`, add `wrenches` to your forces.
 ///
-/// `method` is `"coupled"` or `"paper"` (the scenario's where not given). `host="direct"` shows the states of the
-/// step's beginning and tells its loads; `coriolis` then says whose a body's Coriolis terms are, `"engine"` or
-/// `"loads"`. `host="cosimulation"` moves its bodies with the wrenches by `integration` (`"semi_implicit"` or
-/// `"forward_euler"`), may show states that are `delay_steps` old, and need not tell loads.
+/// `method` is `"coupled"` or `"paper"`; by default the scenario's. With `host="direct"` you give the states at the
+/// start of each step and all loads; `coriolis` says whether the `"engine"` adds the Coriolis terms or your `"loads"`
+/// include them. With `host="cosimulation"` you move the bodies with the wrenches by `integration` (`"semi_implicit"`
+/// or `"forward_euler"`); states may be `delay_steps` old, and loads need not be given.
 ///
 /// >>> import fenderline
 /// >>> tug_at_speed = fenderline.example("tug_4kn").with_set({"contact.method": "coupled"})
@@ -40,9 +40,9 @@ pub(crate) struct Engine {
     uses_loads: bool,
     states: Shared,
     loads: Shared,
-    wrenches: Shown,
-    peak_wrenches: Shown,
-    states_after: Shown,
+    wrenches: ReadOnly,
+    peak_wrenches: ReadOnly,
+    states_after: ReadOnly,
     /// Buffers of a step.
     state_rows: Vec<BodyState>,
     load_rows: Vec<Wrench>,
@@ -68,19 +68,19 @@ impl Engine {
             None => None,
             Some("coupled") => Some(Method::Coupled),
             Some("paper") => Some(Method::Paper),
-            Some(other) => return Err(no_choice("method", other, "coupled, paper")),
+            Some(other) => return Err(unknown_choice("method", other, "coupled, paper")),
         };
         let coriolis = match coriolis {
             None => None,
             Some("engine") => Some(CoriolisTerms::ByEngine),
             Some("loads") => Some(CoriolisTerms::InLoads),
-            Some(other) => return Err(no_choice("coriolis", other, "engine, loads")),
+            Some(other) => return Err(unknown_choice("coriolis", other, "engine, loads")),
         };
         let integration = match integration {
             "semi_implicit" => HostIntegration::SemiImplicit,
             "forward_euler" => HostIntegration::ForwardEuler,
             other => {
-                return Err(no_choice("integration", other, "semi_implicit, forward_euler"));
+                return Err(unknown_choice("integration", other, "semi_implicit, forward_euler"));
             }
         };
         let host = match host {
@@ -94,7 +94,7 @@ impl Engine {
             "cosimulation" => {
                 return Err(PyValueError::new_err("coriolis is for host=\"direct\""));
             }
-            other => return Err(no_choice("host", other, "direct, cosimulation")),
+            other => return Err(unknown_choice("host", other, "direct, cosimulation")),
         };
         let settings = Settings { method, host };
         let checked = (*scenario.checked).clone();
@@ -103,9 +103,9 @@ impl Engine {
         Engine::around(py, engine)
     }
 
-    /// One step of `step_s` seconds from `states`, under `loads` where `uses_loads`: fills `wrenches`, and
-    /// `states_after` where the engine moves the bodies. Steps may be of any lengths; in one of 0 s, a pause, nothing
-    /// goes on.
+    /// Takes a step of `step_s` seconds from `states`, with `loads` if `uses_loads`: fills `wrenches`, and
+    /// `states_after` where the engine moves the bodies. Steps may have any length; a step of 0 s is a pause and changes
+    /// nothing.
     fn step(&mut self, py: Python<'_>, step_s: f64) -> PyResult<()> {
         let Engine { engine, state_rows, load_rows, .. } = self;
         self.states.read(py, |numbers| read_states(numbers, state_rows))??;
@@ -120,29 +120,29 @@ impl Engine {
         self.show(py)
     }
 
-    /// Says that you have put the body of a name where `states` has it in the next step, rather than moved it there:
-    /// its contacts start afresh, and where it lies within another one it is pressed out slowly (event `placed_in_overlap`).
+    /// Marks a body, by its name, as teleported: its next state is a new position, not the result of motion. Its contacts
+    /// start anew, and out of another body it is pressed slowly (event `placed_in_overlap`).
     fn mark_teleported(&mut self, py: Python<'_>, body: &str) -> PyResult<()> {
         let Engine { engine, .. } = self;
         let placed = engine.body_named(body).and_then(|index| engine.mark_teleported(index));
         placed.map_err(|error| errors::of_engine(py, &error))
     }
 
-    /// States that the next step begins from, one row a body: north and east (m), heading (rad), velocity north
-    /// and east (m/s), rate of turn (rad/s). Write into it.
+    /// States at the start of the next step, one row per body: north and east (m), heading (rad), velocity north and
+    /// east (m/s), rate of turn (rad/s). Write into it.
     #[getter]
     fn states(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.states.array(py)
     }
 
-    /// All that acts on each body besides contact, one row a body: force north and east (N), moment about the
-    /// centre of gravity (N·m). Write into it; it counts where `uses_loads`.
+    /// Loads on each body other than contact, one row per body: force north and east (N), moment about the centre of
+    /// gravity (N·m). Write into it; used if `uses_loads` is true.
     #[getter]
     fn loads(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.loads.array(py)
     }
 
-    /// Whether `loads` is told to the engine in each step.
+    /// Whether each step uses `loads`.
     #[getter]
     fn uses_loads(&self) -> bool {
         self.uses_loads
@@ -151,35 +151,35 @@ impl Engine {
     #[setter]
     fn set_uses_loads(&mut self, py: Python<'_>, uses_loads: bool) -> PyResult<()> {
         if uses_loads && self.engine.method() == Method::Paper {
-            let error = EngineError::NotAvailable("the paper's method knows no loads");
+            let error = EngineError::NotAvailable("the paper's method has no loads");
             return Err(errors::of_engine(py, &error));
         }
         if !uses_loads {
-            let untold = self.engine.set_loads(None);
-            untold.map_err(|error| errors::of_engine(py, &error))?;
+            let unset = self.engine.set_loads(None);
+            unset.map_err(|error| errors::of_engine(py, &error))?;
         }
         self.uses_loads = uses_loads;
         Ok(())
     }
 
-    /// What to add to each body's forces for the step: force north and east (N), moment (N·m); means over the step.
-    /// Read-only, and filled anew by each step.
+    /// The wrench to add to each body's forces for the step: force north and east (N), moment (N·m); means over the
+    /// step. Read-only; each step overwrites it.
     #[getter]
     fn wrenches(&self, py: Python<'_>) -> Py<PyAny> {
         self.wrenches.view(py)
     }
 
-    /// The greatest contact wrench on each body within the step, in rows as `wrenches`: size fenders by it, and move the
-    /// bodies by `wrenches`, which are means over the step. `contacts["peak_normal_force_n"]` has that of each contact.
-    /// Read-only, and filled anew by each step.
+    /// The largest contact wrench on each body within the step, in rows as `wrenches`. Use it to size fenders; move the
+    /// bodies by `wrenches`, which are means over the step. `contacts["peak_normal_force_n"]` has the peak of each
+    /// contact. Read-only; each step overwrites it.
     #[getter]
     fn peak_wrenches(&self, py: Python<'_>) -> Py<PyAny> {
         self.peak_wrenches.view(py)
     }
 
-    /// Where the engine brought the bodies by the end of the step, in rows as `states`. Read-only, filled anew by
-    /// each step. By the coupled method for a host of the present. Velocities are those of half a step before its end (of
-    /// half of the last sub-step, where contacts needed several): show them again as they are.
+    /// The engine's states at the end of the step, in rows as `states`; for a direct host with the coupled method. As in
+    /// a leapfrog scheme, velocities are half a step older (half of the last sub-step, where contacts needed several):
+    /// pass them back unchanged. Read-only; each step overwrites it.
     #[getter]
     fn states_after(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
         if self.engine.method() == Method::Coupled
@@ -187,23 +187,23 @@ impl Engine {
         {
             return Ok(self.states_after.view(py));
         }
-        let why = "the host moves the bodies itself: there are no states after";
+        let why = "there are no states after a step: the host moves the bodies itself";
         Err(errors::of_engine(py, &EngineError::NotAvailable(why)))
     }
 
-    /// The touching patches of the last step: a structured array of its own.
+    /// The contact patches of the last step, as a new structured array.
     #[getter]
     fn contacts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let results = self.engine.results().map_err(|error| errors::of_engine(py, &error))?;
         contacts_array(py, results.contacts)
     }
 
-    /// What happened in the last step.
+    /// The events of the last step.
     #[getter]
     fn events(&self, py: Python<'_>) -> PyResult<Vec<StepEvent>> {
         let results = self.engine.results().map_err(|error| errors::of_engine(py, &error))?;
-        let told = |event| contact_event(event, &self.bodies, &self.fenders);
-        Ok(results.events.iter().map(told).collect())
+        let named = |event| contact_event(event, &self.bodies, &self.fenders);
+        Ok(results.events.iter().map(named).collect())
     }
 
     /// Names of the bodies, in the order of the rows.
@@ -212,7 +212,7 @@ impl Engine {
         self.bodies.clone()
     }
 
-    /// Names of the fenders; `contacts["fender"]` counts them.
+    /// Names of the fenders; `contacts["fender"]` is an index into them.
     #[getter]
     fn fenders(&self) -> Vec<String> {
         self.fenders.clone()
@@ -227,7 +227,7 @@ impl Engine {
         }
     }
 
-    /// The scenario's notices, and what of the scenario is left to the host.
+    /// The scenario's notices, and the parts of the scenario that are left to the host.
     #[getter]
     fn notices(&self) -> Vec<String> {
         self.engine.notices().to_vec()
@@ -240,7 +240,7 @@ impl Engine {
         bodies.map(|body| body.mobility == Mobility::Fixed).collect()
     }
 
-    /// Forgets all that happened; states are the scenario's again.
+    /// Returns to the start: forgets contacts and loads; states are the scenario's again.
     fn reset(&mut self, py: Python<'_>) -> PyResult<()> {
         self.engine.reset();
         self.states.write(py, |rows| write_states(self.engine.initial_states(), rows))?;
@@ -249,9 +249,9 @@ impl Engine {
         self.states_after.write(py, |rows| write_states(self.engine.initial_states(), rows))
     }
 
-    /// All that can change, as bytes.
+    /// Everything that can change, as bytes.
     fn save<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
-        // What was written into the arrays since the last step is saved too.
+        // Values written into the arrays since the last step are saved too.
         let Engine { engine, state_rows, load_rows, .. } = self;
         self.states.read(py, |numbers| read_states(numbers, state_rows))??;
         let refused = |error: EngineError| errors::of_engine(py, &error);
@@ -263,21 +263,21 @@ impl Engine {
         Ok(PyBytes::new(py, &engine.save()))
     }
 
-    /// Becomes what `save` saved, of an engine of the same scenario and settings. Any bytes may be given.
+    /// Restores what `save` saved from an engine of the same scenario and settings. Any bytes may be given.
     fn restore(&mut self, py: Python<'_>, saved: &[u8]) -> PyResult<()> {
         self.engine.restore(saved).map_err(|error| errors::of_engine(py, &error))?;
         self.uses_loads = self.engine.loads().is_some();
-        self.follow(py)
+        self.show_all(py)
     }
 
-    /// Another engine that goes on from here.
+    /// A copy that continues independently.
     fn copy(&mut self, py: Python<'_>) -> PyResult<Engine> {
         let saved = self.save(py)?;
         let mut engine = self.engine.clone();
         engine.restore(saved.as_bytes()).map_err(|error| errors::of_engine(py, &error))?;
         let mut copy = Engine::around(py, engine)?;
         copy.uses_loads = self.uses_loads;
-        copy.follow(py)?;
+        copy.show_all(py)?;
         Ok(copy)
     }
 
@@ -300,14 +300,14 @@ impl Engine {
         let bodies: Vec<String> = model.bodies().iter().map(|body| body.name.clone()).collect();
         let fenders = model.fenders().iter().map(|fender| fender.name.clone()).collect();
         let count = bodies.len();
-        let present = matches!(engine.host(), Host::Direct { .. });
+        let direct = matches!(engine.host(), Host::Direct { .. });
         let made = Engine {
-            uses_loads: present && engine.method() == Method::Coupled,
+            uses_loads: direct && engine.method() == Method::Coupled,
             states: Shared::zeros(py, count, STATE),
             loads: Shared::zeros(py, count, WRENCH),
-            wrenches: Shown::zeros(py, count, &[WRENCH])?,
-            peak_wrenches: Shown::zeros(py, count, &[WRENCH])?,
-            states_after: Shown::zeros(py, count, &[STATE])?,
+            wrenches: ReadOnly::zeros(py, count, &[WRENCH])?,
+            peak_wrenches: ReadOnly::zeros(py, count, &[WRENCH])?,
+            states_after: ReadOnly::zeros(py, count, &[STATE])?,
             state_rows: engine.initial_states().to_vec(),
             load_rows: vec![Wrench::default(); count],
             engine,
@@ -319,7 +319,7 @@ impl Engine {
         Ok(made)
     }
 
-    /// Shows the results of the last step.
+    /// Copies the results of the last step into the arrays.
     fn show(&self, py: Python<'_>) -> PyResult<()> {
         let Ok(results) = self.engine.results() else {
             self.peak_wrenches.write(py, |rows| rows.fill(0.0))?;
@@ -330,8 +330,8 @@ impl Engine {
         self.states_after.write(py, |rows| write_states(results.states_after, rows))
     }
 
-    /// Shows states, loads and results of the engine.
-    fn follow(&self, py: Python<'_>) -> PyResult<()> {
+    /// Copies states, loads and results of the engine into the arrays.
+    fn show_all(&self, py: Python<'_>) -> PyResult<()> {
         self.states.write(py, |rows| write_states(self.engine.states(), rows))?;
         self.loads.write(py, |rows| match self.engine.loads() {
             Some(loads) => write_wrenches(loads, rows),
@@ -341,11 +341,11 @@ impl Engine {
     }
 }
 
-fn no_choice(what: &str, given: &str, known: &str) -> PyErr {
-    PyValueError::new_err(format!("{what} is {given:?}: there are {known}"))
+fn unknown_choice(what: &str, given: &str, known: &str) -> PyErr {
+    PyValueError::new_err(format!("{what} is {given:?}, but must be one of: {known}"))
 }
 
-/// Seconds that so many steps of a copy of an engine take without Python: for the bench.
+/// Time that `count` steps of a copy of an engine take without Python (s): for the bench.
 #[pyfunction]
 pub(crate) fn seconds_of_steps(engine: &Engine, step_s: f64, count: u64) -> PyResult<f64> {
     let mut own = engine.engine.clone();

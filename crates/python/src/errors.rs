@@ -1,4 +1,4 @@
-//! Mistakes as Python's exceptions: the classes of `fenderline._errors`.
+//! Errors as Python exceptions: the classes of `fenderline._errors`.
 
 use fenderline_embed::EngineError;
 use fenderline_scenario::{LoadError, Place, ScenarioError};
@@ -30,7 +30,7 @@ pub(crate) fn of_scenario(py: Python<'_>, error: &ScenarioError) -> PyErr {
     filled.map_or_else(|error: PyErr| error, |()| exception)
 }
 
-/// A file that cannot be read, or what is wrong in it.
+/// A file that cannot be read, or an error in it.
 pub(crate) fn of_load(py: Python<'_>, error: &LoadError) -> PyErr {
     match error {
         LoadError::Refused(error) => of_scenario(py, error),
@@ -48,7 +48,7 @@ pub(crate) fn of_engine(py: Python<'_>, error: &EngineError) -> PyErr {
     exception(py, "EngineError", error.to_string())
 }
 
-/// A run that blew up.
+/// A failed step of a simulation.
 pub(crate) fn of_simulation(py: Python<'_>, error: &SimError) -> PyErr {
     exception(py, "SimulationError", error.to_string())
 }

@@ -5,7 +5,7 @@ use numpy::PyArray2;
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 
-use crate::arrays::{STATE, Shared, Shown, write_states};
+use crate::arrays::{ReadOnly, STATE, Shared, write_states};
 use crate::errors;
 use crate::parallel;
 use crate::run::Run;
@@ -28,11 +28,11 @@ pub(crate) struct Fleet {
     runs: Vec<Run>,
     threads: usize,
     controls: Shared,
-    states: Shown,
-    times: Shown,
-    energy_shares: Shown,
-    reactions: Shown,
-    failed: Shown,
+    states: ReadOnly,
+    times: ReadOnly,
+    energy_shares: ReadOnly,
+    reactions: ReadOnly,
+    failed: ReadOnly,
 }
 
 #[pymethods]
@@ -48,16 +48,16 @@ impl Fleet {
         let sets = variants::read(variants)?;
         let common = Common::of(scenario);
         let threads = parallel::threads(Some(threads));
-        let runs = made(py, &common, threads, &sets)?;
+        let runs = new_runs(py, &common, threads, &sets)?;
         let (count, setup) = (runs.len(), &common.base.setup);
         let (bodies, fenders) = (setup.bodies.len(), setup.fenders.len());
         let fleet = Fleet {
             controls: Shared::zeros(py, count, common.controls.len()),
-            states: Shown::zeros(py, count, &[bodies, STATE])?,
-            times: Shown::zeros(py, count, &[])?,
-            energy_shares: Shown::zeros(py, count, &[fenders])?,
-            reactions: Shown::zeros(py, count, &[fenders])?,
-            failed: Shown::zeros(py, count, &[fenders])?,
+            states: ReadOnly::zeros(py, count, &[bodies, STATE])?,
+            times: ReadOnly::zeros(py, count, &[])?,
+            energy_shares: ReadOnly::zeros(py, count, &[fenders])?,
+            reactions: ReadOnly::zeros(py, count, &[fenders])?,
+            failed: ReadOnly::zeros(py, count, &[fenders])?,
             common,
             runs,
             threads,
@@ -113,7 +113,7 @@ impl Fleet {
         if sets.len() != indices.len() {
             return Err(PyValueError::new_err("the numbers of variants and indices differ"));
         }
-        let runs = made(py, &self.common, self.threads, &sets)?;
+        let runs = new_runs(py, &self.common, self.threads, &sets)?;
         for (&index, run) in indices.iter().zip(runs) {
             self.runs[index] = run;
         }
@@ -132,33 +132,32 @@ impl Fleet {
         self.controls.array(py)
     }
 
-    /// States now, (simulations, bodies, 6), as `Simulation.states`. Read-only, and filled anew by each step.
+    /// Current states, (simulations, bodies, 6), as `Simulation.states`. Read-only; each step overwrites it.
     #[getter]
     fn states(&self, py: Python<'_>) -> Py<PyAny> {
         self.states.view(py)
     }
 
-    /// Time of each simulation (s). Read-only, and filled anew by each step.
+    /// Time of each simulation (s). Read-only; each step overwrites it.
     #[getter]
     fn times_s(&self, py: Python<'_>) -> Py<PyAny> {
         self.times.view(py)
     }
 
-    /// Largest energy that each fender has stored so far over what it is rated for, (simulations, fenders); NaN
-    /// without a rating. Read-only, and filled anew by each step.
+    /// Largest energy that each fender has stored so far over its rated energy, (simulations, fenders); NaN without a
+    /// rating. Read-only; each step overwrites it.
     #[getter]
     fn fender_energy_shares(&self, py: Python<'_>) -> Py<PyAny> {
         self.energy_shares.view(py)
     }
 
-    /// Reaction of each fender in the last step (N), (simulations, fenders). Read-only, and filled anew by each step.
+    /// Reaction of each fender in the last step (N), (simulations, fenders). Read-only; each step overwrites it.
     #[getter]
     fn fender_reactions_n(&self, py: Python<'_>) -> Py<PyAny> {
         self.reactions.view(py)
     }
 
-    /// 1 where a fender was pressed beyond its travel, (simulations, fenders). Read-only, and filled anew by each
-    /// step.
+    /// 1 where a fender was deflected beyond its travel, (simulations, fenders). Read-only; each step overwrites it.
     #[getter]
     fn fenders_failed(&self, py: Python<'_>) -> Py<PyAny> {
         self.failed.view(py)
@@ -197,8 +196,8 @@ impl Fleet {
     }
 }
 
-/// A run of each variant.
-fn made(
+/// Starts a run of each variant.
+fn new_runs(
     py: Python<'_>,
     common: &Common,
     threads: usize,

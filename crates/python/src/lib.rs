@@ -1,11 +1,10 @@
-//! The engine and the simulator for Python: the module `fenderline._native`. What Python sees is documented in
-//! `python/fenderline/_native.pyi`, the package around it is in `python/fenderline`.
+//! The engine and the simulator for Python: the module `fenderline._native`. The package around it is in
+//! `python/fenderline`, with types in `_native.pyi`.
 //!
-//! Users' mistakes are exceptions of `fenderline._errors`; our own mistakes panic, which PyO3 makes an exception
-//! too. Memory that Python sees is NumPy's own (`arrays`), so that nothing can outlive it and no `unsafe` is
-//! needed.
+//! Mistakes of users are exceptions of `fenderline._errors`; bugs panic, which PyO3 turns into exceptions too. NumPy
+//! owns all memory that Python sees (`arrays`), so that no array outlives it and no `unsafe` is needed.
 #![forbid(unsafe_code)]
-#![allow(missing_docs, reason = "private items; Python's documentation stands on the classes")]
+#![allow(missing_docs, reason = "private items; the classes have the documentation for Python")]
 
 mod arrays;
 mod contacts;

@@ -1,4 +1,4 @@
-//! Many runs at a time.
+//! Many runs in parallel.
 
 use fenderline_contact::BodyState;
 use fenderline_sim::SimError;
@@ -9,20 +9,20 @@ use crate::arrays::{STATE, write_states};
 use crate::errors;
 use crate::parallel;
 use crate::scenario::Scenario;
-use crate::summaries::{Summary, fenders_table, pairs_table};
+use crate::summaries::{Summary, all_tables};
 use crate::tables;
 use crate::variants::{self, Common, NoRun};
 
-/// Runs between two looks at whether the user wants to stop.
+/// Runs between two checks for an interrupt by the user.
 const RUNS_AT_A_TIME: usize = 1000;
 
 enum Failed {
     NoRun(NoRun),
-    BlewUp(SimError),
+    Step(SimError),
 }
 
-/// Runs every variant of a scenario to its end, on some threads (all of the machine where nothing is said): final
-/// states (runs, bodies, 6) and the results' tables `pairs` and `fenders`. For any number of threads the same bits.
+/// Runs every variant of a scenario to its end, on `threads` threads (by default all of the machine). Returns the final
+/// states (runs, bodies, 6) and the tables `pairs` and `fenders`. The bits do not depend on the number of threads.
 #[pyfunction]
 #[pyo3(signature = (scenario, variants, threads=None))]
 pub(crate) fn run_variants<'py>(
@@ -36,7 +36,7 @@ pub(crate) fn run_variants<'py>(
     let one = |index: usize| -> Result<(Vec<BodyState>, Summary), Failed> {
         let mut run = common.run(&sets[index]).map_err(Failed::NoRun)?;
         while !run.simulation.is_done() {
-            run.step().map_err(Failed::BlewUp)?;
+            run.step().map_err(Failed::Step)?;
         }
         Ok((run.simulation.states().to_vec(), Summary::of(&run.simulation)))
     };
@@ -54,15 +54,13 @@ pub(crate) fn run_variants<'py>(
     for (index, done) in done.into_iter().enumerate() {
         let (last, summary) = done.map_err(|failed| match failed {
             Failed::NoRun(error) => variants::exception(py, index, &error),
-            Failed::BlewUp(error) => {
-                variants::numbered(py, index, errors::of_simulation(py, &error))
-            }
+            Failed::Step(error) => variants::numbered(py, index, errors::of_simulation(py, &error)),
         })?;
         write_states(&last, &mut states[index * bodies * STATE..][..bodies * STATE]);
         summaries.push(summary);
     }
     let states = PyArray1::from_vec(py, states).reshape([sets.len(), bodies, STATE])?.into_any();
     let setup = &common.base.setup;
-    let kept = vec![pairs_table(setup, &summaries), fenders_table(setup, &summaries)];
+    let kept = all_tables(setup, &summaries);
     Ok((states, tables::results(py, &common.base.title, kept)?))
 }

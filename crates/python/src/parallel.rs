@@ -1,17 +1,17 @@
-//! Many pieces of work on some threads; the results in the order of the pieces, whoever did them.
+//! Work in parallel, with results in the order of the items, whichever thread computed them.
 
 use std::num::NonZero;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-/// As many threads as the machine runs at a time, where nobody says otherwise; at least one.
-pub(crate) fn threads(asked: Option<usize>) -> usize {
+/// The number of threads given, else that of the machine; at least one.
+pub(crate) fn threads(given: Option<usize>) -> usize {
     let all = || thread::available_parallelism().map_or(1, NonZero::get);
-    asked.unwrap_or_else(all).max(1)
+    given.unwrap_or_else(all).max(1)
 }
 
-/// Does `work` for each index below `count`.
+/// Runs `work` for each index below `count`.
 pub(crate) fn each<T: Send>(
     count: usize,
     threads: usize,
@@ -21,7 +21,7 @@ pub(crate) fn each<T: Send>(
         return (0..count).map(work).collect();
     }
     let next = AtomicUsize::new(0);
-    // One index at a time: runs differ in length.
+    // One index at a time, as runs differ in length.
     let worker = || {
         let mut done = Vec::new();
         loop {
@@ -42,10 +42,10 @@ pub(crate) fn each<T: Send>(
             }
         }
     });
-    results.into_iter().map(|result| result.expect("every index was done once")).collect()
+    results.into_iter().map(|result| result.expect("each index is taken once")).collect()
 }
 
-/// Does `work` for each item, each in its own place.
+/// Runs `work` for each item in place.
 pub(crate) fn each_mut<I: Send, T: Send>(
     items: &mut [I],
     threads: usize,
@@ -54,11 +54,11 @@ pub(crate) fn each_mut<I: Send, T: Send>(
     if threads == 1 || items.len() < 2 {
         return items.iter_mut().enumerate().map(|(index, item)| work(index, item)).collect();
     }
-    // A few pieces a thread, as they take different times.
+    // A few pieces per thread, as they take different times.
     let size = items.len().div_ceil(4 * threads);
     let pieces: Vec<Mutex<&mut [I]>> = items.chunks_mut(size).map(Mutex::new).collect();
     let done = each(pieces.len(), threads, |piece| {
-        let mut own = pieces[piece].lock().expect("no piece is done twice");
+        let mut own = pieces[piece].lock().expect("each piece is locked once");
         let numbers = piece * size..;
         own.iter_mut().zip(numbers).map(|(item, index)| work(index, item)).collect::<Vec<T>>()
     });

@@ -19,7 +19,7 @@ pub(crate) struct Run {
 /// The reason why a run cannot start.
 pub(crate) enum CannotRun {
     Setup(SetupError),
-    /// The scenario asks other programs for forces.
+    /// The scenario has providers: programs that compute forces.
     Providers,
 }
 
@@ -66,7 +66,8 @@ impl Run {
             }
             *set = value;
             let order = control.order(value, at_s, self.simulation.setup());
-            let order = order.expect("the controls are the set-up's and within their limits");
+            let order =
+                order.expect("the controls belong to the set-up and are within their limits");
             self.simulation.order(order).expect("an order that was checked");
         }
     }

@@ -9,10 +9,10 @@ use pyo3::types::{PyDict, PyString};
 
 use crate::errors;
 
-/// A checked scenario. It does not change: `with_set` gives another one.
+/// A checked scenario. It is immutable: `with_set` returns another one.
 ///
-/// Made with `Scenario.load(path)`, `Scenario.parse(text)` or `Scenario.from_tree(tree)`. Keys are replaced as the
-/// program's `--set` does, by a dictionary from dotted paths or by texts `KEY=VALUE`.
+/// Made with `Scenario.load(path)`, `Scenario.parse(text)` or `Scenario.from_tree(tree)`. `set` replaces keys as the
+/// program's `--set` does: a dictionary from dotted paths to values, or texts `KEY=VALUE`.
 ///
 /// >>> import fenderline
 /// >>> scenario = fenderline.example("tug_4kn").with_set({"time.step": "0.05 s"})
@@ -27,18 +27,18 @@ pub(crate) struct Scenario {
     pub(crate) checked: Arc<scenario::Scenario>,
 }
 
-/// What a scenario was made of.
+/// The source of a scenario.
 #[derive(Clone, Debug)]
 pub(crate) struct Source {
     text: Arc<str>,
     name: String,
-    /// Where the files lie that it names.
+    /// Folder of the files that it names.
     folder: Option<PathBuf>,
     overrides: Vec<Override>,
 }
 
 impl Source {
-    /// Reads it with more overrides.
+    /// Reads the scenario with more overrides.
     pub(crate) fn check(&self, more: &[Override]) -> Result<scenario::Scenario, ScenarioError> {
         let mut overrides = self.overrides.clone();
         overrides.extend_from_slice(more);
@@ -46,14 +46,16 @@ impl Source {
             .folder
         {
             Some(folder) => read_text(&folder.join(file)),
-            None => Err(format!("{file}: this text has no folder, no other file can be read")),
+            None => Err(format!(
+                "{file}: the scenario's text has no folder, so no other file can be read"
+            )),
         })
     }
 }
 
 #[pymethods]
 impl Scenario {
-    /// Reads and checks the scenario file at a path; `set` replaces keys of it.
+    /// Reads and checks a scenario file; `set` replaces keys.
     #[staticmethod]
     #[pyo3(signature = (path, set=None))]
     fn load(py: Python<'_>, path: PathBuf, set: Option<&Bound<'_, PyAny>>) -> PyResult<Scenario> {
@@ -64,7 +66,7 @@ impl Scenario {
         Scenario::of(py, text, name, Some(folder), set)
     }
 
-    /// Checks the text of a scenario; `folder` is where the files lie that it names.
+    /// Checks the text of a scenario; `folder` has the files that it names.
     #[staticmethod]
     #[pyo3(signature = (text, name="scenario.toml", folder=None, set=None))]
     fn parse(
@@ -77,7 +79,7 @@ impl Scenario {
         Scenario::of(py, text, name.to_owned(), folder, set)
     }
 
-    /// Checks a scenario that is a tree of dictionaries, as `tree` gives it.
+    /// Checks a scenario given as a tree of dictionaries, as `tree` returns it.
     #[staticmethod]
     #[pyo3(signature = (tree, name="tree", folder=None, set=None))]
     fn from_tree(
@@ -98,8 +100,7 @@ impl Scenario {
         Scenario::checked(py, source)
     }
 
-    /// The scenario as a tree of dictionaries, replaced keys in their places; edit it, and make another
-    /// scenario with `from_tree`.
+    /// The scenario as a tree of dictionaries, with replaced keys; edit it, and make another scenario with `from_tree`.
     fn tree<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let set = self.source.overrides.iter().map(|set| (set.path().to_vec(), set.value_text()));
         let set: Vec<(Vec<String>, &str)> = set.collect();
@@ -107,7 +108,7 @@ impl Scenario {
         module.getattr("tree")?.call1((&*self.source.text, set))
     }
 
-    /// The text of the file, without the keys replaced.
+    /// The text of the file, without replaced keys.
     #[getter]
     fn text(&self) -> &str {
         &self.source.text
@@ -125,7 +126,7 @@ impl Scenario {
         &self.checked.title
     }
 
-    /// What was put right or looks unintended, one line each.
+    /// Notices of corrections and likely mistakes, one line each.
     #[getter]
     fn notices(&self) -> Vec<String> {
         self.checked.notices.iter().map(ToString::to_string).collect()
@@ -137,19 +138,19 @@ impl Scenario {
         self.checked.setup.step_s
     }
 
-    /// Length of the run (s).
+    /// Duration of the run (s).
     #[getter]
     fn duration_s(&self) -> f64 {
         self.checked.setup.duration_s
     }
 
-    /// Names of the bodies, in the order of all arrays that have one row a body.
+    /// Names of the bodies, in the order of all arrays with one row per body.
     #[getter]
     pub(crate) fn bodies(&self) -> Vec<String> {
         self.checked.setup.bodies.iter().map(|body| body.name.clone()).collect()
     }
 
-    /// Names of the fenders, in the order of all arrays that have one entry a fender.
+    /// Names of the fenders, in the order of all arrays with one entry per fender.
     #[getter]
     pub(crate) fn fenders(&self) -> Vec<String> {
         self.checked.setup.fenders.iter().map(|fender| fender.name.clone()).collect()
@@ -194,7 +195,7 @@ pub(crate) fn overrides(py: Python<'_>, set: &Bound<'_, PyAny>) -> PyResult<Vec<
         .collect()
 }
 
-/// A value as the scenario reader takes it: a text as it is, everything else as TOML.
+/// A value for the scenario reader: texts unchanged, everything else as TOML.
 fn value_text(value: &Bound<'_, PyAny>) -> PyResult<String> {
     if value.is_instance_of::<PyString>() {
         return value.extract();

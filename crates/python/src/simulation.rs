@@ -10,13 +10,13 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::arrays::{STATE, Shared, Shown, WRENCH, read_wrenches, write_states, write_wrenches};
+use crate::arrays::{ReadOnly, STATE, Shared, WRENCH, read_wrenches, write_states, write_wrenches};
 use crate::contacts::{StepEvent, contact_event, contacts_array, world_event};
 use crate::controls::controls;
 use crate::errors;
 use crate::run::{CannotRun, Run};
 use crate::scenario::{Scenario, toml_of};
-use crate::summaries::{Summary, fenders_table, pairs_table};
+use crate::summaries::{Summary, all_tables};
 use crate::tables;
 
 /// Steps between two checks for an interrupt by the user.
@@ -42,8 +42,8 @@ pub(crate) struct Simulation {
     controls: Py<PyArray1<f64>>,
     external_wrenches: Shared,
     external_rows: Vec<Wrench>,
-    states: Shown,
-    wrenches: Shown,
+    states: ReadOnly,
+    wrenches: ReadOnly,
 }
 
 /// A saved state of a simulation: see `Simulation.save`.
@@ -94,7 +94,7 @@ impl Simulation {
     /// Takes `steps` steps with the current controls and external wrenches.
     #[pyo3(signature = (steps=1))]
     fn step(&mut self, py: Python<'_>, steps: u64) -> PyResult<()> {
-        self.take_in(py)?;
+        self.read_inputs(py)?;
         self.events.clear();
         let mut left = steps;
         while left > 0 {
@@ -198,29 +198,29 @@ impl Simulation {
         self.controls.clone_ref(py)
     }
 
-    /// What the host puts on each body, one row a body: force north and east (N), moment about the centre of gravity
-    /// (N·m). Write into it; it acts until it is changed.
+    /// Further forces on each body, one row per body: force north and east (N), moment about the centre of gravity (N·m).
+    /// Write into it; they act until they are changed.
     #[getter]
     fn external_wrenches(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.external_wrenches.array(py)
     }
 
-    /// States now, one row a body: north and east (m), heading (rad), velocity north and east (m/s), rate of turn
-    /// (rad/s). Read-only, and filled anew by each step. By the coupled method with the integrator `semi_implicit`
-    /// velocities are those of half a step ago (of half of the last sub-step, where contacts needed several).
+    /// Current states, one row per body: north and east (m), heading (rad), velocity north and east (m/s), rate of turn
+    /// (rad/s). With the coupled method and the integrator `semi_implicit`, velocities are half a step older (half of the
+    /// last sub-step, where contacts needed several). Read-only; each step overwrites it.
     #[getter]
     fn states(&self, py: Python<'_>) -> Py<PyAny> {
         self.states.view(py)
     }
 
-    /// Contact wrenches of the last step, one row a body: force north and east (N), moment (N·m). Read-only, and
-    /// filled anew by each step.
+    /// Contact wrenches of the last step, one row per body: force north and east (N), moment (N·m). Read-only; each step
+    /// overwrites it.
     #[getter]
     fn wrenches(&self, py: Python<'_>) -> Py<PyAny> {
         self.wrenches.view(py)
     }
 
-    /// The touching patches of the last step: a structured array of its own.
+    /// The contact patches of the last step, as a new structured array.
     #[getter]
     fn contacts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         contacts_array(py, self.run.simulation.contacts())
@@ -232,7 +232,7 @@ impl Simulation {
         self.events.clone()
     }
 
-    /// The energy ledger now (J).
+    /// The current energy ledger (J).
     #[getter]
     fn energy<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let e = self.run.simulation.energy();
@@ -260,13 +260,19 @@ impl Simulation {
         Ok(dict)
     }
 
-    /// Summaries of each pair of bodies and of each fender that touched: two tables.
+    /// The verdict on the run so far: the worst of the findings in `summary()["findings"]`, such as `all_well`,
+    /// `fender_over_rated` or `structure_struck`.
+    #[getter]
+    fn verdict(&self) -> &'static str {
+        self.run.simulation.verdict().key()
+    }
+
+    /// Summaries of the run so far: tables `pairs`, `fenders`, `verdicts` and `findings`.
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let simulation = &self.run.simulation;
         let summary = [Summary::of(simulation)];
         let setup = simulation.setup();
-        let kept = vec![pairs_table(setup, &summary), fenders_table(setup, &summary)];
-        tables::results(py, &self.title, kept)
+        tables::results(py, &self.title, all_tables(setup, &summary))
     }
 
     /// Ends the recording and returns its tables: those of `fenderline run`, with the same numbers.
@@ -327,14 +333,14 @@ impl Simulation {
 
 /// The reason why steps failed.
 enum Stopped {
-    BlewUp(fenderline_sim::SimError),
+    Step(fenderline_sim::SimError),
     NotFinite(fenderline_results::NotFinite),
 }
 
 impl Stopped {
     fn exception(&self, py: Python<'_>) -> PyErr {
         match self {
-            Stopped::BlewUp(error) => errors::of_simulation(py, error),
+            Stopped::Step(error) => errors::of_simulation(py, error),
             Stopped::NotFinite(error) => errors::refused(py, error.to_string()),
         }
     }
@@ -359,15 +365,15 @@ impl Simulation {
             controls,
             external_wrenches: Shared::zeros(py, count, WRENCH),
             external_rows: vec![Wrench::default(); count],
-            states: Shown::zeros(py, count, &[STATE])?,
-            wrenches: Shown::zeros(py, count, &[WRENCH])?,
+            states: ReadOnly::zeros(py, count, &[STATE])?,
+            wrenches: ReadOnly::zeros(py, count, &[WRENCH])?,
         };
         made.show(py)?;
         Ok(made)
     }
 
     /// Reads controls and external wrenches from their arrays.
-    fn take_in(&mut self, py: Python<'_>) -> PyResult<()> {
+    fn read_inputs(&mut self, py: Python<'_>) -> PyResult<()> {
         let controls = self.controls.bind(py).try_readonly()?;
         let values = controls.as_slice()?;
         if values.len() != self.run.controls.len() {
@@ -393,7 +399,7 @@ impl Simulation {
 
     fn steps(&mut self, count: u64) -> Result<(), Stopped> {
         for _ in 0..count {
-            let record = self.run.step().map_err(Stopped::BlewUp)?;
+            let record = self.run.step().map_err(Stopped::Step)?;
             let Names { bodies, fenders, vessels, tugs, lines } = &*self.names;
             let contact = record.events.iter().map(|event| contact_event(event, bodies, fenders));
             self.events.extend(contact);

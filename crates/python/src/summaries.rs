@@ -1,12 +1,15 @@
-//! What a run came to, as tables: pairs of bodies and fenders, one row each and run.
+//! Summaries of runs as tables, with one row per run for each pair of bodies and each fender.
+
+use std::collections::BTreeMap;
 
 use fenderline_results::{KeptColumn, KeptTable, KeptValues};
-use fenderline_sim::{FenderSummary, PairSummary, Setup, Simulation};
+use fenderline_sim::{FenderSummary, Finding, PairSummary, Setup, Simulation, Verdict};
 
-/// What one run of many came to.
+/// The summary of one run.
 pub(crate) struct Summary {
     pub(crate) pairs: Vec<PairSummary>,
     pub(crate) fenders: Vec<FenderSummary>,
+    pub(crate) findings: Vec<Finding>,
 }
 
 impl Summary {
@@ -14,11 +17,12 @@ impl Summary {
         Summary {
             pairs: simulation.pair_summaries().to_vec(),
             fenders: simulation.fender_summaries().cloned().collect(),
+            findings: simulation.findings(),
         }
     }
 }
 
-/// The rows of all runs, each with the number of its run.
+/// The rows of all runs, each with its run's number.
 fn rows<S>(summaries: &[Summary], of: impl Fn(&Summary) -> &Vec<S>) -> Vec<(usize, &S)> {
     let mut rows = Vec::new();
     for (run, summary) in summaries.iter().enumerate() {
@@ -62,8 +66,68 @@ fn runs<S>(rows: &[(usize, &S)]) -> KeptColumn {
     KeptColumn { name: "run", unit: "1", meaning: "number of the run, from 0", values }
 }
 
-/// Pairs that touched, run by run.
-pub(crate) fn pairs_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
+/// A column of texts, each word stored once.
+fn texts(
+    name: &'static str,
+    meaning: &'static str,
+    values: impl Iterator<Item = String>,
+) -> KeptColumn {
+    let mut words: Vec<String> = Vec::new();
+    let mut numbers: BTreeMap<String, i32> = BTreeMap::new();
+    let codes = values.map(|value| {
+        *numbers.entry(value).or_insert_with_key(|value| {
+            words.push(value.clone());
+            words.len() as i32 - 1
+        })
+    });
+    let codes = codes.collect();
+    KeptColumn { name, unit: "-", meaning, values: KeptValues::Texts { codes, words } }
+}
+
+/// All summary tables of a number of runs.
+pub(crate) fn all_tables(setup: &Setup, summaries: &[Summary]) -> Vec<KeptTable> {
+    vec![
+        pairs_table(setup, summaries),
+        fenders_table(setup, summaries),
+        verdicts_table(summaries),
+        findings_table(setup, summaries),
+    ]
+}
+
+/// The verdict on each run.
+fn verdicts_table(summaries: &[Summary]) -> KeptTable {
+    let rows: Vec<(usize, Verdict)> =
+        summaries.iter().map(|summary| Verdict::of(&summary.findings)).enumerate().collect();
+    let shown: Vec<(usize, &Verdict)> = rows.iter().map(|(run, verdict)| (*run, verdict)).collect();
+    let of = |text: fn(&Verdict) -> &'static str| rows.iter().map(move |(_, v)| text(v).to_owned());
+    let columns = vec![
+        runs(&shown),
+        texts("verdict", "the worst finding of the run", of(|v| v.key())),
+        texts("gravity", "ok, note, attention or failed", of(|v| v.gravity().key())),
+    ];
+    KeptTable { name: "verdicts", columns }
+}
+
+/// What was found in each run, the worst first.
+fn findings_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
+    let rows = rows(summaries, |summary| &summary.findings);
+    let of = |text: fn(&Finding) -> &'static str| rows.iter().map(move |(_, f)| text(f).to_owned());
+    let columns = vec![
+        runs(&rows),
+        texts("finding", "what was found", of(|f| f.verdict().key())),
+        texts("gravity", "ok, note, attention or failed", of(|f| f.verdict().gravity().key())),
+        texts(
+            "subjects",
+            "names of the bodies, fenders, lines or vessels, separated by commas",
+            rows.iter().map(|(_, f)| f.names(setup).join(", ")),
+        ),
+        texts("text", "the finding in one sentence", rows.iter().map(|(_, f)| f.sentence(setup))),
+    ];
+    KeptTable { name: "findings", columns }
+}
+
+/// Pairs that touched, by run.
+fn pairs_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
     let rows = rows(summaries, |summary| &summary.pairs);
     let bodies = || setup.bodies.iter().map(|body| body.name.clone()).collect();
     let columns = vec![
@@ -80,20 +144,22 @@ pub(crate) fn pairs_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
         }),
         column(
             &rows,
-            ("approach_speed_mps", "m/s", "speed along the normal at first touch, closing"),
+            ("approach_speed_mps", "m/s", "closing speed along the normal at first touch"),
             |p| p.approach_speed_mps,
         ),
         column(
             &rows,
-            ("final_speed_mps", "m/s", "speed along the normal after the last touch, leaving"),
+            ("final_speed_mps", "m/s", "separation speed along the normal after the last touch"),
             |p| p.final_speed_mps,
         ),
         column(&rows, ("peak_normal_force_n", "N", "largest normal force of all patches"), |p| {
             p.peak_normal_force_n
         }),
-        column(&rows, ("peak_normal_force_at_s", "s", "when"), |p| p.peak_normal_force_at_s),
+        column(&rows, ("peak_normal_force_at_s", "s", "time of that force"), |p| {
+            p.peak_normal_force_at_s
+        }),
         column(&rows, ("peak_depth_m", "m", "largest depth of a patch"), |p| p.peak_depth_m),
-        column(&rows, ("peak_depth_at_s", "s", "when"), |p| p.peak_depth_at_s),
+        column(&rows, ("peak_depth_at_s", "s", "time of that depth"), |p| p.peak_depth_at_s),
         column(&rows, ("impulse_ns", "N·s", "impulse of the normal force"), |p| p.impulse_ns),
         column(&rows, ("normal_work_j", "J", "work of normal forces on the two bodies"), |p| {
             p.normal_work_j
@@ -108,8 +174,8 @@ pub(crate) fn pairs_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
     KeptTable { name: "pairs", columns }
 }
 
-/// Fenders that were touched, run by run; shares are NaN where a fender has no rating.
-pub(crate) fn fenders_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
+/// Fenders that were touched, by run; shares are NaN where a fender has no rating.
+fn fenders_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
     let rows = rows(summaries, |summary| &summary.fenders);
     let fenders = setup.fenders.iter().map(|fender| fender.name.clone()).collect();
     let share = |share: Option<f64>| share.unwrap_or(f64::NAN);
@@ -121,18 +187,22 @@ pub(crate) fn fenders_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
             ("first_touch_s", "s", "start of the first step in which it was touched"),
             |f| f.first_touch_s,
         ),
-        column(&rows, ("approach_speed_mps", "m/s", "speed along the normal then, closing"), |f| {
-            f.approach_speed_mps
-        }),
-        column(&rows, ("approach_angle_rad", "rad", "angle between face and hull then"), |f| {
-            f.approach_angle_rad
-        }),
+        column(
+            &rows,
+            ("approach_speed_mps", "m/s", "closing speed along the normal at first touch"),
+            |f| f.approach_speed_mps,
+        ),
+        column(
+            &rows,
+            ("approach_angle_rad", "rad", "angle between face and hull at first touch"),
+            |f| f.approach_angle_rad,
+        ),
         column(&rows, ("peak_deflection_m", "m", "largest deflection"), |f| f.peak_deflection_m),
         column(&rows, ("peak_reaction_n", "N", "largest reaction along its axis"), |f| {
             f.peak_reaction_n
         }),
         column(&rows, ("peak_energy_j", "J", "largest energy stored"), |f| f.peak_energy_j),
-        column(&rows, ("share_of_rated_energy", "1", "that over what it is rated for"), |f| {
+        column(&rows, ("share_of_rated_energy", "1", "largest energy over the rated one"), |f| {
             share(f.share_of_rated_energy)
         }),
         column(&rows, ("share_of_rated_reaction", "1", "reaction over the rated one"), |f| {
@@ -141,10 +211,10 @@ pub(crate) fn fenders_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
         column(&rows, ("share_of_rated_deflection", "1", "deflection over the rated one"), |f| {
             share(f.share_of_rated_deflection)
         }),
-        column(&rows, ("share_of_hull_pressure", "1", "pressure over what the hull takes"), |f| {
+        column(&rows, ("share_of_hull_pressure", "1", "pressure over the hull's limit"), |f| {
             share(f.share_of_hull_pressure)
         }),
-        flags(&rows, "failed", "whether it was pressed beyond its travel", |f| f.failed),
+        flags(&rows, "failed", "whether it was deflected beyond its travel", |f| f.failed),
     ];
     KeptTable { name: "fenders", columns }
 }

@@ -5,7 +5,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyList;
 
-/// A `fenderline.Table` of a table; the columns' memory goes over to NumPy.
+/// A `fenderline.Table`; NumPy takes over the columns' memory.
 pub(crate) fn table(py: Python<'_>, table: KeptTable) -> PyResult<Bound<'_, PyAny>> {
     let columns = PyList::empty(py);
     for column in table.columns {

@@ -1,4 +1,4 @@
-//! A scenario and its variants: the same bodies and fenders, other numbers.
+//! Variants of a scenario: the same bodies, fenders and controls with other numbers.
 
 use std::sync::Arc;
 
@@ -12,18 +12,18 @@ use crate::run::{CannotRun, Run};
 use crate::scenario::{Scenario, Source, overrides};
 use crate::simulation::cannot_run;
 
-/// What a variant has to have in common with its scenario.
+/// A scenario, and the controls that its variants share.
 pub(crate) struct Common {
     source: Source,
     pub(crate) base: Arc<scenario::Scenario>,
     pub(crate) controls: Arc<Vec<Control>>,
 }
 
-/// Why there is no run of a variant.
+/// The reason why a variant cannot be run.
 pub(crate) enum NoRun {
     Scenario(ScenarioError),
     Cannot(CannotRun),
-    /// Other bodies, fenders or controls.
+    /// Its bodies, fenders or controls differ from the scenario's.
     Other(&'static str),
 }
 
@@ -67,14 +67,16 @@ pub(crate) fn read(variants: &Bound<'_, PyAny>) -> PyResult<Vec<Vec<Override>>> 
     variants.try_iter()?.map(|set| overrides(variants.py(), &set?)).collect()
 }
 
-/// Tells which of many it was.
+/// The exception for a variant, with its number.
 pub(crate) fn exception(py: Python<'_>, number: usize, error: &NoRun) -> PyErr {
-    let told = match error {
+    let exception = match error {
         NoRun::Scenario(error) => errors::of_scenario(py, error),
         NoRun::Cannot(error) => cannot_run(py, error),
-        NoRun::Other(what) => errors::refused(py, format!("it has other {what} than its scenario")),
+        NoRun::Other(what) => {
+            errors::refused(py, format!("the variant has other {what} than its scenario"))
+        }
     };
-    numbered(py, number, told)
+    numbered(py, number, exception)
 }
 
 /// Adds a note with the number of the run.

@@ -1,4 +1,4 @@
-"""Where the tests find the repository's scenarios."""
+"""Paths of the repository, for the tests."""
 
 from pathlib import Path
 

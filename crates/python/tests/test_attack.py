@@ -1,6 +1,6 @@
-"""Hosts that lie, through Python: random places, speeds that do not fit, any time step, altered states.
+"""Attack by inconsistent hosts through Python: random positions and velocities, any time step, altered states.
 
-`FENDERLINE_ATTACK_SECONDS` and `FENDERLINE_ATTACK_SEED` say for how long and from which seed: `cargo xtask attack`.
+`FENDERLINE_ATTACK_SECONDS` is the duration, `FENDERLINE_ATTACK_SEED` the seed; see `cargo xtask attack`.
 """
 
 import math
@@ -44,8 +44,8 @@ def an_engine(draw: random.Random) -> Engine:
     return Engine(scenario, method=draw.choice(["coupled", "paper"]))
 
 
-def lie(engine: Engine, draw: random.Random) -> None:
-    """Something that no honest host does."""
+def corrupt(engine: Engine, draw: random.Random) -> None:
+    """Does something that no correct host does."""
     body = draw.randrange(len(engine.bodies))
     kind = draw.randrange(6)
     if kind == 0:
@@ -63,7 +63,7 @@ def lie(engine: Engine, draw: random.Random) -> None:
         engine.states[body, draw.randrange(6)] = any_float(draw)
 
 
-def test_whatever_a_host_says_its_engine_answers_with_numbers_or_an_error() -> None:
+def test_any_input_gives_finite_results_or_an_error() -> None:
     draw = random.Random(SEED)
     until = time.monotonic() + SECONDS
     engines = steps = refused = altered = taken = 0
@@ -75,7 +75,7 @@ def test_whatever_a_host_says_its_engine_answers_with_numbers_or_an_error() -> N
         for _ in range(60):
             if draw.random() < 0.3:
                 try:
-                    lie(engine, draw)
+                    corrupt(engine, draw)
                 except EngineError:
                     refused += 1
             began = time.process_time()
@@ -96,7 +96,7 @@ def test_whatever_a_host_says_its_engine_answers_with_numbers_or_an_error() -> N
         for _ in range(draw.randrange(1, 4)):
             saved[draw.randrange(len(saved))] ^= 1 << draw.randrange(8)
         length = draw.randrange(len(saved) + 1) if draw.random() < 0.3 else len(saved)
-        # Two flips may undo each other.
+        # Two flips may cancel.
         if bytes(saved[:length]) == whole:
             continue
         altered += 1
@@ -110,11 +110,11 @@ def test_whatever_a_host_says_its_engine_answers_with_numbers_or_an_error() -> N
         f"{altered} altered states, {taken} taken; slowest step {slowest_s:.3f} s; seed {SEED}"
     )
     assert steps > 0
-    assert taken == 0, "a check sum finds a flipped bit"
+    assert taken == 0, "a check sum detects flipped bits"
     assert slowest_s < 10.0
 
 
-def test_one_engine_serves_many_calls_in_the_same_memory() -> None:
+def test_many_calls_do_not_grow_memory() -> None:
     engine = Engine(Scenario.load(BERTH))
     draw = random.Random(SEED)
     start = engine.states.copy()

@@ -13,22 +13,22 @@ def test_check_env_passes() -> None:
     check_env(env.unwrapped, skip_render_check=True)
 
 
-def test_the_seed_decides_everything() -> None:
+def test_the_seed_determines_the_episode() -> None:
     def play(seed: int) -> list[float]:
         env = DockingEnv()
         seen, _ = env.reset(seed=seed)
         env.action_space.seed(seed)
-        told = [float(x) for x in seen]
+        values = [float(x) for x in seen]
         for _ in range(50):
             seen, reward, *_ = env.step(env.action_space.sample())
-            told += [float(x) for x in seen] + [reward]
-        return told
+            values += [float(x) for x in seen] + [reward]
+        return values
 
     assert play(3) == play(3)
     assert play(3) != play(4)
 
 
-def test_the_vectorised_one_is_single_ones_side_by_side() -> None:
+def test_a_vectorised_environment_equals_single_ones() -> None:
     vector = DockingVectorEnv(4, threads=2)
     singles = [DockingEnv() for _ in range(4)]
     seen, _ = vector.reset(seed=10)
@@ -40,12 +40,12 @@ def test_the_vectorised_one_is_single_ones_side_by_side() -> None:
         actions = vector.action_space.sample()
         seen, rewards, terminated, truncated, info = vector.step(actions)
         for index, single in enumerate(singles):
-            own, reward, ended, late, told = single.step(actions[index])
+            own, reward, ended, late, own_info = single.step(actions[index])
             assert (reward, ended, late) == (rewards[index], terminated[index], truncated[index])
             if ended or late:
                 resets += 1
                 assert (info["final_obs"][index] == own).all()
-                assert info["final_info"]["ended"][index] == told.get("ended", "")
+                assert info["final_info"]["ended"][index] == own_info.get("ended", "")
                 own, _ = single.reset()
             assert (own == seen[index]).all()
     assert resets > 0
@@ -61,14 +61,14 @@ def test_observations_stay_within_their_space() -> None:
         assert np.isfinite(rewards).all()
 
 
-def test_make_vec_makes_the_vectorised_one() -> None:
+def test_make_vec_makes_the_vectorised_environment() -> None:
     vector = gymnasium.make_vec(docking.ENV_ID, num_envs=3)
     assert isinstance(vector.unwrapped, DockingVectorEnv)
     vector.close()
 
 
-def put(env: DockingEnv, **keys: object) -> None:
-    """Puts the ship somewhere, in still air and water."""
+def place(env: DockingEnv, **keys: object) -> None:
+    """Places the ship, in still air and water."""
     env.reset(seed=0)
     env._berth.fleet.reset([0], [keys])
     env._berth._far[:] = env._berth._distance()
@@ -76,7 +76,7 @@ def put(env: DockingEnv, **keys: object) -> None:
 
 def test_lying_alongside_at_rest_ends_the_episode_well() -> None:
     env = DockingEnv()
-    put(
+    place(
         env,
         **{"body.ship.position": [0.0, -11.75], "body.ship.velocity": {"surge": 0.0}},
     )
@@ -87,7 +87,7 @@ def test_lying_alongside_at_rest_ends_the_episode_well() -> None:
 
 def test_a_hard_landing_ends_the_episode_badly() -> None:
     env = DockingEnv()
-    put(
+    place(
         env,
         **{
             "body.ship.position": [0.0, -13.0],
@@ -102,8 +102,8 @@ def test_a_hard_landing_ends_the_episode_badly() -> None:
     assert reward < -90
 
 
-def test_an_action_that_is_no_number_is_refused() -> None:
+def test_a_non_finite_action_is_refused() -> None:
     env = DockingEnv()
     env.reset(seed=0)
-    with pytest.raises(ValueError, match="no finite number"):
+    with pytest.raises(ValueError, match="not a finite number"):
         env.step(np.full(4, np.nan, dtype=np.float32))

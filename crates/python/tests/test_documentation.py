@@ -1,4 +1,4 @@
-"""What stands in the documentation is so: docstrings of native classes, the guide, the examples."""
+"""The examples in the documentation: docstrings of native classes, the guide, the example programs."""
 
 import doctest
 import inspect
@@ -18,9 +18,9 @@ def test_docstrings_of_native_classes(native: type) -> None:
         native.__doc__ or "", {}, native.__name__, None, None
     )
     assert parsed.examples
-    told: list[str] = []
-    failed, _ = doctest.DocTestRunner().run(parsed, out=told.append)
-    assert not failed, "".join(told)
+    output: list[str] = []
+    failed, _ = doctest.DocTestRunner().run(parsed, out=output.append)
+    assert not failed, "".join(output)
 
 
 def test_everything_public_has_a_docstring() -> None:

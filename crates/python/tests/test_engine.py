@@ -1,4 +1,4 @@
-"""The engine: views, steps, what is refused, save and restore."""
+"""The engine: arrays, steps, refused calls, save and restore."""
 
 import copy
 import gc
@@ -19,7 +19,7 @@ def coupled_tug() -> Scenario:
     )
 
 
-def test_the_engine_moves_the_bodies_as_the_simulation_does() -> None:
+def test_the_engine_moves_bodies_like_the_simulation() -> None:
     scenario = coupled_tug()
     engine, simulation = Engine(scenario), fenderline.Simulation(scenario)
     for _ in range(200):
@@ -31,7 +31,7 @@ def test_the_engine_moves_the_bodies_as_the_simulation_does() -> None:
         engine.states[:] = engine.states_after
 
 
-def test_a_host_that_moves_its_bodies_itself() -> None:
+def test_a_cosimulation_host_moves_its_bodies_itself() -> None:
     engine = Engine(coupled_tug(), host="cosimulation", integration="semi_implicit")
     tug = engine.bodies.index("tug")
     mass_kg = TUG_MASS_KG * 1.086
@@ -45,14 +45,14 @@ def test_a_host_that_moves_its_bodies_itself() -> None:
     assert engine.states[tug, 4] < 0
 
 
-def test_views_are_one_memory_and_results_read_only() -> None:
+def test_views_share_memory_and_results_are_read_only() -> None:
     engine = Engine(coupled_tug())
     states, wrenches = engine.states, engine.wrenches
     assert engine.states is states
     assert engine.wrenches is wrenches
     engine.states[1, 1] = -38.5
     engine.step(0.1)
-    assert wrenches[1, 1] < 0  # filled by the step, seen by the old view
+    assert wrenches[1, 1] < 0  # the view from before the step shows its results
     with pytest.raises(ValueError, match="read-only"):
         wrenches[0, 0] = 1.0
     with pytest.raises(AttributeError):
@@ -66,17 +66,17 @@ def test_views_outlive_their_engine() -> None:
     expected = states.copy()
     del engine
     gc.collect()
-    rubbish = [np.full(1000, 7.0) for _ in range(100)]
+    other_memory = [np.full(1000, 7.0) for _ in range(100)]
     assert (states == expected).all()
     assert wrenches.shape == (2, 3)
     assert np.isfinite(after).all()
-    del rubbish
+    del other_memory
 
 
-def test_an_array_that_was_given_another_shape_is_refused_or_read_as_it_is() -> None:
+def test_an_array_of_another_size_is_refused() -> None:
     engine = Engine(coupled_tug())
     engine.states.resize((1, 6), refcheck=False)
-    with pytest.raises(ValueError, match="6 numbers where 12"):
+    with pytest.raises(ValueError, match="6 numbers, not 12"):
         engine.step(0.1)
 
 
@@ -118,7 +118,7 @@ def test_refused_calls_change_nothing() -> None:
 
 
 @pytest.mark.parametrize("host", ["direct", "cosimulation"])
-def test_a_pause_changes_nothing_and_is_good(host: Literal["direct", "cosimulation"]) -> None:
+def test_a_pause_changes_nothing(host: Literal["direct", "cosimulation"]) -> None:
     engine = Engine(coupled_tug(), host=host)
     engine.step(0.0)
     assert not engine.wrenches.any()
@@ -135,7 +135,7 @@ def test_a_pause_changes_nothing_and_is_good(host: Literal["direct", "cosimulati
     assert np.array_equal(engine.wrenches, wrenches)
 
 
-def test_a_tug_that_is_put_into_a_ship_is_pressed_out_slowly() -> None:
+def test_a_tug_placed_in_a_ship_is_pressed_out_slowly() -> None:
     engine = Engine(coupled_tug())
     engine.states[1, 3:] = 0.0
     engine.step(0.1)
@@ -154,7 +154,7 @@ def test_a_tug_that_is_put_into_a_ship_is_pressed_out_slowly() -> None:
         engine.mark_teleported("barge")
 
 
-def test_the_peaks_of_a_step_stand_beside_its_means() -> None:
+def test_peak_wrenches_are_reported_beside_the_means() -> None:
     engine = Engine(coupled_tug())
     assert (engine.peak_wrenches == 0.0).all()
     engine.states[1, 1] += 1.0
@@ -193,7 +193,7 @@ def test_save_restore_and_copy() -> None:
 
 
 @pytest.mark.parametrize("cut", [0, 7, 100, -1])
-def test_bytes_that_are_no_save_are_refused(cut: int) -> None:
+def test_invalid_bytes_are_refused(cut: int) -> None:
     engine = Engine(coupled_tug())
     engine.step(0.1)
     saved = engine.save()
@@ -206,7 +206,7 @@ def test_bytes_that_are_no_save_are_refused(cut: int) -> None:
     assert engine.save() == saved
 
 
-def test_reset_begins_anew() -> None:
+def test_reset_returns_to_the_start() -> None:
     engine = Engine(coupled_tug())
     start = engine.states.copy()
     engine.states[1, 1] = -38.5
@@ -216,7 +216,7 @@ def test_reset_begins_anew() -> None:
     assert not engine.wrenches.any()
 
 
-def test_settings_that_do_not_go_together(scenarios: Path) -> None:
+def test_conflicting_settings_are_refused(scenarios: Path) -> None:
     scenario = fenderline.example("tug_4kn")
     with pytest.raises(EngineError, match="paper"):
         Engine(scenario, host="cosimulation")
@@ -226,7 +226,7 @@ def test_settings_that_do_not_go_together(scenarios: Path) -> None:
         Engine(scenario, host="absent")  # type: ignore[arg-type]
     paper = Engine(scenario)
     assert (paper.method, paper.uses_loads) == ("paper", False)
-    with pytest.raises(EngineError, match="knows no loads"):
+    with pytest.raises(EngineError, match="has no loads"):
         paper.uses_loads = True
     with pytest.raises(EngineError, match="states after"):
         paper.states_after  # noqa: B018

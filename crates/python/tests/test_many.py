@@ -1,4 +1,4 @@
-"""Many runs: the order of the variants, the same bits for any number of threads, mistakes by number."""
+"""Many runs: the order of the variants, the same bits for any number of threads, mistakes with their run."""
 
 import threading
 
@@ -26,7 +26,7 @@ def test_the_same_bits_for_any_number_of_threads() -> None:
             assert one.pairs[name].tolist() == many.pairs[name].tolist()
 
 
-def test_each_run_is_that_of_a_simulation() -> None:
+def test_each_run_equals_a_simulation() -> None:
     runs = fenderline.run_many(SCENARIO, speeds(5))
     columns = {key: value.tolist() for key, value in speeds(5).items()}
     for index in range(5):
@@ -36,6 +36,10 @@ def test_each_run_is_that_of_a_simulation() -> None:
         pair = simulation.summary()["pairs"]
         mine = runs.pairs["run"] == index
         assert runs.pairs["peak_depth_m"][mine].tolist() == pair["peak_depth_m"].tolist()
+        assert runs.verdicts["verdict"][index] == simulation.verdict == "not_rated"
+        found = simulation.summary()["findings"]["text"].tolist()
+        assert runs.findings["text"][runs.findings["run"] == index].tolist() == found
+        assert found == ["ship and tug touched; no limit of theirs is known"]
 
 
 def test_a_mistake_names_its_run() -> None:
@@ -50,7 +54,7 @@ def test_a_mistake_names_its_run() -> None:
         )
 
 
-def test_other_python_threads_go_on_meanwhile() -> None:
+def test_other_python_threads_run_meanwhile() -> None:
     seen = 0
     done = threading.Event()
 
@@ -67,7 +71,7 @@ def test_other_python_threads_go_on_meanwhile() -> None:
     assert seen >= 3
 
 
-def test_a_fleet_goes_as_its_simulations_go() -> None:
+def test_a_fleet_equals_its_simulations() -> None:
     scenario = fenderline.example("docking")
     sets = [{"body.ship.velocity.surge": speed} for speed in (0.5, 1.0, 1.5)]
     for threads in (1, 2):

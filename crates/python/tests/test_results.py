@@ -1,4 +1,4 @@
-"""Results in other programs' hands."""
+"""Results in Arrow, Parquet and pandas."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Scenarios: loaded, replaced, edited as trees; mistakes as exceptions that say where."""
+"""Scenarios: loaded, replaced, edited as trees; mistakes as exceptions with their place."""
 
 from pathlib import Path
 
@@ -33,7 +33,7 @@ material = "rubber"
 """
 
 
-def test_a_scenario_tells_what_it_has() -> None:
+def test_properties_of_a_scenario() -> None:
     scenario = Scenario.parse(TUG, "tug.toml")
     assert scenario.bodies == ["tug", "quay"]
     assert scenario.fenders == []
@@ -87,7 +87,7 @@ def test_a_tree_goes_round(scenarios: Path) -> None:
         assert (one.states == other.states).all(), path
 
 
-def test_a_tree_holds_what_was_replaced() -> None:
+def test_a_tree_includes_replaced_keys() -> None:
     scenario = Scenario.parse(TUG, set={"time.step": 0.5, "body.tug.velocity.surge": "1 kn"})
     tree = scenario.tree()
     assert tree["time"]["step"] == 0.5

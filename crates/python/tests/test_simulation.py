@@ -26,7 +26,7 @@ SHORT = {"time.duration": "120 s"}
         ("berth/asd_tugs_push_alongside", SHORT),
     ],
 )
-def test_the_same_numbers_as_fenderline_run_bit_for_bit(
+def test_the_same_bits_as_fenderline_run(
     scenarios: Path, tmp_path: Path, name: str, replaced: dict[str, str]
 ) -> None:
     program = os.environ.get("FENDERLINE_PROGRAM")
@@ -83,7 +83,7 @@ def test_controls_are_set_between_steps(scenarios: Path) -> None:
     assert simulation.states[0, 5] < turning
 
 
-def test_a_control_is_the_order_of_that_value(scenarios: Path) -> None:
+def test_a_control_equals_the_order(scenarios: Path) -> None:
     by_control, by_order = Simulation(berth(scenarios)), Simulation(berth(scenarios))
     by_control.controls[1:4] = [0.4, -1.0, 2e5]
     by_order.order(vessel="ship", engine=0.4)
@@ -103,7 +103,7 @@ def test_a_wrong_order_names_its_key(scenarios: Path) -> None:
         simulation.order(vessel="shp", rudder=0)
 
 
-def test_what_cannot_be_set_is_refused(scenarios: Path) -> None:
+def test_invalid_controls_and_wrenches_are_refused(scenarios: Path) -> None:
     simulation = Simulation(berth(scenarios))
     simulation.controls[1] = np.inf
     with pytest.raises(SimulationError, match=r"ship\.engine must be between -1 and 1"):
@@ -153,7 +153,7 @@ def test_a_recorded_simulation_gives_its_tables_once(scenarios: Path) -> None:
         simulation.results()
 
 
-def test_the_summary_tells_of_pairs_and_fenders(scenarios: Path) -> None:
+def test_the_summary_has_pairs_and_fenders(scenarios: Path) -> None:
     simulation = Simulation(Scenario.load(scenarios / "berth" / "eight_cones_at_5_deg.toml"))
     simulation.run()
     assert simulation.is_done
@@ -171,7 +171,7 @@ def test_a_scenario_with_a_provider_is_refused(scenarios: Path) -> None:
         Simulation(scenario)
 
 
-def test_events_are_told_by_name() -> None:
+def test_events_have_names() -> None:
     simulation = Simulation(fenderline.example("tug_4kn"))
     simulation.run()
     kinds = [event.kind for event in simulation.events]

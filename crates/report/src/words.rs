@@ -9,14 +9,14 @@ use crate::plot::plain;
 /// Where a run was interrupted.
 pub fn interrupted_text(interrupted: &Interrupted) -> String {
     let Interrupted { steps, of_steps, at_s, of_s } = interrupted;
-    // Without separators between thousands, as the terminal prints it too.
+    // Without thousands separators, because the terminal prints it too.
     let [at_s, of_s] = [*at_s, *of_s].map(|s| plain(s, 9).replace('\u{202f}', ""));
     format!(
         "stopped by the user after {steps} of {of_steps} steps, at {at_s} of {of_s} s; results cover that time"
     )
 }
 
-/// What a reader of the report is told of a kind of event.
+/// A kind of contact event, for readers of the report.
 pub fn event_text(kind: EventKind) -> &'static str {
     match kind {
         EventKind::ContactBegan => "a contact began",
@@ -24,10 +24,10 @@ pub fn event_text(kind: EventKind) -> &'static str {
         EventKind::PatchSplit => "one patch of contact became several",
         EventKind::PatchesMerged => "several patches of contact became one",
         EventKind::Contained => {
-            "a body lay entirely inside another: the overlap no longer grew with depth"
+            "a body was entirely inside another: the overlap no longer grew with depth"
         }
         EventKind::DeepOverlap => {
-            "an overlap was deeper than half the smaller body is wide: the force law is not meaningful \
+            "an overlap was deeper than half the width of the smaller body: the force law is not meaningful \
              there"
         }
         EventKind::Teleported => "a body moved by more than its velocities explain (teleported)",
@@ -35,7 +35,7 @@ pub fn event_text(kind: EventKind) -> &'static str {
             "the coupled contact solver did not converge within its iteration limit"
         }
         EventKind::PlacedInOverlap => {
-            "a body was placed inside another, so deep that it is pressed out slowly"
+            "a body was placed deep inside another and is pressed out slowly"
         }
         EventKind::MassMismatch => "a body moves with a mass other than the model's",
         EventKind::FenderRatingExceeded(_) => "a fender was deflected beyond its rating",
@@ -45,13 +45,13 @@ pub fn event_text(kind: EventKind) -> &'static str {
     }
 }
 
-/// What a reader of the report is told of a kind of event.
+/// A kind of event of vessels, tugs and lines, for readers of the report.
 pub fn world_event_text(kind: WorldEventKind) -> &'static str {
     match kind {
         WorldEventKind::OrderClamped => "an order was beyond its limit and was set to the limit",
         WorldEventKind::Aground => "AGROUND: the water is no deeper than draught plus squat",
         WorldEventKind::ShallowHeld => {
-            "water depth below 1.1 draughts, where no formula holds: shallow-water effects are held at their value for 1.1"
+            "water depth below 1.1 draughts, where no formula is valid: shallow-water effects are held at their value for 1.1"
         }
         WorldEventKind::TugLimited => "cannot give the ordered force at this speed and angle",
         WorldEventKind::TugOrderRefused => "an order was refused: force or direction not possible",

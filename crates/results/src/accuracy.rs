@@ -1,4 +1,4 @@
-//! How accurate a vessel is whose hull, propeller and rudder were estimated from her main particulars.
+//! The accuracy of vessels whose hull, propeller and rudder were estimated from the main particulars.
 
 use fenderline_sim::hydro::EstimateMethod;
 use fenderline_sim::hydro::vessels::{Origin, Source};
@@ -64,7 +64,7 @@ fn signed_percent(share: f64) -> String {
     if matches!(text.as_str(), "+0 %" | "−0 %") { "0 %".to_owned() } else { text }
 }
 
-/// [`accuracy`] as JSON; null where nothing of hull, propeller and rudder is estimated.
+/// [`accuracy`] as JSON; null if nothing of hull, propeller and rudder is estimated.
 pub fn accuracy_json(origin: &Origin, errors: &[EstimateError]) -> Value {
     let Some(route) = origin.estimate_method else { return Value::Null };
     let outside: Vec<Value> = origin

@@ -11,8 +11,36 @@ pub struct InMemory;
 
 /// A table of the medium [`InMemory`] that is being filled with rows of type `R`.
 pub struct TableInMemory<R> {
-    kept: KeptTable,
-    values: Vec<Value<R>>,
+    name: &'static str,
+    columns: Vec<Filled<R>>,
+}
+
+/// A column that is being filled.
+struct Filled<R> {
+    name: &'static str,
+    unit: &'static str,
+    meaning: &'static str,
+    values: Filling<R>,
+}
+
+/// The source of a column's values, and the values so far.
+enum Filling<R> {
+    Float(fn(&R) -> f64, Vec<f64>),
+    Known(fn(&R) -> Option<f64>, Vec<f64>),
+    /// `absent` is the code of a row without a name.
+    Name {
+        index: fn(&R) -> Option<usize>,
+        absent: usize,
+        codes: Vec<i32>,
+        words: Vec<String>,
+    },
+    Word {
+        word: fn(&R) -> &'static str,
+        codes: Vec<i32>,
+        words: Vec<String>,
+    },
+    Flag(fn(&R) -> bool, Vec<bool>),
+    Count(fn(&R) -> u32, Vec<u32>),
 }
 
 /// A table in memory.
@@ -31,7 +59,7 @@ pub struct KeptColumn {
     pub name: &'static str,
     /// Unit as a reader writes it; `1` for a pure number, `-` for a text or a truth value.
     pub unit: &'static str,
-    /// What it means.
+    /// Its meaning.
     pub meaning: &'static str,
     /// Its values.
     pub values: KeptValues,
@@ -46,7 +74,7 @@ pub enum KeptValues {
     Texts {
         /// One index per row.
         codes: Vec<i32>,
-        /// What they stand for.
+        /// The texts.
         words: Vec<String>,
     },
     /// Truth values.
@@ -96,33 +124,77 @@ impl Medium for InMemory {
         columns: Vec<Column<R>>,
         names: &Names,
     ) -> Result<TableInMemory<R>, NotFinite> {
-        let kept = columns.iter().map(|column| KeptColumn {
+        let columns = columns.into_iter().map(|column| Filled {
             name: column.name,
             unit: column.unit,
             meaning: column.meaning,
-            values: empty(&column.value, names),
+            values: Filling::of(column.value, names),
         });
-        let kept = KeptTable { name, columns: kept.collect() };
-        let values = columns.into_iter().map(|column| column.value).collect();
-        Ok(TableInMemory { kept, values })
+        Ok(TableInMemory { name, columns: columns.collect() })
     }
 }
 
-fn empty<R>(value: &Value<R>, names: &Names) -> KeptValues {
-    match value {
-        Value::Float(_) | Value::Known(_) => KeptValues::Floats(Vec::new()),
-        Value::Name(list, _) => {
-            let mut words = names.list(*list).to_vec();
-            // Only fenders may be absent.
-            if *list == List::Fenders {
-                words.push(String::new());
+impl<R> Filling<R> {
+    fn of(value: Value<R>, names: &Names) -> Filling<R> {
+        match value {
+            Value::Float(number) => Filling::Float(number, Vec::new()),
+            Value::Known(number) => Filling::Known(number, Vec::new()),
+            Value::Name(list, index) => {
+                let mut words = names.list(list).to_vec();
+                // Only fenders may be absent.
+                if list == List::Fenders {
+                    words.push(String::new());
+                }
+                let absent = words.len().saturating_sub(1);
+                Filling::Name { index, absent, codes: Vec::new(), words }
             }
-            KeptValues::Texts { codes: Vec::new(), words }
+            Value::Word(word) => Filling::Word { word, codes: Vec::new(), words: Vec::new() },
+            Value::Flag(flag) => Filling::Flag(flag, Vec::new()),
+            Value::Count(count) => Filling::Count(count, Vec::new()),
         }
-        Value::Word(_) => KeptValues::Texts { codes: Vec::new(), words: Vec::new() },
-        Value::Flag(_) => KeptValues::Flags(Vec::new()),
-        Value::Count(_) => KeptValues::Counts(Vec::new()),
     }
+
+    /// Adds the value of a row.
+    ///
+    /// # Errors
+    /// The number, if it is not finite.
+    fn push(&mut self, row: &R) -> Result<(), f64> {
+        match self {
+            Filling::Float(number, values) => values.push(finite(number(row))?),
+            Filling::Known(number, values) => {
+                values.push(number(row).map_or(Ok(f64::NAN), finite)?);
+            }
+            Filling::Name { index, absent, codes, .. } => {
+                codes.push(index(row).unwrap_or(*absent) as i32);
+            }
+            Filling::Word { word, codes, words } => {
+                let word = word(row);
+                let known = words.iter().position(|known| known == word);
+                codes.push(known.unwrap_or(words.len()) as i32);
+                if known.is_none() {
+                    words.push(word.to_owned());
+                }
+            }
+            Filling::Flag(flag, values) => values.push(flag(row)),
+            Filling::Count(count, values) => values.push(count(row)),
+        }
+        Ok(())
+    }
+
+    fn kept(self) -> KeptValues {
+        match self {
+            Filling::Float(_, values) | Filling::Known(_, values) => KeptValues::Floats(values),
+            Filling::Name { codes, words, .. } | Filling::Word { codes, words, .. } => {
+                KeptValues::Texts { codes, words }
+            }
+            Filling::Flag(_, values) => KeptValues::Flags(values),
+            Filling::Count(_, values) => KeptValues::Counts(values),
+        }
+    }
+}
+
+fn finite(value: f64) -> Result<f64, f64> {
+    if value.is_finite() { Ok(value) } else { Err(value) }
 }
 
 impl<R> Table<R> for TableInMemory<R> {
@@ -130,36 +202,20 @@ impl<R> Table<R> for TableInMemory<R> {
     type Done = KeptTable;
 
     fn push(&mut self, row: &R) -> Result<(), NotFinite> {
-        for (value, column) in self.values.iter().zip(&mut self.kept.columns) {
-            match (value, &mut column.values) {
-                (Value::Float(_) | Value::Known(_), KeptValues::Floats(values)) => {
-                    let number = value.number(row);
-                    if let Some(value) = number.filter(|number| !number.is_finite()) {
-                        return Err(NotFinite { column: column.name, value });
-                    }
-                    values.push(number.unwrap_or(f64::NAN));
-                }
-                (Value::Name(_, index), KeptValues::Texts { codes, words }) => {
-                    let absent = words.len().saturating_sub(1);
-                    codes.push(index(row).unwrap_or(absent) as i32);
-                }
-                (Value::Word(word), KeptValues::Texts { codes, words }) => {
-                    let word = word(row);
-                    let known = words.iter().position(|known| known == word);
-                    codes.push(known.unwrap_or(words.len()) as i32);
-                    if known.is_none() {
-                        words.push(word.to_owned());
-                    }
-                }
-                (Value::Flag(flag), KeptValues::Flags(values)) => values.push(flag(row)),
-                (Value::Count(count), KeptValues::Counts(values)) => values.push(count(row)),
-                _ => unreachable!("every column was made for its values"),
-            }
+        for column in &mut self.columns {
+            let pushed = column.values.push(row);
+            pushed.map_err(|value| NotFinite { column: column.name, value })?;
         }
         Ok(())
     }
 
     fn finish(self) -> Result<KeptTable, NotFinite> {
-        Ok(self.kept)
+        let columns = self.columns.into_iter().map(|column| KeptColumn {
+            name: column.name,
+            unit: column.unit,
+            meaning: column.meaning,
+            values: column.values.kept(),
+        });
+        Ok(KeptTable { name: self.name, columns: columns.collect() })
     }
 }

@@ -2,7 +2,7 @@
 
 use fenderline_contact::BodyState;
 use fenderline_sim::berthing::{BerthingError, BerthingOutcome};
-use fenderline_sim::{Energy, FenderSummary, PairSummary, Setup, Simulation};
+use fenderline_sim::{Energy, FenderSummary, Finding, PairSummary, Setup, Simulation};
 
 use crate::accuracy::EstimateError;
 use crate::provider_notices::ProviderNotices;
@@ -57,9 +57,11 @@ pub struct Outcome<'a> {
     pub energy: Energy,
     /// Contact events.
     pub events: &'a Events,
+    /// What was found in the run, the worst first.
+    pub findings: &'a [Finding],
     /// Fenders that were touched, in the order of the scenario.
     pub fenders: &'a [FenderSummary],
-    /// Berthing energy by formula and in the run; `None` where the scenario does not ask for it or no fender was touched.
+    /// Berthing energy by formula and in the run; `None` if the scenario does not ask for it or no fender was touched.
     pub berthing: Option<Result<&'a BerthingOutcome, &'a BerthingError>>,
     /// Vessels, tugs and lines.
     pub world: &'a WorldTotals,
@@ -75,6 +77,6 @@ pub struct Outcome<'a> {
 pub struct WrittenFile {
     /// Name within the folder.
     pub name: String,
-    /// Rows without the header; `None` where the file is no table.
+    /// Rows without the header; `None` if the file is not a table.
     pub rows: Option<u64>,
 }

@@ -5,7 +5,7 @@ use core::mem::discriminant;
 use fenderline_contact::{Event, EventKind};
 use fenderline_sim::StepRecord;
 
-/// Events kept one by one at most: of contacts that begin and end, and of all others.
+/// Most events that are kept: of contacts that begin and end, and of all others.
 const FIRST_EVENTS: usize = 20;
 
 /// Events of a run: the count of each kind, and the first few. Its size does not grow with the run.

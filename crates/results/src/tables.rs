@@ -10,7 +10,7 @@ use crate::medium::{Counted, Medium};
 use crate::touched::touched;
 use crate::world_tables::WorldTables;
 
-/// All tables of a run; those of fenders, vessels, tugs and lines only where the set-up has any.
+/// All tables of a run; those of fenders, vessels, tugs and lines only if the set-up has any.
 pub struct Tables<M: Medium> {
     bodies: Counted<M, BodyRow>,
     contacts: Counted<M, ContactRow>,

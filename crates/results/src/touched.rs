@@ -31,7 +31,7 @@ pub fn touched(contacts: &[Contact]) -> BTreeMap<usize, TouchedFender> {
         let fender = fenders.entry(id.0 as usize).or_default();
         fender.deflection_m = greater(fender.deflection_m, contact.depth_m);
         fender.peak_deflection_m = greater(fender.peak_deflection_m, contact.peak_depth_m);
-        // As the simulation's summary has it: of a tilted hull's force the part along the axis.
+        // As in the simulation's summary: the component along the fender's axis.
         let along_axis = libm::cos(contact.tilt_rad);
         fender.reaction_n += contact.normal_force_n * along_axis;
         fender.peak_reaction_n += contact.peak_normal_force_n * along_axis;

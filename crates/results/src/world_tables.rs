@@ -1,4 +1,4 @@
-//! The tables of vessels, thrusters, azimuth units, tugs and lines: each only where the set-up has any.
+//! The tables of vessels, thrusters, azimuth units, tugs and lines, if the set-up has any.
 
 use fenderline_sim::{StepRecord, WorldSetup};
 

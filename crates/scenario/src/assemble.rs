@@ -47,7 +47,7 @@ pub(crate) struct Libraries {
     pub(crate) vessels: VesselLibrary,
 }
 
-/// Wind areas of a vessel, whose table is of these sources.
+/// Wind areas of a vessel from her table.
 pub(crate) fn windage(
     sources: &Sources<'_>,
     table: &Table,
@@ -57,7 +57,7 @@ pub(crate) fn windage(
     Assembly { sources, files: &files, notices: &mut Vec::new() }.windage(table, ship)
 }
 
-/// Builds the set-up from the checked file; notices are added to `notices` in the order of the file.
+/// Builds the set-up from the checked file, and adds notices in the order of the file.
 pub(crate) fn setup(
     sources: &Sources<'_>,
     file: &Table,
@@ -73,7 +73,7 @@ pub(crate) fn setup(
     assembly.note_unvalidated(file, &environment, &kinds);
     let bodies = assembly.bodies(file.given("body"), &kinds)?;
     let names = Names::new(&bodies, &materials);
-    let decks = vessel::decks(file.given("body").named(), &kinds);
+    let decks: vessel::Decks<'_> = kinds.of_bodies().collect();
     let pairs = assembly.pairs(file.given("pair").list(), &bodies, &names)?;
     let loads = assembly.loads(file.given("load").list(), &bodies, &names)?;
     let parts = FenderParts { library: &libraries.fenders, materials: &materials, decks: &decks };
@@ -105,7 +105,7 @@ pub(crate) fn setup(
     Ok(setup)
 }
 
-/// An order to the vessels, tugs and lines of a set-up.
+/// An order to a vessel, tug or line of a set-up.
 pub(crate) fn order(sources: &Sources<'_>, table: &Table, setup: &Setup) -> Checked<Order> {
     let (files, mut notices) = (Files::default(), Vec::new());
     let assembly = Assembly { sources, files: &files, notices: &mut notices };
@@ -168,6 +168,25 @@ impl Assembly<'_, '_> {
 
     fn body_named(&self, table: &Table, item: &Item, name: &str, names: &Names) -> Checked<usize> {
         self.reference("body", "bodies", &names.bodies, table, item, name)
+    }
+
+    /// The floating body that a key names; `why` says in an error what a fixed body cannot do.
+    fn floating_body(
+        &self,
+        table: &Table,
+        key: &str,
+        bodies: &[BodySetup],
+        names: &Names,
+        why: &str,
+    ) -> Checked<usize> {
+        let item = table.given(key);
+        let body = self.body_named(table, item, item.name(), names)?;
+        if bodies[body].mass.is_none() {
+            let path = table.path_of(key);
+            let message = format!("`{path}`: body {} is fixed, {why}", quoted(item.name()));
+            return Err(self.sources.error(&item.span, &path, message));
+        }
+        Ok(body)
     }
 
     fn material_named(&self, table: &Table, item: &Item, names: &Names) -> Checked<usize> {

@@ -1,8 +1,8 @@
-//! Files that others named: only regular ones of bounded size are read, so that no name can stop the program.
+//! Reads files that a user names. Only regular files of bounded size are read, so that no name can hang the program.
 //!
-//! A named pipe blocks whoever opens it, a device may never end, and a file can be put in the place of another
-//! between a look and the opening. So a file is looked at first, which touches no device, then opened without
-//! waiting, and looked at again through the open handle, which no renaming changes.
+//! A named pipe blocks whoever opens it, a device may never end, and a file can be replaced between a check and the
+//! opening. So the file is checked first, which touches no device, then opened without waiting, and checked again
+//! through the open handle, which renaming does not affect.
 
 use core::fmt;
 use std::fs::{File, FileType, Metadata, OpenOptions};
@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 use crate::printable::printable_line;
 
-/// A file that is not read, or could not be.
+/// A file that cannot be read or is refused.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FileError {
     /// The file.
@@ -23,23 +23,23 @@ pub struct FileError {
 /// What is wrong with a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FileFault {
-    /// The system's error, as it words it.
+    /// An error of the operating system.
     System {
         /// Its kind.
         kind: io::ErrorKind,
         /// Its text.
         text: String,
     },
-    /// It is no regular file: what it is, as in "a named pipe".
+    /// It is not a regular file; says what it is, as "a named pipe".
     NotRegular(&'static str),
-    /// It is larger than the caller reads.
+    /// It is larger than the caller allows.
     TooLarge {
-        /// The size up to which it is read (bytes).
+        /// The largest size allowed (bytes).
         largest_bytes: u64,
     },
-    /// It is no UTF-8 text.
+    /// It is not UTF-8 text.
     NotText {
-        /// The first line that is none, from 1.
+        /// The first line that is not, from 1.
         line: usize,
     },
 }
@@ -76,14 +76,14 @@ impl fmt::Display for FileError {
 
 impl std::error::Error for FileError {}
 
-/// Opens a regular file of at most `largest_bytes` for reading, and never waits. A file may still grow after
-/// that: who streams it counts what is read.
+/// Opens a regular file of at most `largest_bytes` for reading, and never waits. The file may still grow after that:
+/// a caller that streams it must count the bytes.
 ///
 /// # Errors
-/// [`FileError`] for a file that is not there, is none that is regular, or is larger.
+/// [`FileError`] for a file that does not exist, is not regular, or is larger.
 pub fn open_regular(path: &Path, largest_bytes: u64) -> Result<File, FileError> {
     let system = |e: io::Error| FileError::system(path, &e);
-    // To open some devices is to do something to them, and a writer of a pipe would believe that it is read.
+    // Check before opening: opening some devices acts on them, and a pipe's writer would believe that it has a reader.
     admit(path, &std::fs::metadata(path).map_err(system)?, largest_bytes)?;
     let file = without_waiting().read(true).open(path).map_err(system)?;
     admit(path, &file.metadata().map_err(system)?, largest_bytes)?;
@@ -97,7 +97,7 @@ pub fn open_regular(path: &Path, largest_bytes: u64) -> Result<File, FileError> 
 pub fn read_bytes(path: &Path, largest_bytes: u64) -> Result<Vec<u8>, FileError> {
     let file = open_regular(path, largest_bytes)?;
     let mut bytes = Vec::new();
-    // One byte more than allowed tells a file that is larger than it said, as those of /proc are.
+    // Reading one byte more than allowed detects a file that is larger than its metadata say, as in /proc.
     file.take(largest_bytes.saturating_add(1))
         .read_to_end(&mut bytes)
         .map_err(|e| FileError::system(path, &e))?;
@@ -110,7 +110,7 @@ pub fn read_bytes(path: &Path, largest_bytes: u64) -> Result<Vec<u8>, FileError>
 /// The text of a regular file of at most `largest_bytes`.
 ///
 /// # Errors
-/// As [`read_bytes`], and for a file that is no UTF-8 text.
+/// As [`read_bytes`], and for a file that is not UTF-8 text.
 pub fn read_text_of(path: &Path, largest_bytes: u64) -> Result<String, FileError> {
     String::from_utf8(read_bytes(path, largest_bytes)?).map_err(|e| {
         let whole = &e.as_bytes()[..e.utf8_error().valid_up_to()];
@@ -119,8 +119,8 @@ pub fn read_text_of(path: &Path, largest_bytes: u64) -> Result<String, FileError
     })
 }
 
-/// How files are opened to be read whose names come from others: no pipe, device or terminal makes the opening
-/// wait, and no terminal becomes the program's own.
+/// Options for reading a file that a user names: opening never waits for a pipe, device or terminal, and no terminal
+/// becomes the program's controlling terminal.
 fn without_waiting() -> OpenOptions {
     with_flags(
         #[cfg(unix)]
@@ -128,8 +128,8 @@ fn without_waiting() -> OpenOptions {
     )
 }
 
-/// How files are opened to be written that may have been put there by others: as those to be read, and a symbolic
-/// link is not followed but an error.
+/// Options for writing a file that others may have created: as for reading, and a symbolic link is an error instead of
+/// being followed.
 #[must_use]
 pub fn without_following() -> OpenOptions {
     with_flags(
@@ -146,7 +146,7 @@ fn with_flags(#[cfg(unix)] flags: i32) -> OpenOptions {
     options
 }
 
-/// What a file is that is no regular one, as in "a folder"; `None` for a regular file.
+/// What an irregular file is, as "a folder"; `None` for a regular file.
 #[must_use]
 pub fn irregular(kind: FileType) -> Option<&'static str> {
     if kind.is_file() {
@@ -168,7 +168,7 @@ pub fn irregular(kind: FileType) -> Option<&'static str> {
     } else if kind.is_symlink() {
         "a symbolic link"
     } else {
-        "no regular file"
+        "not a regular file"
     })
 }
 

@@ -1,6 +1,5 @@
-//! A scenario's tables after reading: every key known, every value of its kind, in SI and within
-//! its bounds, defaults filled in. The getters panic where the key table says otherwise: that would
-//! be our own mistake.
+//! A scenario's tables after reading: every key is known, every value has its kind, is in SI and within its bounds, and
+//! defaults are filled in. The getters panic if the code asks for a key or kind that the key table does not have.
 
 use fenderline_contact::Vec2;
 
@@ -24,9 +23,9 @@ pub(crate) struct Table {
 #[derive(Debug)]
 pub(crate) struct Item {
     pub(crate) name: &'static str,
-    /// Where the key stands; the table's span for a default.
+    /// The span of the key; the table's span for a default.
     pub(crate) key_span: Span,
-    /// Where the value stands; the table's span for a default.
+    /// The span of the value; the table's span for a default.
     pub(crate) span: Span,
     /// The file does not give it.
     pub(crate) is_default: bool,
@@ -67,7 +66,7 @@ impl Table {
         self.items.iter().find(|item| item.name == name)
     }
 
-    /// The number of a key that this kind of table may lack.
+    /// The number of a key that only some kinds of table have.
     pub(crate) fn number_if_any(&self, name: &str) -> Option<f64> {
         self.item_if_any(name).map(|item| *item.number())
     }
@@ -77,7 +76,7 @@ impl Table {
         self.items.iter().find(|item| item.name == name)
     }
 
-    /// A key that is always there: the reader refuses its absence or fills in its default.
+    /// A key that is always present: the reader refuses its absence or fills in its default.
     pub(crate) fn given(&self, name: &str) -> &Item {
         self.item(name).unwrap_or_else(|| unreachable!("{} without {name}", self.spec.what))
     }

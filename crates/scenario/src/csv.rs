@@ -1,8 +1,8 @@
-//! Numbers in columns: text files with one header line of column names, commas between, one row a line.
-//! Empty lines and lines that begin with `#` are left out. Every mistake is an error at its line.
+//! Comma-separated files of numbers, with one header line of column names. Empty lines and lines that begin with `#`
+//! are skipped. Every mistake is an error at its line.
 
 use crate::error::ScenarioError;
-use crate::printable::printable_number as shown;
+use crate::printable::printable_number;
 use crate::sources::{Sources, Span, quoted};
 use crate::suggest::nearest;
 
@@ -34,11 +34,11 @@ pub(crate) struct Grid {
 }
 
 impl<'a> Csv<'a> {
-    /// Reads a file's text. Columns are some of `known`.
+    /// Reads a file's text. `known` are the columns that it may have.
     ///
     /// # Errors
-    /// No header, a column that is not known or stands twice, no rows, a row with too many or too few
-    /// numbers, a cell that is no finite number.
+    /// No header, an unknown or repeated column, no rows, a row with too many or too few numbers, a cell that is not a
+    /// finite number.
     pub(crate) fn parse(
         text: &'a str,
         file_name: &'a str,
@@ -63,7 +63,11 @@ impl<'a> Csv<'a> {
                 ));
             }
             if columns.contains(&name) {
-                return Err(sources.error(&span, key, format!("the column `{name}` stands twice")));
+                return Err(sources.error(
+                    &span,
+                    key,
+                    format!("the column `{name}` is given twice"),
+                ));
             }
             columns.push(name);
         }
@@ -88,7 +92,7 @@ impl<'a> Csv<'a> {
                     };
                     return Err(sources.error(&span, key, message));
                 };
-                // No minus zero, which would be another place than zero.
+                // Adding 0 turns -0 into 0: they are the same place, but have different bits.
                 row.numbers.push(number + 0.0);
                 row.cells.push(span);
             }
@@ -105,7 +109,7 @@ impl<'a> Csv<'a> {
         self.rows.len()
     }
 
-    /// Has it this column?
+    /// Whether the file has this column.
     pub(crate) fn has(&self, column: &str) -> bool {
         self.columns.contains(&column)
     }
@@ -115,10 +119,10 @@ impl<'a> Csv<'a> {
         self.sources.error(&self.header, self.key, message)
     }
 
-    /// The place of a column that has to be there.
+    /// The index of a column that the file must have.
     ///
     /// # Errors
-    /// It is not.
+    /// It does not have it.
     pub(crate) fn column(&self, column: &str) -> Read<usize> {
         self.columns
             .iter()
@@ -126,10 +130,10 @@ impl<'a> Csv<'a> {
             .ok_or_else(|| self.header_error(format!("the column `{column}` is missing")))
     }
 
-    /// A number that lies within bounds, both included.
+    /// A number within bounds, both included.
     ///
     /// # Errors
-    /// It does not.
+    /// A number outside them.
     pub(crate) fn number(&self, row: usize, column: usize, [low, high]: [f64; 2]) -> Read<f64> {
         let number = self.rows[row].numbers[column];
         if number >= low && number <= high {
@@ -141,9 +145,9 @@ impl<'a> Csv<'a> {
             column,
             format!(
                 "`{name}` must be between {} and {}, but is {}",
-                shown(low),
-                shown(high),
-                shown(number)
+                printable_number(low),
+                printable_number(high),
+                printable_number(number)
             ),
         ))
     }
@@ -153,11 +157,10 @@ impl<'a> Csv<'a> {
         self.sources.error(&self.rows[row].cells[column], self.key, message)
     }
 
-    /// The rows as a full grid over some columns: each combination of their values once, in any order in the
-    /// file.
+    /// The rows as a full grid over some columns: each combination of their values once. The rows may be in any order.
     ///
     /// # Errors
-    /// A combination that stands twice, or that is missing.
+    /// A combination that is given twice or missing.
     pub(crate) fn grid(&self, columns: &[usize]) -> Read<Grid> {
         let at = |row: usize, axis: usize| self.rows[row].numbers[columns[axis]];
         let axes: Vec<Vec<f64>> = (0..columns.len())
@@ -173,7 +176,7 @@ impl<'a> Csv<'a> {
             let each = (0..columns.len()).map(|axis| at(one, axis).total_cmp(&at(other, axis)));
             each.fold(core::cmp::Ordering::Equal, core::cmp::Ordering::then)
         };
-        // Stable, so that of two equal rows the later one in the file is the second.
+        // The sort is stable: of two equal rows the later one in the file comes second.
         rows.sort_by(|one, other| compare(*one, *other));
         if let Some(two) = rows.windows(2).find(|two| compare(two[0], two[1]).is_eq()) {
             let place = self.place(columns, |axis| at(two[1], axis));
@@ -183,7 +186,8 @@ impl<'a> Csv<'a> {
                 format!("a second row for {place}"),
             ));
         }
-        // The values of the axes count up like digits; where a row has others, one is missing.
+        // Sorted rows must count through the values of the axes like digits; a row that does not fit means a missing
+        // one.
         let mut digits = vec![0; columns.len()];
         let mut rest = rows.iter();
         loop {
@@ -207,7 +211,9 @@ impl<'a> Csv<'a> {
     fn place(&self, columns: &[usize], value: impl Fn(usize) -> f64) -> String {
         let named = columns.iter().enumerate();
         let named: Vec<String> = named
-            .map(|(axis, column)| format!("{} = {}", self.columns[*column], shown(value(axis))))
+            .map(|(axis, column)| {
+                format!("{} = {}", self.columns[*column], printable_number(value(axis)))
+            })
             .collect();
         match named.is_empty() {
             true => "all of it".to_owned(),
@@ -216,23 +222,23 @@ impl<'a> Csv<'a> {
     }
 }
 
-/// The lines that say something, each with its cells.
+/// The lines that are neither empty nor comments, each with its cells.
 fn lines(text: &str) -> impl Iterator<Item = (Span, Vec<(&str, Span)>)> {
     let mut start = 0;
-    // Lines end with LF, with CR LF, or with CR alone, as old spreadsheets write them: the empty line between CR and LF
-    // says nothing.
+    // Lines end with LF, CR LF, or CR alone, as old spreadsheets write them. Splitting at both leaves an empty line
+    // between CR and LF, which is skipped.
     let all = text.split_inclusive(['\n', '\r']).map(move |line| {
         let from = start;
         start += line.len();
         (from, line.trim_end_matches(['\n', '\r']))
     });
-    // Some programs put a byte order mark in front.
+    // Some programs begin a file with a byte order mark.
     let all = all.map(|(from, line)| match line.strip_prefix('\u{feff}') {
         Some(rest) => (from + '\u{feff}'.len_utf8(), rest),
         None => (from, line),
     });
-    let telling = all.filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
-    telling.map(|(from, line)| {
+    let rows = all.filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
+    rows.map(|(from, line)| {
         let mut at = from;
         let cells = line.split(',').map(|cell| {
             let inner = at + (cell.len() - cell.trim_start().len());
@@ -255,7 +261,7 @@ mod tests {
     }
 
     #[test]
-    fn rows_come_in_the_order_of_the_grid_whatever_theirs_is() {
+    fn rows_are_sorted_into_the_order_of_the_grid() {
         let text = "\u{feff}# place\na, b ,c\r\n1,10,5\n\n0,20,2\n1,20,6\n# more\n0,10,1\n";
         let csv = Csv::parse(text, "f.csv", "key", &["a", "b", "c"]).unwrap();
         let grid = csv.grid(&[0, 1]).unwrap();
@@ -270,19 +276,19 @@ mod tests {
             Csv::parse("# old\ra,b,c\r1,2,3\r4,5,6\r", "f.csv", "key", &["a", "b", "c"]).unwrap();
         assert_eq!(csv.len(), 2);
         assert_eq!(csv.number(1, 2, [0.0, 9.0]), Ok(6.0));
-        let said = refused("a,b,c\r1,2,3\r4,x,6\r");
-        assert!(said.contains("f.csv:3:3") && said.contains("4,x,6"), "{said}");
-        assert!(!said.contains("1,2,3"), "{said}");
-        let said = refused("a,b,c\r\n1,2,3\r\n4,x,6\r\n");
-        assert!(said.contains("f.csv:3:3"), "{said}");
+        let message = refused("a,b,c\r1,2,3\r4,x,6\r");
+        assert!(message.contains("f.csv:3:3") && message.contains("4,x,6"), "{message}");
+        assert!(!message.contains("1,2,3"), "{message}");
+        let message = refused("a,b,c\r\n1,2,3\r\n4,x,6\r\n");
+        assert!(message.contains("f.csv:3:3"), "{message}");
     }
 
     #[test]
-    fn each_mistake_is_told_at_its_line() {
+    fn each_mistake_is_reported_at_its_line() {
         for (text, fragments) in [
             ("", ["no header line", "f.csv", "f.csv"]),
             ("a,b,d\n", ["\"d\" is not a column", "f.csv:1:5", "^"]),
-            ("a,a,b\n", ["`a` stands twice", "f.csv:1:3", "^"]),
+            ("a,a,b\n", ["`a` is given twice", "f.csv:1:3", "^"]),
             ("a,b,c\n", ["no rows", "f.csv:1:1", "^"]),
             ("a,b,c\n1,2\n", ["2 numbers", "f.csv:2:1", "^"]),
             ("a,b,c\n1,,3\n", ["`b` is empty", "f.csv:2:3", "^"]),
@@ -292,8 +298,8 @@ mod tests {
             ("a,b,c\n1,2,3\n2,3,4\n2,2,4\n", ["no row for a = 1, b = 3", "holes", "f.csv:1"]),
             ("a,b,c\n0,0,1\n-0,1,1\n1,0,1\n", ["no row for a = 1, b = 1", "holes", "f.csv:1"]),
         ] {
-            let said = refused(text);
-            assert!(fragments.iter().all(|fragment| said.contains(fragment)), "{said}");
+            let message = refused(text);
+            assert!(fragments.iter().all(|fragment| message.contains(fragment)), "{message}");
         }
     }
 }

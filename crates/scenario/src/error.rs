@@ -40,8 +40,8 @@ impl fmt::Display for Place {
     }
 }
 
-/// A scenario that cannot be run: one mistake, where it is, and where possible what to write in its
-/// place. Displays as several lines with the offending line of the file.
+/// A scenario that cannot be run: one mistake, where it is, and where possible what to write instead. Displays as
+/// several lines with the offending line of the file.
 #[derive(Clone, PartialEq, Eq)]
 pub struct ScenarioError(Box<Content>);
 
@@ -85,7 +85,7 @@ impl ScenarioError {
         &self.0.place
     }
 
-    /// Line of the file, from 1; `None` where the mistake is in no one line.
+    /// Line of the file, from 1; `None` where the mistake does not belong to one line.
     #[must_use]
     pub fn line(&self) -> Option<usize> {
         match self.0.place {
@@ -94,8 +94,8 @@ impl ScenarioError {
         }
     }
 
-    /// Dotted path of the key that the mistake is about, as in `material.paper.stiffness`; `None`
-    /// where the text is not TOML at a place that belongs to no key.
+    /// Dotted path of the key that the mistake is about, as `material.paper.stiffness`; `None` for a syntax error
+    /// outside of any key.
     #[must_use]
     pub fn key(&self) -> Option<&str> {
         self.0.key.as_deref()
@@ -107,7 +107,7 @@ impl ScenarioError {
         &self.0.message
     }
 
-    /// What to write in its place.
+    /// What to write instead.
     #[must_use]
     pub fn help(&self) -> Option<&str> {
         self.0.help.as_deref()
@@ -131,7 +131,7 @@ impl fmt::Display for ScenarioError {
     }
 }
 
-/// As it displays, so that `unwrap` in a host's test shows the place.
+/// As [`Display`](fmt::Display), so that `unwrap` in a host's test shows the place.
 impl fmt::Debug for ScenarioError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
@@ -140,14 +140,14 @@ impl fmt::Debug for ScenarioError {
 
 impl std::error::Error for ScenarioError {}
 
-/// Something that the user should know of a scenario that can be run.
+/// A warning about a scenario that can be run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Notice {
-    /// Where.
+    /// Where it points.
     pub place: Place,
     /// Dotted path of the key that it is about.
     pub key: String,
-    /// What, in one line.
+    /// The warning, in one line.
     pub message: String,
 }
 

@@ -1,4 +1,5 @@
-//! The files that a scenario names besides fender files, read once, before anything is assembled.
+//! The data files that a scenario names, besides fender and vessel files. They are read once, before anything is
+//! assembled.
 
 use std::collections::BTreeMap;
 
@@ -7,11 +8,11 @@ use crate::error::ScenarioError;
 use crate::sources::Sources;
 use crate::spec::Kind;
 
-/// Texts by the names that stand in the scenario.
+/// The text of each file, by its name in the scenario.
 #[derive(Debug, Default)]
 pub(crate) struct Files(BTreeMap<String, String>);
 
-/// What to do about a file that cannot be read.
+/// Help for a file that cannot be read.
 pub(crate) const FILE_HELP: &str = "its path starts from the folder of the scenario";
 
 impl Files {

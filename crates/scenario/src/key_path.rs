@@ -17,7 +17,7 @@ pub(crate) fn join(parent: &str, name: &str) -> String {
     if parent.is_empty() { shown } else { format!("{parent}.{shown}") }
 }
 
-/// `parent[index]`, counted from 1 in messages about lists that users number so.
+/// `parent[index]`, with the index as given.
 pub(crate) fn item(parent: &str, index: usize) -> String {
     format!("{parent}[{index}]")
 }

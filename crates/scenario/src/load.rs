@@ -8,15 +8,15 @@ use crate::error::ScenarioError;
 use crate::overrides::Override;
 use crate::scenario::Scenario;
 
-/// Files above this size are not read (bytes).
+/// Largest file that is read (bytes).
 const LARGEST_FILE: u64 = 16 << 20;
 
-/// A scenario that could not be had from the disk.
+/// A scenario that could not be loaded.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LoadError {
-    /// The file cannot be read, is no regular file, too large or no UTF-8 text: its name and why.
+    /// The file cannot be read, is not a regular file, is too large or is not UTF-8 text: its name and why.
     Unreadable(String),
-    /// It is read, and the scenario reader refuses it.
+    /// The file has a mistake.
     Refused(ScenarioError),
 }
 
@@ -52,7 +52,7 @@ impl Scenario {
 /// The text of a regular file of at most 16 MiB.
 ///
 /// # Errors
-/// Its name and why there is none, in words.
+/// The file's name and why it cannot be read, in words.
 pub fn read_text(path: &Path) -> Result<String, String> {
     read_text_of(path, LARGEST_FILE).map_err(|error| error.to_string())
 }

@@ -1,8 +1,8 @@
-//! Where a text of TOML is nested more deeply than its parser goes, which does not say where.
+//! Finds where a TOML text is nested too deeply. The parser reports that it is, but not where.
 
 use crate::sources::Span;
 
-/// Levels that the parser goes down, of brackets and braces as of names in a dotted key.
+/// The parser's limit, for brackets and braces as for names in a dotted key.
 const DEEPEST: usize = 80;
 
 /// The bracket, brace or dot that goes one level too deep; `None` where there is none.
@@ -33,7 +33,7 @@ pub(crate) fn too_deep(text: &str) -> Option<Span> {
     None
 }
 
-/// The place behind the string that begins at a quote; the end of the text where it does not end.
+/// The position after the string that begins at a quote; the end of the text for an unclosed string.
 fn after_string(bytes: &[u8], start: usize) -> usize {
     let quote = bytes[start];
     let is_long = bytes[start..].starts_with(&[quote; 3]);

@@ -9,7 +9,7 @@ use crate::reader;
 use crate::sources::Sources;
 use crate::syntax;
 
-/// Reads the keys of one `[[order]]`, without that line, as an order to what a set-up has. `name` is for messages.
+/// Reads the keys of one `[[order]]`, without that line, as an order within a set-up. `name` is for messages.
 ///
 /// ```
 /// # let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/berth/alongside_with_two_tugs.toml");

@@ -75,12 +75,12 @@ impl Override {
         &self.value
     }
 
-    /// The option as errors show it.
+    /// The option as errors print it.
     pub(crate) fn shown(&self) -> &str {
         &self.shown
     }
 
-    /// The value as TOML; as a text if it is not TOML.
+    /// The value as TOML, or as a text if it is not TOML.
     fn value(&self) -> Result<Spanned<DeValue<'_>>, ScenarioError> {
         match DeValue::parse(&self.value) {
             Ok(value) => Ok(value),
@@ -238,7 +238,7 @@ impl<'a> Setter<'_, 'a> {
         }
     }
 
-    /// Puts the value under a key. The key keeps its place in the file if it has one there.
+    /// Sets a key to the value. A key of the file keeps its place there.
     fn set(self, table: &mut DeTable<'a>, name: &str) {
         let span = self.sources.override_span(self.index);
         match table.get_mut(name) {

@@ -1,24 +1,24 @@
-//! Texts of users as a terminal may have them: nothing in them that it would obey.
+//! Makes texts of users safe to print: without characters that control a terminal.
 
 use core::fmt::Write as _;
 use std::borrow::Cow;
 
 use fenderline_contact::DisplayNumber;
 
-/// What stands for a character that is not shown.
+/// Replaces a character that is not printed.
 const REPLACED: char = '\u{FFFD}';
 
-/// A text of one line without what a terminal would obey: control characters and those that reorder a line are
-/// replaced by U+FFFD, line breaks too.
+/// A text in one line that is safe to print: control characters, line breaks and characters that reorder a line are
+/// replaced by U+FFFD.
 #[must_use]
 pub fn printable_line(text: &str) -> Cow<'_, str> {
-    without(text, is_obeyed)
+    without(text, is_control)
 }
 
-/// A text of several lines without what a terminal would obey; its line breaks and tabs stay.
+/// A text of several lines that is safe to print; its line breaks and tabs stay.
 #[must_use]
 pub fn printable_text(text: &str) -> Cow<'_, str> {
-    without(text, |c| !matches!(c, '\n' | '\t') && is_obeyed(c))
+    without(text, |c| !matches!(c, '\n' | '\t') && is_control(c))
 }
 
 fn without(text: &str, is_bad: impl Fn(char) -> bool) -> Cow<'_, str> {
@@ -28,18 +28,18 @@ fn without(text: &str, is_bad: impl Fn(char) -> bool) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(|c| if is_bad(c) { REPLACED } else { c }).collect())
 }
 
-/// A text of JSON in which no character is left that a terminal would obey, of the same value: such characters stand in
-/// strings alone there, and are escaped.
+/// JSON of the same value that is safe to print. Characters that control a terminal occur only within strings, where
+/// they are escaped.
 #[must_use]
 pub fn escaped_json(text: &str) -> Cow<'_, str> {
-    let is_bad = |c: char| c != '\n' && is_obeyed(c);
+    let is_bad = |c: char| c != '\n' && is_control(c);
     if !text.contains(is_bad) {
         return Cow::Borrowed(text);
     }
     let mut escaped = String::with_capacity(text.len() + 16);
     for c in text.chars() {
         if is_bad(c) {
-            // All of them are of the plane that four digits reach.
+            // All of them are below U+10000, so four digits suffice.
             let _ = write!(escaped, "\\u{:04x}", u32::from(c));
         } else {
             escaped.push(c);
@@ -48,25 +48,24 @@ pub fn escaped_json(text: &str) -> Cow<'_, str> {
     Cow::Owned(escaped)
 }
 
-/// A number in the shortest form that reads back to it, by powers of ten where its digits would run away.
+/// A number in the shortest form that reads back to it, in scientific notation where it would have many digits.
 #[must_use]
 pub fn printable_number(value: f64) -> String {
     DisplayNumber(value).to_string()
 }
 
-/// One character as it is printed in a snippet of a file: a tab is a space there, so that marks stay below what
-/// they mark.
+/// One character as printed in a snippet of a file. A tab becomes a space, so that the marks below a line stay aligned.
 pub(crate) fn printable_char(c: char) -> char {
     match c {
         '\t' => ' ',
-        c if is_obeyed(c) => REPLACED,
+        c if is_control(c) => REPLACED,
         c => c,
     }
 }
 
-/// Whether a terminal would obey a character, or show the line in another order because of it: controls, line and
-/// paragraph separators, and the marks, overrides and isolates of writing direction (Unicode Standard Annex 9).
-fn is_obeyed(c: char) -> bool {
+/// Whether a character controls a terminal or reorders a line: control characters, line and paragraph separators, and
+/// the marks, overrides and isolates of writing direction (Unicode Standard Annex 9).
+fn is_control(c: char) -> bool {
     c.is_control()
         || matches!(
             c,
@@ -79,7 +78,7 @@ mod tests {
     use super::{escaped_json, printable_line, printable_number, printable_text};
 
     #[test]
-    fn a_number_has_no_three_hundred_digits() {
+    fn very_large_and_small_numbers_are_printed_in_scientific_notation() {
         let numbers = [0.0, -0.1, 1e-5, 1852.0, 1e308, 5e-324, -1e15].map(printable_number);
         assert_eq!(numbers, ["0", "-0.1", "0.00001", "1852", "1e308", "5e-324", "-1e15"]);
     }

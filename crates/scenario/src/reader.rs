@@ -1,5 +1,5 @@
-//! From a TOML tree to checked tables, by the key table alone. Keys are taken in the order of the
-//! file, so that the first mistake in the file is the one reported.
+//! From a TOML tree to checked tables, by the key table alone. Keys are read in the order of the file, so that the
+//! first mistake in the file is reported.
 
 mod errors;
 mod values;
@@ -55,7 +55,7 @@ pub(crate) fn table(
     Ok(Table { spec, path: path.to_owned(), span, items })
 }
 
-/// What stands for a key that the file does not give.
+/// The default of a key that the file does not give.
 fn absent_key(
     sources: &Sources<'_>,
     spec: &'static TableSpec,
@@ -64,7 +64,7 @@ fn absent_key(
     span: &Span,
 ) -> Read<Option<Item>> {
     match key.absent {
-        Absent::Means(_) => Ok(None),
+        Absent::Means(_) | Absent::Unless(_) => Ok(None),
         Absent::Refused => Err(missing_key(sources, spec, key, path, span)),
         Absent::Is(text) => {
             let default = DeValue::parse(text).expect("defaults in the key table are TOML");
@@ -76,7 +76,7 @@ fn absent_key(
     }
 }
 
-/// A table's entries, sorted by where they stand: `toml` sorts them by name.
+/// A table's entries in the order of the file; `toml` sorts them by name.
 fn in_file_order<'t, 'i>(table: &'t DeTable<'i>) -> Vec<(&'t Spanned<DeString<'i>>, &'t Node<'i>)> {
     let mut entries: Vec<_> = table.iter().collect();
     entries.sort_by_key(|(key, _)| key.span().start);
@@ -122,7 +122,7 @@ fn named(
         let (parent, path) = (path, key_path::join(path, name));
         check_text(sources, &path, name, &key.span())?;
         if name == "*" {
-            let message = format!("{} cannot be called \"*\": it stands for all", spec.what);
+            let message = format!("{} cannot be named \"*\", which stands for all", spec.what);
             return Err(sources.error(&key.span(), &path, message));
         }
         let inner = as_table(sources, spec.what, &path, node).map_err(|error| {
@@ -167,7 +167,7 @@ fn as_table<'t, 'i>(
     }
 }
 
-/// A copy of a value that stands, with all in it, at one span of the sources.
+/// A copy of a value, with everything in it placed at one span of the sources.
 pub(crate) fn respan<'i>(node: &Node<'i>, span: &Span) -> Node<'i> {
     let value = match node.get_ref() {
         DeValue::Array(nodes) => {

@@ -17,29 +17,29 @@ use crate::vessels::VesselLibrary;
 /// A scenario file after all checks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scenario {
-    /// Title of reports: the file's, else the stem of its name.
+    /// Title of reports: from the file, or the file's name without its extension.
     pub title: String,
     /// The simulation, in SI units; bodies and materials in the order of the file.
     pub setup: Setup,
-    /// What was put right or looks unintended, in the order of the file.
+    /// Warnings: what was corrected or looks unintended, in the order of the file.
     pub notices: Vec<Notice>,
 }
 
-/// What all files together may have that a scenario names (bytes).
+/// Largest total size of the files that a scenario names (bytes).
 const LARGEST_TOTAL: usize = 256 << 20;
 
 impl Scenario {
     /// Reads the text of a scenario file; `file_name` is for messages and the default title.
     ///
     /// # Errors
-    /// The first mistake found: what is no TOML, then unknown keys and bad values in the order of
-    /// the file, then what does not fit together.
+    /// The first mistake found: TOML syntax, then unknown keys and bad values in the order of the file, then keys that
+    /// contradict each other.
     pub fn parse(text: &str, file_name: &str) -> Result<Scenario, ScenarioError> {
         Scenario::parse_with(text, file_name, &[])
     }
 
-    /// As [`Scenario::parse`], with some keys replaced before anything is checked; where two
-    /// overrides name one key, the later one holds.
+    /// As [`Scenario::parse`], with some keys replaced before anything is checked. Of two overrides of one key the later
+    /// one counts.
     ///
     /// # Errors
     /// As [`Scenario::parse`]; mistakes in an override point at its option, not at the file.
@@ -49,12 +49,14 @@ impl Scenario {
         overrides: &[Override],
     ) -> Result<Scenario, ScenarioError> {
         Scenario::parse_among(text, file_name, overrides, &mut |name| {
-            Err(format!("{name}: this text stands alone, no other file can be read"))
+            Err(format!(
+                "{name}: this scenario was given as text alone, so no other file can be read"
+            ))
         })
     }
 
-    /// As [`Scenario::parse_with`], with a way to `read` the files that the scenario names: from
-    /// the name as it stands in the file to the file's text, or why there is none.
+    /// As [`Scenario::parse_with`]. `read` reads the files that the scenario names: it gets the name as written in the
+    /// scenario, and returns the text or why it cannot be read.
     ///
     /// # Errors
     /// As [`Scenario::parse_with`]; mistakes in such a file point at that file.
@@ -67,7 +69,7 @@ impl Scenario {
         let sources = Sources::new(file_name, text, overrides);
         let mut document = syntax::parse(&sources)?;
         overrides::apply(&sources, &mut document)?;
-        // What the file as a whole lacks is lacking at its end.
+        // A key that is missing at the top level is reported at the end of the file.
         let end = text.trim_end().len();
         let file = reader::table(&sources, &SCENARIO, "", end..end, &document)?;
         let mut notices = Vec::new();
@@ -76,7 +78,7 @@ impl Scenario {
             let text = read(name)?;
             left = left.checked_sub(text.len()).ok_or_else(|| {
                 let most = LARGEST_TOTAL >> 20;
-                format!("{name}: with it the files of the scenario have more than {most} MiB")
+                format!("{name}: with this file the files of the scenario exceed {most} MiB")
             })?;
             Ok(text)
         };
@@ -89,30 +91,26 @@ impl Scenario {
     }
 }
 
-/// Fenders and vessels: the program's own, with the files that the scenario names.
+/// The fender and vessel libraries: built-in data and the files that the scenario names.
 fn libraries(
     sources: &Sources<'_>,
     file: &Table,
     read: &mut dyn FnMut(&str) -> Result<String, String>,
 ) -> Result<Libraries, ScenarioError> {
-    let mut libraries =
-        Libraries { fenders: FenderLibrary::built_in(), vessels: VesselLibrary::built_in() };
-    for key in ["fender_files", "vessel_files"] {
-        let item = file.given(key);
-        for name in item.texts() {
-            let text = read(name).map_err(|why| {
-                let message = format!("`{key}`: cannot read {why}");
-                sources.error(&item.span, key, message).with_help(FILE_HELP)
-            })?;
-            libraries = match key {
-                "fender_files" => {
-                    Libraries { fenders: libraries.fenders.with_file(&text, name)?, ..libraries }
-                }
-                _ => Libraries { vessels: libraries.vessels.with_file(&text, name)?, ..libraries },
-            };
-        }
+    let mut read_text = |key: &str, name: &str| {
+        read(name).map_err(|why| {
+            let message = format!("`{key}`: cannot read {why}");
+            sources.error(&file.given(key).span, key, message).with_help(FILE_HELP)
+        })
+    };
+    let (mut fenders, mut vessels) = (FenderLibrary::built_in(), VesselLibrary::built_in());
+    for name in file.given("fender_files").texts() {
+        fenders = fenders.with_file(&read_text("fender_files", name)?, name)?;
     }
-    Ok(libraries)
+    for name in file.given("vessel_files").texts() {
+        vessels = vessels.with_file(&read_text("vessel_files", name)?, name)?;
+    }
+    Ok(Libraries { fenders, vessels })
 }
 
 /// The name of a file without folders and extension.

@@ -14,8 +14,7 @@ const QUANTITY_PATTERN: &str = r"^\s*[+\-−]?[0-9]+(\.[0-9]+)?([eE][+\-]?[0-9]+
 
 /// The JSON Schema (draft 2020-12) of scenario files, for editors that check and complete TOML.
 ///
-/// It knows every key, its kind, bounds and default; that units fit and names exist only the reader
-/// knows.
+/// It has every key with its kind, bounds and default. Only the reader checks that units fit and names exist.
 ///
 /// ```
 /// let schema = fenderline_scenario::schema();
@@ -26,8 +25,7 @@ pub fn schema() -> Json {
     whole_file(&SCENARIO, "Fenderline scenario")
 }
 
-/// The JSON Schema (draft 2020-12) of fender files, those that [`crate::FenderLibrary::with_file`]
-/// reads.
+/// The JSON Schema (draft 2020-12) of fender files, which [`crate::FenderLibrary::with_file`] reads.
 ///
 /// ```
 /// let schema = fenderline_scenario::fender_schema();
@@ -38,7 +36,7 @@ pub fn fender_schema() -> Json {
     whole_file(&FENDER_FILE, "Fenderline fender data")
 }
 
-/// The JSON Schema (draft 2020-12) of vessel files, those that [`crate::VesselLibrary::with_file`] reads.
+/// The JSON Schema (draft 2020-12) of vessel files, which [`crate::VesselLibrary::with_file`] reads.
 ///
 /// ```
 /// let schema = fenderline_scenario::vessel_schema();
@@ -89,6 +87,9 @@ fn key(key: &KeySpec) -> Map<String, Json> {
             schema.insert("default".to_owned(), parsed(value));
         }
         Absent::Means(meaning) => description.push_str(&format!(" Without it: {meaning}.")),
+        Absent::Unless(condition) => {
+            description.push_str(&format!(" Required unless {condition}."));
+        }
     }
     schema.insert("title".to_owned(), json!(capitalised(&key.name.replace('_', " "))));
     schema.insert("description".to_owned(), json!(description));

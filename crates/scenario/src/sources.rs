@@ -1,5 +1,5 @@
-//! The texts that a scenario comes from, as one line of positions: the file first, then one position
-//! for each override. Every span in the merged document says by its start which of them it is from.
+//! The texts that a scenario comes from, on one axis of positions: first the bytes of the file, then one position for
+//! each override. The start of a span tells which of them it belongs to.
 
 use core::cell::OnceCell;
 use core::ops::Range;
@@ -17,13 +17,13 @@ pub(crate) struct Sources<'a> {
     pub(crate) file_name: &'a str,
     pub(crate) text: &'a str,
     pub(crate) overrides: &'a [Override],
-    /// Made with the first place that is asked for: a scenario without notices needs none.
+    /// Computed when the first place is queried: a scenario without errors or notices needs none.
     marks: OnceCell<Vec<Mark>>,
 }
 
-/// A byte of the text whose line and column are known. There is one at the start of each line and one every few
-/// hundred bytes of a long line, so that a place is found by looking through that many bytes, not through the text:
-/// a file with as many notices as lines would else take time as the square of its size.
+/// A byte of the text whose line and column are known. There is one at the start of each line and every few hundred
+/// bytes of a long line. Finding a place scans from the nearest mark; scanning the whole text would take quadratic time
+/// in a file with a notice on every line.
 #[derive(Clone, Copy, Debug)]
 struct Mark {
     byte: usize,
@@ -33,7 +33,7 @@ struct Mark {
     column: usize,
 }
 
-/// Bytes between two marks of a line, but for the last character.
+/// Bytes between two marks of a line, to within one character.
 const BETWEEN_MARKS: usize = 256;
 
 /// The marks of a text, in one pass.
@@ -62,7 +62,7 @@ impl<'a> Sources<'a> {
 }
 
 impl Sources<'_> {
-    /// The span of everything that the override of this number brings.
+    /// The span of everything in the override of this index.
     pub(crate) fn override_span(&self, index: usize) -> Span {
         let position = self.text.len() + 1 + index;
         position..position
@@ -75,7 +75,7 @@ impl Sources<'_> {
         }
         let at = self.boundary(span.start);
         let marks = self.marks.get_or_init(|| marks(self.text));
-        // The first mark is at byte 0, so that one is at or before any place.
+        // The first mark is at byte 0, so some mark is at or before any place.
         let mark = marks[marks.partition_point(|mark| mark.byte <= at) - 1];
         Place::File {
             name: self.file_name.to_owned(),
@@ -110,7 +110,7 @@ impl Sources<'_> {
         ScenarioError::new(place, None, message.into())
     }
 
-    /// The line that a span starts in; `None` for an override, which its place shows in full.
+    /// The line that a span starts in; `None` for an override, whose place shows all of it.
     fn snippet(&self, span: &Span) -> Option<Snippet> {
         if span.start > self.text.len() {
             return None;
@@ -131,7 +131,7 @@ impl Sources<'_> {
     }
 }
 
-/// A line in three parts, cut on both sides so that the marked part shows in a line of a terminal.
+/// A line in three parts, cut on both sides so that the marked part fits a line of a terminal.
 fn cut(before: &str, marked: &str, after: &str) -> Snippet {
     const BEFORE: usize = 40;
     const MARKED: usize = 40;
@@ -160,15 +160,14 @@ fn cut(before: &str, marked: &str, after: &str) -> Snippet {
     Snippet { line: line.trim_end().to_owned(), before: before_count, marked: marked_count.max(1) }
 }
 
-/// The first `count` characters, fit to print, and whether there are more.
+/// The first `count` characters, safe to print, and whether there are more.
 pub(crate) fn first(text: &str, count: usize) -> (String, bool) {
     let mut chars = text.chars();
     let kept = chars.by_ref().take(count).map(printable_char).collect();
     (kept, chars.next().is_some())
 }
 
-/// A short form of a user's text for a message: in quotes, cut, nothing in it that a terminal would
-/// obey.
+/// A user's text for a message: in quotes, shortened, safe to print.
 pub(crate) fn quoted(text: &str) -> String {
     let (kept, is_cut) = first(text, 40);
     if is_cut { format!("\"{kept}…\"") } else { format!("\"{kept}\"") }
@@ -180,7 +179,7 @@ mod tests {
     use crate::error::Place;
 
     #[test]
-    fn a_place_is_that_of_counting_from_the_start() {
+    fn a_place_agrees_with_counting_from_the_start() {
         let long = "x".repeat(BETWEEN_MARKS - 1);
         let text = format!("a\n\r\nüö{long}大{long}{long}\nlast 👍{long}{long}end");
         let sources = Sources::new("f", &text, &[]);
@@ -197,8 +196,8 @@ mod tests {
     }
 
     #[test]
-    fn no_place_is_found_by_looking_through_the_text() {
-        // Of a text of one line and of one of many: what is looked through for a place is bounded.
+    fn finding_a_place_scans_a_bounded_number_of_bytes() {
+        // In a text of one line and in one of many.
         for text in ["a".repeat(100_000), "大".repeat(50_000), "key = 1\n".repeat(10_000)] {
             let marks = marks(&text);
             let longest = marks.windows(2).map(|two| two[1].byte - two[0].byte).max();
@@ -217,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_reaches_the_terminal_that_it_would_obey() {
+    fn control_characters_do_not_reach_the_terminal() {
         assert_eq!(cut("a\tb\u{1b}[31m", "c\u{202e}", "").line, "a b\u{FFFD}[31mc\u{FFFD}");
         assert_eq!(quoted("\u{7}x"), "\"\u{FFFD}x\"");
     }

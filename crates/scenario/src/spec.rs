@@ -9,14 +9,13 @@ use crate::units::Measure;
 /// A table of keys.
 #[derive(Debug)]
 pub(crate) struct TableSpec {
-    /// What one such table describes, with its article: `a material`.
+    /// What one such table describes, with its article, as `a material`.
     pub(crate) what: &'static str,
     /// What it is for.
     pub(crate) doc: &'static str,
     /// Its keys, in the order in which documentation shows them.
     pub(crate) keys: &'static [KeySpec],
-    /// What holds between the keys, as JSON Schema keywords. The reader checks it in code; a test
-    /// compares both.
+    /// Rules between the keys, as JSON Schema keywords. `assemble` checks them in code, and a test compares the two.
     pub(crate) rules: Option<fn() -> Json>,
 }
 
@@ -28,7 +27,7 @@ impl TableSpec {
 }
 
 /// One key.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct KeySpec {
     /// Its name.
     pub(crate) name: &'static str,
@@ -38,8 +37,19 @@ pub(crate) struct KeySpec {
     pub(crate) absent: Absent,
     /// What it is for.
     pub(crate) doc: &'static str,
-    /// Values to imitate, as TOML.
+    /// Example values, as TOML.
     pub(crate) examples: &'static [&'static str],
+}
+
+/// A key, by position: name, kind, what its absence means, documentation, examples.
+pub(crate) const fn key(
+    name: &'static str,
+    kind: Kind,
+    absent: Absent,
+    doc: &'static str,
+    examples: &'static [&'static str],
+) -> KeySpec {
+    KeySpec { name, kind, absent, doc, examples }
 }
 
 /// What the absence of a key means.
@@ -51,10 +61,12 @@ pub(crate) enum Absent {
     Is(&'static str),
     /// What these words say.
     Means(&'static str),
+    /// An error unless these words hold. `assemble` checks it.
+    Unless(&'static str),
 }
 
 /// What a key holds.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) enum Kind {
     /// Free text in one line.
     Text,
@@ -64,11 +76,11 @@ pub(crate) enum Kind {
     Choice(&'static dyn AnyChoices),
     /// A number with a unit.
     Quantity(Quantity),
-    /// Two of the same kind: north and east.
+    /// Two quantities: north and east.
     Vector(Quantity),
     /// A point in a body's axes: forward and to starboard.
     Point(Quantity),
-    /// The name of a file, relative to this one; the reader of the scenario reads it too.
+    /// The name of a file, relative to this one, that is read with the scenario.
     FileName,
     /// A list of texts.
     Texts,
@@ -91,7 +103,7 @@ pub(crate) enum Kind {
 }
 
 /// A kind of quantity and its bounds in SI, both included.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Quantity {
     /// Dimension and unit.
     pub(crate) measure: &'static Measure,

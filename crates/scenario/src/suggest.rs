@@ -2,18 +2,18 @@
 
 /// The candidate that `word` most likely stands for, if any is near.
 ///
-/// Near: at most a third of the letters, and at least one, differ (swapped neighbours count once),
-/// upper and lower case being alike. The first of equally near ones wins.
+/// A candidate is near if at most a third of the letters differ, or one letter of a short word. Swapped neighbours
+/// count once, and case does not count. The first of equally near candidates wins.
 pub(crate) fn nearest<'a>(
     word: &str,
     candidates: impl IntoIterator<Item = &'a str>,
 ) -> Option<&'a str> {
-    // The distance takes time in proportion to the product of both lengths.
+    // Computing the distance takes time in proportion to the product of both lengths.
     const LONGEST: usize = 100;
     if word.len() > LONGEST {
         return None;
     }
-    // As many candidates as are looked at in a fraction of a second, be they and the word as long as may be.
+    // Limits the time to a fraction of a second for the longest words.
     const MOST: usize = 10_000;
     let lower = word.to_lowercase();
     let letters = lower.chars().count();
@@ -36,7 +36,7 @@ mod tests {
     use super::nearest;
 
     #[test]
-    fn finds_slips_and_leaves_strangers() {
+    fn finds_typing_errors_and_rejects_other_words() {
         let keys = ["stiffness", "shear_stiffness", "damping"];
         assert_eq!(nearest("stifness", keys), Some("stiffness"));
         assert_eq!(nearest("dampnig", keys), Some("damping"));

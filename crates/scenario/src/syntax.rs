@@ -6,7 +6,7 @@ use crate::error::ScenarioError;
 use crate::nesting::too_deep;
 use crate::sources::{Sources, Span, quoted};
 
-/// Largest file that is read at all, in bytes.
+/// Largest file that is read, in bytes.
 const LARGEST_FILE: usize = 16 << 20;
 
 /// Parses the file.
@@ -37,13 +37,13 @@ fn broken(sources: &Sources<'_>, error: &toml::de::Error) -> ScenarioError {
     let unquoted = error.message().contains("must be quoted");
     if unquoted || follows_a_number(&sources.text[..sources.text.floor_char_boundary(span.start)]) {
         return error.with_help(
-            "a text or a number with a unit stands in quotes, \"0.1 s\"; a fraction has a point, 0.1",
+            "put a text or a number with a unit in quotes, \"0.1 s\"; write a decimal point, 0.1",
         );
     }
     error
 }
 
-/// A key or a table that is there a second time, and where the first is.
+/// The error for a key or table that is given twice; it names the line of the first.
 fn given_twice(sources: &Sources<'_>, span: &Span, key: Option<String>) -> ScenarioError {
     let quotes = ['"', '\''];
     let name = sources.text.get(span.clone()).unwrap_or_default().trim_matches(quotes);
@@ -59,7 +59,7 @@ fn given_twice(sources: &Sources<'_>, span: &Span, key: Option<String>) -> Scena
     sources.syntax_error(span, key, message).with_help("keep one of the two, or rename one")
 }
 
-/// The line, from 1, that a key or a table stands in first, in the text `before` its second time.
+/// The line, from 1, that first has a key or a table, in the text `before` its second occurrence.
 fn first_line(before: &str, key: &str) -> Option<usize> {
     let (above, _) = before.rsplit_once('\n')?;
     let second = &before[above.len() + 1..];
@@ -69,7 +69,7 @@ fn first_line(before: &str, key: &str) -> Option<usize> {
             .position(|line| header(line).is_some_and(|it| it == key))
             .map(|i| i + 1);
     }
-    // A key is there twice in one table: tables of a list have the same keys each.
+    // A key is given twice in one table. Look only there: the tables of a list have the same keys.
     let name = key.rsplit('.').next().unwrap_or(key);
     let own = above.lines().enumerate().collect::<Vec<_>>();
     let own = own.iter().rev().take_while(|(_, line)| header(line).is_none());
@@ -77,7 +77,7 @@ fn first_line(before: &str, key: &str) -> Option<usize> {
     own.filter(|(_, line)| is_it(line)).last().map(|(index, _)| index + 1)
 }
 
-/// True for `step = 0.1 ` or `step = 0`, where a unit or a decimal comma broke the line.
+/// True after `step = 0.1 ` or `step = 0`, where an unquoted unit or a decimal comma follows.
 fn follows_a_number(before: &str) -> bool {
     let line = before.rsplit('\n').next().unwrap_or_default();
     line.rsplit_once(['=', '[', ',']).is_some_and(|(_, value)| {
@@ -85,8 +85,8 @@ fn follows_a_number(before: &str) -> bool {
     })
 }
 
-/// The key that a place in broken text most likely belongs to: what stands before the `=` of its
-/// line, under the last table header above it.
+/// The key that a place in broken text most likely belongs to: the text before the `=` of its line, under the last
+/// table header above it.
 fn enclosing_key(text: &str, position: usize) -> Option<String> {
     let position = text.floor_char_boundary(position.min(text.len()));
     let line_start = text[..position].rfind('\n').map_or(0, |newline| newline + 1);
@@ -110,7 +110,7 @@ fn header(line: &str) -> Option<String> {
     plausible_key(inner?)
 }
 
-/// A text that may be a dotted key.
+/// The text, if it may be a dotted key.
 fn plausible_key(text: &str) -> Option<String> {
     const LONGEST: usize = 120;
     let text = text.trim();

@@ -1,4 +1,4 @@
-//! Whatever a file or an option holds, the answer is a scenario or one error, never a panic.
+//! Any file and any option give a scenario or one error, never a panic.
 
 use fenderline_scenario::{Override, Scenario};
 use proptest::prelude::*;
@@ -51,7 +51,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(500))]
 
     #[test]
-    fn a_damaged_file_is_answered(
+    fn a_damaged_file_does_not_panic(
         cuts in prop::collection::vec((0..TEXT.len(), 0_usize..20, 0..PIECES.len()), 1..6),
     ) {
         let mut text = TEXT.to_owned();
@@ -67,7 +67,7 @@ proptest! {
     }
 
     #[test]
-    fn any_line_is_answered(line in "[\\[\\]{}=\".,#a-z0-9 '\\\\-]{0,60}", at in 0..TEXT.len()) {
+    fn any_line_does_not_panic(line in "[\\[\\]{}=\".,#a-z0-9 '\\\\-]{0,60}", at in 0..TEXT.len()) {
         let line_end = TEXT[TEXT.floor_char_boundary(at)..].find('\n').map_or(TEXT.len(), |n| {
             TEXT.floor_char_boundary(at) + n
         });
@@ -78,7 +78,7 @@ proptest! {
     }
 
     #[test]
-    fn any_override_is_answered(
+    fn any_override_does_not_panic(
         key in "(time|body|pair|load|contact|material|\"\"|[a-z*0]{0,3})(\\.[a-z_\"0-9]{0,8}){0,3}",
         value in "\\PC{0,20}",
     ) {

@@ -1,5 +1,5 @@
-//! Every mistake that a fender or a berthing study can hold is answered with one message that names key
-//! and line; and what a good one becomes.
+//! Every mistake in a fender or a berthing study gives one message that names key and line. A correct one becomes the
+//! expected set-up.
 
 use fenderline_contact::{FenderLaw, Stop};
 use fenderline_scenario::Scenario;
@@ -113,7 +113,7 @@ const CASES: &[Case] = &[
     case("height = \"1 m\"\nrated_reaction = \"600 kN\"", "", "[fender.cone]", "fender.cone.size", "is missing"),
     case("height = \"1 m\"", "height = \"1 m\"\nsize = \"1050 F1.1\"", "height = ", "fender.cone.height", "does not go together with `size`"),
     case("type = \"cone\"", "type = \"cone\"\nstiffness = \"1 MN/m\"", "stiffness = \"1 MN/m\"", "fender.cone.stiffness", "does not go together with `type`"),
-    case("type = \"cone\"", "type = \"unit element\"", "temperature = ", "fender.cone.temperature", "no factors by temperature are known"),
+    case("type = \"cone\"", "type = \"unit element\"", "temperature = ", "fender.cone.temperature", "no temperature factors are known"),
     case("type = \"cone\"\nheight = \"1 m\"\nrated_reaction", "type = \"unit element\"\nheight = \"1 m\"\n#", "height = \"1 m\"", "fender.cone.height", "give the rated reaction yourself"),
     case("rated_deflection = \"0.5 m\"", "returned_energy = 1.2", "returned_energy = 1.2", "fender.table.returned_energy", "must be at most 1, but is 1.2"),
     case("rated_deflection = \"0.5 m\"", "returned_energy = -0.1", "returned_energy = -0.1", "fender.table.returned_energy", "must be at least 0.05, but is -0.1"),
@@ -133,7 +133,7 @@ const CASES: &[Case] = &[
     case("projection = \"0.8 m\"\n", "", "[fender.table]", "fender.table.projection", "is missing"),
     case("projection = \"1 m\"\nmaterial", "projection = \"1 m\"\nheight = \"1 m\"\nmaterial", "height = \"1 m\"\nmaterial", "fender.area.height", "is for fenders of a `type`"),
     case("projection = \"1 m\"\nmaterial", "projection = \"1 m\"\nrated_deflection = 1\nmaterial", "rated_deflection = 1\n", "fender.area.rated_deflection", "is for fenders with a `stiffness` or a `curve`"),
-    case("projection = \"1 m\"\nmaterial = \"rubber\"", "projection = \"1 m\"\nmaterial = \"facing\"", "material = \"facing\"\n\n[[pair]]", "fender.area.material", "has no stiffness, and the fender no other law"),
+    case("projection = \"1 m\"\nmaterial = \"rubber\"", "projection = \"1 m\"\nmaterial = \"facing\"", "material = \"facing\"\n\n[[pair]]", "fender.area.material", "the fender has no law, and its material"),
     case("projection = \"1 m\"\nmaterial", "projection = \"1 m\"\ncount = 2\nmaterial", "count = 2\nmaterial", "fender.area.count", "is for fenders of a `type`"),
     case("width = \"2 m\"\ntype", "width = 0\ntype", "width = 0", "fender.cone.width", "must be"),
     case("width = \"2 m\"\ntype", "width = nan\ntype", "width = nan", "fender.cone.width", "not a finite number"),
@@ -161,7 +161,7 @@ fn every_mistake_names_key_and_line() {
 }
 
 #[test]
-fn a_fender_file_is_read_beside_the_scenario_and_its_mistakes_are_its_own() {
+fn a_fender_file_is_read_with_the_scenario_and_its_mistakes_name_that_file() {
     let own = r#"
         [family.cone]
         [[family.cone.size]]
@@ -195,11 +195,11 @@ fn a_fender_file_is_read_beside_the_scenario_and_its_mistakes_are_its_own() {
     let mut none = |_: &str| Err("own.toml: no such file".to_owned());
     let error = Scenario::parse_among(&text, "x.toml", &[], &mut none).unwrap_err();
     assert_eq!((error.key(), error.line()), (Some("fender_files"), Some(1)), "{error}");
-    assert!(Scenario::parse(&text, "x.toml").is_err(), "a text that stands alone reads no files");
+    assert!(Scenario::parse(&text, "x.toml").is_err(), "a scenario given as text reads no files");
 }
 
 #[test]
-fn a_pressure_that_is_not_known_is_not_made_up() {
+fn an_unknown_hull_pressure_stays_unknown() {
     let good = "size = \"3300x6500 50kPa\"";
     let own = "height = \"3.3 m\"\nrated_reaction = \"3 MN\"";
     let setup = Scenario::parse(&GOOD.replacen(good, own, 1), "x.toml").unwrap().setup;
@@ -217,7 +217,7 @@ fn a_pressure_that_is_not_known_is_not_made_up() {
 }
 
 #[test]
-fn what_fenders_become() {
+fn fenders_become_the_expected_set_up() {
     let setup = Scenario::parse(GOOD, "x.toml").unwrap().setup;
     let [cone, pneumatic, table, area] = setup.fenders.as_slice() else { panic!("four fenders") };
     // −15 °C lies between 1.249 at −20 and 1.130 at −10.
@@ -231,7 +231,7 @@ fn what_fenders_become() {
     assert_eq!(cone.hull_pressure, HullPressure::OverFace);
     assert_eq!(pneumatic.projection_m, 3.3);
     let HullPressure::Inner { initial_npm2, rated_npm2, .. } = pneumatic.hull_pressure else {
-        panic!("blown up")
+        panic!("pneumatic")
     };
     assert_eq!((initial_npm2, rated_npm2), (50e3, 146e3));
     assert_eq!(pneumatic.stop.unwrap().from_m, 0.6 * 3.3);

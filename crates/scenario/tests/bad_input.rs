@@ -1,4 +1,4 @@
-//! Every mistake that a scenario file can hold is answered with one message that names key and line.
+//! Every mistake in a scenario file gives one message that names key and line.
 
 use std::time::{Duration, Instant};
 
@@ -146,7 +146,7 @@ const CASES: &[Case] = &[
     case_at("[material.paper]", "[material]", "stiffness = ", "material.stiffness", "a material has a name: [material.NAME]"),
     case("[body.quay]", "[body.\"*\"]", "body.\"*\"", "stands for all"),
     case("[body.quay]", "[body.\"\"]", "body.\"\"", "is empty"),
-    // bodies and materials that are not there
+    // unknown bodies and materials
     case(PAIR, "[\"fender\", \"tgu\"]", "pair.1.bodies", "did you mean \"tug\"?"),
     case(PAIR, "[\"fender\", \"lighthouse\"]", "pair.1.bodies", "there is no body \"lighthouse\""),
     case("body = \"tug\"", "body = \"ship\"", "load.0.body", "the scenario has the bodies"),
@@ -225,9 +225,9 @@ const CASES: &[Case] = &[
     case("\"-500 kN\"", "1e16", "load.0.force[1]", "must be at most 1e15 N"),
     // broken TOML
     case("step = \"0.1 s\"", "step = ", "time.step", "this is not TOML"),
-    case("step = \"0.1 s\"", "step = 0.1 s", "time.step", "number with a unit stands in quotes"),
-    case("step = \"0.1 s\"", "step = 0.1s", "time.step", "number with a unit stands in quotes"),
-    case("step = \"0.1 s\"", "step = 0,1", "time.step", "a fraction has a point"),
+    case("step = \"0.1 s\"", "step = 0.1 s", "time.step", "number with a unit in quotes"),
+    case("step = \"0.1 s\"", "step = 0.1s", "time.step", "number with a unit in quotes"),
+    case("step = \"0.1 s\"", "step = 0,1", "time.step", "write a decimal point"),
     case("title", "duration", "duration", "`duration` belongs under [time]"),
     case("step = \"0.1 s\"", "step = \"0.1 s", "time.step", "this is not TOML"),
     case("[body.quay]", "[body.quay", "body.quay", "this is not TOML"),
@@ -238,13 +238,13 @@ const CASES: &[Case] = &[
 ];
 
 #[test]
-fn the_good_scenario_is_good() {
+fn the_good_scenario_has_no_notices() {
     let scenario = Scenario::parse(GOOD, "good.toml").unwrap();
     assert_eq!(scenario.notices, []);
 }
 
 #[test]
-fn friction_beyond_all_materials_is_noticed_with_its_line() {
+fn unusual_friction_gives_a_notice_with_its_line() {
     let parse = |friction: &str| {
         let text = GOOD.replace("friction_static = 0.5", &format!("friction_static = {friction}"));
         Scenario::parse(&text, "slippery.toml")
@@ -254,7 +254,7 @@ fn friction_beyond_all_materials_is_noticed_with_its_line() {
     let [notice] = &rough.notices[..] else { panic!("{:?}", rough.notices) };
     assert_eq!(notice.key, "material.paper.friction_static");
     assert!(notice.to_string().contains("slippery.toml:14:"), "{notice}");
-    assert!(notice.message.starts_with("3 is more than the 1.5"), "{notice}");
+    assert!(notice.message.starts_with("3 is more than 1.5"), "{notice}");
     let absurd = parse("11").unwrap_err();
     assert_eq!(absurd.key(), Some("material.paper.friction_static"));
     assert!(absurd.to_string().contains("must be at most 10"), "{absurd}");
@@ -273,7 +273,7 @@ fn every_mistake_names_key_and_line() {
 
 fn check(case: &Case) -> Result<(), String> {
     if GOOD.matches(case.part).count() != 1 {
-        return Err("the part to replace is not there just once".to_owned());
+        return Err("the part to replace does not occur exactly once".to_owned());
     }
     let text = GOOD.replace(case.part, case.mistake);
     let position = match case.at {
@@ -299,7 +299,7 @@ fn check(case: &Case) -> Result<(), String> {
 }
 
 #[test]
-fn what_the_whole_file_lacks_is_named() {
+fn a_missing_top_level_key_is_named() {
     let without = |start: &str, end: &str| {
         let (from, to) = (GOOD.find(start).unwrap(), GOOD.find(end).unwrap());
         Scenario::parse(&[&GOOD[..from], &GOOD[to..]].concat(), "bad.toml").unwrap_err()
@@ -326,7 +326,7 @@ fn messages_look_as_documented() {
     assert_eq!(shown, expected);
 }
 
-/// Huge files are answered in reasonable time, even in a debug build on a busy machine.
+/// A huge file is refused in reasonable time, even in a debug build on a busy machine.
 fn refused_soon(text: &str) -> ScenarioError {
     let start = Instant::now();
     let error = Scenario::parse(text, "huge.toml").expect_err("a huge file is no scenario");

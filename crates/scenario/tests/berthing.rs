@@ -1,6 +1,6 @@
-//! The whole story of `scenarios/berth/alongside_with_two_tugs.toml` does what it says.
+//! The berthing of `scenarios/berth/alongside_with_two_tugs.toml` runs as its comments describe.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "expected values may use std")]
 
 use std::collections::BTreeSet;
 
@@ -9,8 +9,8 @@ use fenderline_sim::Simulation;
 
 const KNOT_MPS: f64 = 1852.0 / 3600.0;
 
-/// Approach at 4 knots, way taken off, both tugs push, all eight cones are touched and none beyond its rating, six lines are
-/// made fast and hold, and after the tugs let go she lies on her fenders against the wind.
+/// She approaches at 4 knots and stops. Both tugs push. She touches all eight cones, none beyond its rating. Six lines
+/// are made fast and hold. After the tugs stop pushing, the wind keeps her on the fenders.
 #[test]
 fn the_container_ship_comes_alongside_with_two_tugs_and_stays_there() {
     let text = include_str!("../../../scenarios/berth/alongside_with_two_tugs.toml");
@@ -36,7 +36,7 @@ fn the_container_ship_comes_alongside_with_two_tugs_and_stays_there() {
                 assert!(record.tugs.iter().all(|tug| tug.force.sway_n.abs() < 10e3));
                 for line in record.lines {
                     let state = line.line.as_ref().map(|(_, state)| state.parted);
-                    assert_eq!(state, Some(false), "fast, and whole");
+                    assert_eq!(state, Some(false), "made fast and not parted");
                 }
             }
             _ => {}

@@ -1,4 +1,4 @@
-//! Names of files that would stop a program: pipes, devices, endless files, folders.
+//! Names of files that could hang the program: pipes, devices, endless files, folders.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -55,7 +55,7 @@ fn devices_sockets_and_endless_files_are_refused() {
     let socket = folder("socket").join("socket");
     let _listener = std::os::unix::net::UnixListener::bind(&socket).expect("a socket");
     assert_eq!(fault(&socket, 9), FileFault::NotRegular("a socket"));
-    // A regular file, as it says, of no bytes, as it says; there are more.
+    // Its metadata say a regular file of no bytes, but it has content.
     let endless = Path::new("/proc/self/environ");
     if fs::read(endless).is_ok_and(|bytes| bytes.len() > 9) {
         assert_eq!(fault(endless, 9), FileFault::TooLarge { largest_bytes: 9 });

@@ -1,6 +1,6 @@
-//! Wind, current, waves, squat and banks from scenarios: what they do to a ship, and what is refused.
+//! Wind, current, waves, squat and banks from scenarios: their effect on a ship, and mistakes that are refused.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "expected values may use std")]
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
@@ -10,7 +10,7 @@ use fenderline_sim::environment::waves::{ShipInWaves, first_order_motion};
 use fenderline_sim::environment::wind::ShipWindage;
 use fenderline_sim::{Simulation, WorldEventKind};
 
-/// The paper's container ship alone on the water.
+/// The paper's container ship alone in open water.
 const SHIP: &str = r#"
 [time]
 step = "0.5 s"
@@ -34,7 +34,7 @@ outline = [[-149, -23], [149, -23], [149, 23], [-149, 23]]
 # body
 "#;
 
-/// The scenario with lines in its places, among files by name.
+/// The scenario with lines in place of its comments, and files by name.
 fn read(places: &[(&str, &str)], files: &[(&str, &str)]) -> Result<Scenario, ScenarioError> {
     let text = places.iter().fold(SHIP.to_owned(), |text, (place, lines)| {
         let comment = format!("# {place}\n");
@@ -88,9 +88,9 @@ fn isherwood_and_blendermann_give_their_coefficients_through_a_scenario() {
     }
 }
 
-/// No printed number was found for Fujiwara: he has the others' signs, and their size within a half.
+/// No printed number was found for Fujiwara's method. It has the signs of the others, and their size within a half.
 #[test]
-fn fujiwara_pushes_as_the_others_do() {
+fn fujiwara_agrees_roughly_with_the_other_methods() {
     let ship = windage(
         "method = \"fujiwara\", deck_area = 5500, deck_centroid_forward = 0, top_height = \"45 m\"",
     );
@@ -100,14 +100,14 @@ fn fujiwara_pushes_as_the_others_do() {
 }
 
 #[test]
-fn the_length_overall_is_that_of_the_coefficients_and_the_other_that_of_the_hull() {
+fn wind_coefficients_refer_to_the_length_overall_where_it_is_given() {
     let of = |extra: &str| windage(&format!("type = \"ferry\"{extra}")).length_m;
     assert_eq!(of(""), 298.0);
     assert_eq!(of(", length_overall = \"310 m\""), 310.0);
 }
 
 #[test]
-fn a_method_without_its_particulars_or_with_another_s_is_refused() {
+fn a_method_without_its_particulars_or_with_those_of_another_is_refused() {
     let of = |method: &str, key: &str, fragments: &[&str]| {
         let lines = format!("windage = {{ {AREAS}, {method} }}");
         refused(&[("vessel", &lines)], &[], key, fragments);
@@ -128,7 +128,7 @@ fn a_method_without_its_particulars_or_with_another_s_is_refused() {
         &key("deck_centroid_forward"),
         &["missing"],
     );
-    // Particulars that no ship has.
+    // Impossible particulars.
     let isherwood = |perimeter: &str, superstructure: &str| {
         format!(
             "method = \"isherwood\", perimeter = {perimeter}, superstructure_area = {superstructure}, mast_groups = 1"
@@ -137,7 +137,7 @@ fn a_method_without_its_particulars_or_with_another_s_is_refused() {
     of(&isherwood("200", "1500"), windage, &["perimeter", "between 298 and 2980"]);
     of(&isherwood("700", "9500"), windage, &["superstructure", "between 0 and 9000"]);
     of(&isherwood("nan", "1500"), &key("perimeter"), &["not a finite number"]);
-    // Far beyond the ships of the regression: a coefficient that none has.
+    // Far outside the range of the regression: an impossible coefficient.
     of(
         "method = \"fujiwara\", deck_area = 0.01, deck_centroid_forward = 0, top_height = 45",
         windage,
@@ -145,19 +145,19 @@ fn a_method_without_its_particulars_or_with_another_s_is_refused() {
     );
 }
 
-/// A current by depth: the mean over the draught of 9 m, trapezoids by hand: 1 m/s at the surface, 0.4 at 6 m and
-/// below: (0.7·6 + 0.4·3)/9.
+/// The mean over a draught of 9 m of a current of 1 m/s at the surface and 0.4 m/s from 6 m down, by trapezoids:
+/// (0.7·6 + 0.4·3)/9.
 #[test]
-fn a_current_by_depth_is_met_with_its_mean_over_the_draught() {
+fn a_current_by_depth_is_averaged_over_the_draught() {
     let lines = "current = { profile = [{ depth = 0, speed = 1, towards = \"90 deg\" }, \
                  { depth = 6, speed = 0.4, towards = \"90 deg\" }] }";
     let scenario = good(&[("environment", lines)], &[]);
     let current = scenario.setup.world.environment.current.expect("a current");
-    let met = current.velocity(Vec2::ZERO, 0.0, 9.0);
-    assert!((met - vec2(0.0, (4.2 + 1.2) / 9.0)).length() < 1e-12, "{met:?}");
+    let velocity = current.velocity(Vec2::ZERO, 0.0, 9.0);
+    assert!((velocity - vec2(0.0, (4.2 + 1.2) / 9.0)).length() < 1e-12, "{velocity:?}");
 }
 
-/// A field that is linear in north, east and time is met exactly, whatever the order of the rows.
+/// A field that is linear in north, east and time is reproduced exactly for any order of the rows.
 #[test]
 fn a_current_on_a_grid_is_linear_in_place_and_time() {
     let field = |t: f64, n: f64, e: f64| vec2(0.5 + n / 1e3 - t / 3e3, -0.2 + e / 1e3);
@@ -175,20 +175,20 @@ fn a_current_on_a_grid_is_linear_in_place_and_time() {
     let scenario = good(&[("environment", lines)], &[("grid.csv", &file)]);
     let current = scenario.setup.world.environment.current.expect("a current");
     for (t, n, e) in [(0.0, 0.0, 0.0), (150.0, 30.0, 120.0), (599.0, 399.0, -199.0)] {
-        let met = current.velocity(vec2(n, e), t, 9.0);
-        assert!((met - field(t, n, e)).length() < 1e-12, "{met:?}");
+        let velocity = current.velocity(vec2(n, e), t, 9.0);
+        assert!((velocity - field(t, n, e)).length() < 1e-12, "{velocity:?}");
     }
-    // Held at the edges.
+    // Beyond the grid the value at the edge.
     assert_eq!(
         current.velocity(vec2(9e5, 0.0), 9e9, 9.0),
         current.velocity(vec2(400.0, 0.0), 600.0, 9.0)
     );
 }
 
-/// Water that speeds up takes a hull along by its pressure, not by drag alone: a ship without engine that lies in a
-/// stream which grows and turns goes with it at every step, to rounding.
+/// Accelerating water moves a hull by its pressure gradient, not by drag alone. A ship adrift in a current that grows
+/// and turns has the current's velocity at every step, to rounding.
 #[test]
-fn a_ship_adrift_goes_with_a_stream_as_it_sets_in() {
+fn a_ship_adrift_follows_a_current_as_it_sets_in() {
     let file = "t_s,north_mps,east_mps\n0,0,0\n1200,0.1,0.5\n2400,-0.4,0.2\n";
     let scenario =
         good(&[("environment", "current = { file = \"stream.csv\" }")], &[("stream.csv", file)]);
@@ -204,10 +204,10 @@ fn a_ship_adrift_goes_with_a_stream_as_it_sets_in() {
     }
 }
 
-/// A steady stream that narrows, U = 0.2 + 0.8 n/10 000 m/s to the north: what starts at n = 0 is at
-/// 2500 (e^(t/12 500 s) − 1) after t, by hand. A ship adrift is there to a step's share of the way: 0.1 %.
+/// A steady stream that narrows, U = 0.2 + 0.8 n/10 000 m/s to the north. A particle that starts at n = 0 is at
+/// 2500 (e^(t/12 500 s) − 1) after t. A ship adrift is there to within 0.1 %.
 #[test]
-fn a_ship_adrift_goes_with_a_stream_that_narrows() {
+fn a_ship_adrift_follows_a_stream_that_narrows() {
     let file = "north_m,east_m,north_mps,east_mps\n0,0,0.2,0\n10000,0,1,0\n";
     let scenario = good(
         &[
@@ -247,7 +247,7 @@ fn a_broken_file_of_currents_is_refused_at_its_line() {
     of("t_s,north_mps,east_mps\n0,0.1,0\n0,0.2,0\n", &["c.csv:3", "second row for t_s = 0"]);
     of(
         "north_m,east_m,north_mps,east_mps\n0,0,0.1,0\n0,9,0.1,0\n9,9,0.1,0\n",
-        &["c.csv:1", "no row for north_m = 9, east_m = 0", "no holes"],
+        &["c.csv:1", "no row for north_m = 9, east_m = 0", "a grid has no holes"],
     );
     of("north_m,north_mps,east_mps\n0,0.1,0\n", &["c.csv:1", "`east_m` is missing"]);
     of("t_s,north_mps\n0,0.1\n", &["c.csv:1", "`east_mps` is missing"]);
@@ -260,7 +260,7 @@ fn a_broken_file_of_currents_is_refused_at_its_line() {
 }
 
 #[test]
-fn a_current_or_wind_is_told_in_one_way() {
+fn a_current_or_wind_is_given_in_one_way() {
     let of = |lines: &str, key: &str, fragments: &[&str]| {
         refused(
             &[("environment", lines)],
@@ -312,7 +312,7 @@ fn a_regular_wave_has_no_spreading() {
     of(wide, "environment.waves.spreading", &["at least 1"]);
 }
 
-/// From 350° to 10° through north, not through south.
+/// From 350° to 10° the wind turns through north, not through south.
 #[test]
 fn a_wind_in_time_turns_the_shorter_way() {
     let file = "t_s,speed_mps,from_deg\n0,10,350\n600,14,10\n";
@@ -332,11 +332,10 @@ fn a_wind_in_time_turns_the_shorter_way() {
 
 const HEADER: &str = "omega_radps,heading_deg,heave_mpm,heave_phase_deg,roll_degpm,roll_phase_deg,pitch_degpm,pitch_phase_deg";
 
-/// One regular wave of 2 m from 90 degrees to port; the table says 1.5 m/m of heave a quarter of a period ahead
-/// of the crest and 2 deg/m of roll in phase with it: the motion at midship is 1.5 cos(ωt + 90°) and 2° cos(ωt),
-/// by hand.
+/// One regular wave of 2 m height from port abeam. The table has 1.5 m/m of heave a quarter of a period ahead of the
+/// crest, and 2 deg/m of roll in phase with it: the motions at midship are 1.5 cos(ωt + 90°) and 2° cos(ωt).
 #[test]
-fn a_table_of_response_moves_her_as_it_says() {
+fn a_response_table_gives_the_motions() {
     let file =
         format!("{HEADER}\n0.5,0,1,180,0,0,0,0\n0.5,90,1.5,90,2,0,0,0\n0.5,180,1,180,0,0,0,0\n");
     let scenario = good(
@@ -362,20 +361,16 @@ fn a_table_of_response_moves_her_as_it_says() {
         let roll_rad = 2.0_f64.to_radians() * (omega * t_s).cos();
         assert!((motion[2] - heave_m).abs() < 1e-9, "{t_s}: {motion:?}");
         assert!((motion[3] - roll_rad).abs() < 1e-9, "{t_s}: {motion:?}");
-        assert_eq!(
-            [motion[0], motion[1], motion[5]],
-            [0.0; 3],
-            "what the table has not stands still"
-        );
+        assert_eq!([motion[0], motion[1], motion[5]], [0.0; 3], "no motion without a column");
     }
-    // And a step of the simulation has it, without `stability`.
+    // A step of the simulation reports it, also without `stability`.
     let mut simulation = Simulation::new(scenario.setup).expect("a good set-up");
     let record = simulation.step().expect("a good step");
     assert!(record.vessels[0].wave_motion.motion[2].abs() > 0.1);
 }
 
 #[test]
-fn a_table_of_response_that_lacks_headings_or_has_holes_is_refused() {
+fn a_response_table_that_lacks_headings_or_has_holes_is_refused() {
     let of = |rows: &str, fragments: &[&str]| {
         let file = format!("{HEADER}\n{rows}");
         let files = [("response.csv", file.as_str())];
@@ -402,7 +397,7 @@ fn a_table_of_response_that_lacks_headings_or_has_holes_is_refused() {
     refused(&lines, &files, key, &["response.csv:1", "`roll_degpm` is missing"]);
 }
 
-/// What is said of the scenario, but for its ship: she is broader for her draught than any reference of her estimate.
+/// The notices but one: the ship's beam over draught is outside the range of the estimate.
 fn other_notices(scenario: &Scenario) -> Vec<&Notice> {
     let (of_her, other): (Vec<_>, Vec<_>) =
         scenario.notices.iter().partition(|notice| notice.key == "vessel.container.beam");
@@ -410,19 +405,19 @@ fn other_notices(scenario: &Scenario) -> Vec<&Notice> {
     other
 }
 
-/// A table with heave upwards would have her go down on the crest of the longest wave: said.
+/// With heave positive up in the table, the ship would sink on the crest of the longest wave. A notice says so.
 #[test]
-fn a_table_with_heave_the_wrong_way_round_is_pointed_at() {
+fn a_response_table_with_the_wrong_sign_of_heave_gets_a_notice() {
     let file = format!("{HEADER}\n0.2,0,1,0,0,0,0,0\n0.2,180,1,0,0,0,0,0\n");
     let lines = [("vessel", "wave_response = \"response.csv\"")];
     let scenario = good(&lines, &[("response.csv", &file)]);
     let [notice] = other_notices(&scenario)[..] else { panic!("{:?}", scenario.notices) };
-    assert!(notice.message.contains("goes down on the crest"), "{notice:?}");
+    assert!(notice.message.contains("sinks on the crest"), "{notice:?}");
 }
 
-/// Squat at 8 kn and 1.2 draughts by hand from the three formulas, to half of the last digit.
+/// Squat at 8 kn and 1.2 draughts, computed by hand from the three formulas, to half of the last digit.
 #[test]
-fn a_ship_under_way_squats_by_the_formula_that_is_asked_for() {
+fn a_ship_under_way_squats_by_the_chosen_formula() {
     for (squat, expected_m) in
         [("icorels", 0.404), ("barrass", 0.444), ("eryuzlu", 0.3396), ("none", 0.0)]
     {
@@ -434,7 +429,7 @@ fn a_ship_under_way_squats_by_the_formula_that_is_asked_for() {
         let ours_m = record.vessels[0].squat_m;
         assert!((ours_m - expected_m).abs() < 0.5e-3, "{squat}: {ours_m}");
     }
-    // ICORELS without being asked; none in deep water.
+    // ICORELS is the default; there is no squat in deep water.
     for (water, expected_m) in [("depth = 10.8", 0.404), ("", 0.0)] {
         let scenario =
             good(&[("environment", water), ("body", "velocity = { surge = \"8 kn\" }")], &[]);
@@ -450,23 +445,23 @@ fn a_ship_under_way_squats_by_the_formula_that_is_asked_for() {
     );
     let far = good(&[("environment", "depth = 40\nsquat = \"barrass\"")], &[]);
     let [notice] = other_notices(&far)[..] else { panic!("{:?}", far.notices) };
-    assert!(notice.message.contains("made for depths of up to 1.4 draughts"), "{notice:?}");
+    assert!(notice.message.contains("covers depths of up to 1.4 draughts"), "{notice:?}");
 }
 
-/// 0.95 m under the keel, more squat at 14 kn: she runs aground, slows down for it, and the run goes on. The event is told
-/// when it begins; a ship that only just floats again is not told aground with every step.
+/// With 0.95 m under the keel and more squat than that at 14 kn, she runs aground and slows down, and the run
+/// continues. The event is reported when the grounding begins, not with every step.
 #[test]
-fn squat_takes_a_fast_ship_to_the_bottom() {
+fn squat_runs_a_fast_ship_aground() {
     let water = [("environment", "depth = 9.95"), ("body", "velocity = { surge = \"14 kn\" }")];
     let mut simulation = Simulation::new(good(&water, &[]).setup).expect("a good set-up");
-    let (mut told, mut deepest_m) = (0, 0.0_f64);
+    let (mut events, mut deepest_m) = (0, 0.0_f64);
     while !simulation.is_done() {
         let record = simulation.step().expect("a good step");
-        told += record.world_events.iter().filter(|e| e.kind == WorldEventKind::Aground).count();
+        events += record.world_events.iter().filter(|e| e.kind == WorldEventKind::Aground).count();
         deepest_m = deepest_m.max(record.vessels[0].squat_m);
     }
     let speed_mps = simulation.states()[0].velocity_mps.length();
-    assert!(deepest_m > 0.95 && (1..=3).contains(&told), "{deepest_m} m, told {told} times");
+    assert!(deepest_m > 0.95 && (1..=3).contains(&events), "{deepest_m} m, {events} events");
     assert!(speed_mps > 0.0 && speed_mps < 14.0 * 1852.0 / 3600.0, "{speed_mps}");
     // Slowly over the same ground she floats.
     let slow = [("environment", "depth = 9.95"), ("body", "velocity = { surge = \"2 kn\" }")];
@@ -475,29 +470,30 @@ fn squat_takes_a_fast_ship_to_the_bottom() {
     assert!(!record.vessels[0].aground);
 }
 
-/// Corrections for shallow water are made for 1.2 draughts and more: a notice names the vessel's key and both bounds.
+/// Shallow-water corrections cover 1.2 draughts and more. A notice names the vessel's key and the bound.
 #[test]
-fn water_too_shallow_for_the_corrections_is_told() {
-    for (depth, said) in [
+fn water_too_shallow_for_the_corrections_gives_a_notice() {
+    for (depth, expected) in [
         ("10.9", &[][..]),
-        ("10.4", &["in water of 1.16 draughts", "for 1.2 and more", "along their tangent"]),
-        ("9.6", &["in water of 1.07 draughts", "less than 1.1", "held at what they are there"]),
+        ("10.4", &["in water of 1.16 draughts", "cover 1.2 and more", "extrapolated linearly"]),
+        ("9.6", &["in water of 1.07 draughts", "less than 1.1", "keep their values there"]),
     ] {
         let water = format!("depth = {depth}");
         let scenario = good(&[("environment", &water)], &[]);
         let notices = other_notices(&scenario);
-        assert_eq!(notices.len(), usize::from(!said.is_empty()), "{notices:?}");
-        for (notice, fragment) in notices.iter().flat_map(|n| said.iter().map(move |f| (n, f))) {
+        assert_eq!(notices.len(), usize::from(!expected.is_empty()), "{notices:?}");
+        for (notice, fragment) in notices.iter().flat_map(|n| expected.iter().map(move |f| (n, f)))
+        {
             assert_eq!(notice.key, "vessel.container");
             assert!(notice.message.contains(fragment), "{fragment}: {}", notice.message);
         }
     }
 }
 
-/// The fenders stay where they are while she sits deeper: their push acts that much further above her centre of
-/// gravity and heels her that much more. She slides along a wall with a long face at 8 kn and is pressed on it by
-/// 2 MN; with squat s the heel is that without it and N s/(W GM) more. Means from 80 to 900 s, as she still sways on the
-/// face: over four minutes she heels by 4 % more or less, as the two runs do not sway together.
+/// Squat lowers the ship but not the fenders, so their force acts higher above her centre of gravity and heels her
+/// more. She slides along a wall with a long face at 8 kn, pressed on it by 2 MN. With squat s the heel is larger by N
+/// s/(W GM). The means are from 80 to 900 s because she still sways on the face: over only four minutes the heel would
+/// vary by 4 %.
 #[test]
 fn squat_moves_the_height_of_contact() {
     let heel = |squat: &str| {
@@ -566,10 +562,10 @@ body = "ship"
 force = ["0 kN", "2 MN"]
 "#;
 
-/// The hardest wind, the strongest current, the highest sea, all at once and in shallow water beside a bank: whatever
-/// they do to her, every state is finite.
+/// With the strongest wind and current and the highest sea that a scenario may have, in shallow water beside a bank,
+/// every state is finite.
 #[test]
-fn the_worst_that_is_taken_leaves_the_state_finite() {
+fn the_largest_admissible_environment_leaves_the_state_finite() {
     let worst = "depth = 12\nbank = [{ from = [-2000, 30], to = [2000, 30] }]\n\
                  wind = { speed = 120, from = 1, gusts = true }\ncurrent = { file = \"c.csv\" }\n\
                  waves = { height = 30, period = 20, from = 2 }";
@@ -596,16 +592,20 @@ fn the_worst_that_is_taken_leaves_the_state_finite() {
     }
 }
 
-/// A bank to starboard draws her to starboard and turns her bow to port, one to port the other way round; half as
-/// far it does so twice as hard; two banks as far from her undo each other.
+/// A bank to starboard draws her to starboard and turns her bow to port, and the mirror image to port. The force is
+/// inverse to the distance. Two banks at equal distances cancel.
 #[test]
-fn a_bank_draws_her_near_and_turns_her_bow_away_and_fades_with_the_distance() {
+fn a_bank_attracts_the_hull_turns_the_bow_away_and_fades_with_distance() {
     let forces = |banks: &str| {
         let water = format!("depth = 12\nbank = [{banks}]");
         let scenario =
             good(&[("environment", &water), ("body", "velocity = { surge = \"6 kn\" }")], &[]);
-        let said = scenario.notices.iter().any(|notice| notice.message.contains("UNVALIDATED"));
-        assert!(said || banks.is_empty(), "it is said to be unvalidated: {:?}", scenario.notices);
+        let noted = scenario.notices.iter().any(|notice| notice.message.contains("UNVALIDATED"));
+        assert!(
+            noted || banks.is_empty(),
+            "a notice says that it is unvalidated: {:?}",
+            scenario.notices
+        );
         let mut simulation = Simulation::new(scenario.setup).expect("a good set-up");
         simulation.step().expect("a good step").vessel_forces[0].banks
     };
@@ -618,7 +618,7 @@ fn a_bank_draws_her_near_and_turns_her_bow_away_and_fades_with_the_distance() {
     assert!((port.sway_n + near.sway_n).abs() < 1e-6 && (port.yaw_nm + near.yaw_nm).abs() < 1e-3);
     let both = forces(&format!("{}, {}", bank(60.0), bank(-60.0)));
     assert!(both.sway_n.abs() < 1e-6 && both.yaw_nm.abs() < 1e-3);
-    // A bank that is drawn the other way round is the same bank; one that lies ahead or astern does nothing yet.
+    // The order of a bank's ends does not matter; a bank ahead or astern has no effect.
     let turned = forces("{ from = [2000, 60], to = [-2000, 60] }");
     assert!((turned.sway_n - near.sway_n).abs() < 1e-6);
     assert_eq!(forces("{ from = [400, 60], to = [2000, 60] }").sway_n, 0.0);

@@ -1,7 +1,6 @@
-//! Fender data: the built-in files against what was published beside them, and what a user's file
-//! may and may not say.
+//! Fender data: the built-in files against published numbers, and the checks of a user's file.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "expected values may use std")]
 
 use std::path::{Path, PathBuf};
 
@@ -25,7 +24,7 @@ fn files() -> Vec<PathBuf> {
     files
 }
 
-/// A file that is not built in would add something; one that is can only say it again.
+/// A built-in file cannot be added again, as its names exist already.
 #[test]
 fn every_file_of_the_folder_is_built_in() {
     let files = files();
@@ -74,8 +73,8 @@ fn json_of(value: &DeValue<'_>) -> serde_json::Value {
     }
 }
 
-/// The integral of straight pieces, by a sum of our own over thin slices: exact to rounding where no
-/// slice has a corner in it.
+/// The integral of a piecewise linear curve by an independent sum over thin slices: exact to rounding in slices without
+/// a corner.
 fn summed(curve: &[(f64, f64)], to: f64) -> f64 {
     let at = |x: f64| {
         let after = curve.iter().position(|point| point.0 >= x).unwrap_or(curve.len() - 1).max(1);
@@ -97,9 +96,9 @@ fn worst_difference(family: &Family) -> f64 {
     family.published_energy.iter().map(difference).fold(0.0, f64::max)
 }
 
-/// Both columns are printed to two decimals, which explains 0.005 in the energy and about as much
-/// in the integral: what is beyond 0.01 is the source contradicting itself. The cone's does, by up
-/// to 0.029 of the rated energy at 0.45 of the height, so that no second table of energy is used.
+/// Both columns are printed to two decimals, which explains 0.005 in the energy and about as much in the integral. A
+/// larger difference means that the source contradicts itself. The cone's does, by up to 0.029 of the rated energy at
+/// 0.45 of the height. So the published energy is not used.
 #[test]
 fn published_energy_columns_differ_from_the_integral_of_their_reactions() {
     let library = FenderLibrary::built_in();
@@ -116,9 +115,9 @@ fn published_energy_columns_differ_from_the_integral_of_their_reactions() {
     }
 }
 
-/// The energy that we compute over the published one, less 1. A manufacturing tolerance is ±10 %:
-/// the smallest pneumatic fender lies outside it, because one curve stands for all sizes and the
-/// published energy of a pneumatic fender is guaranteed, not typical.
+/// The computed energy over the published one, less 1. The manufacturing tolerance is ±10 %. The smallest pneumatic
+/// fender is outside it, because one curve serves all sizes, and the published energy of a pneumatic fender is a
+/// guaranteed minimum, not a typical value.
 #[test]
 fn published_energy_of_sizes_differs_from_the_integral_of_the_reaction() {
     let stated = [
@@ -135,7 +134,7 @@ fn published_energy_of_sizes_differs_from_the_integral_of_the_reaction() {
         ("V leg", "1000x1000 B", -0.0158),
     ];
     let library = FenderLibrary::built_in();
-    // Of sizes that are not in the list above, what holds for any: far from its published energy a size is derived.
+    // Any size that is far from its published energy is derived, also those that the list above lacks.
     for family in library.families() {
         for size in &family.sizes {
             let fender = library.fender(&family.name, &size.designation).unwrap();
@@ -157,7 +156,7 @@ fn published_energy_of_sizes_differs_from_the_integral_of_the_reaction() {
 }
 
 #[test]
-fn a_fender_is_its_family_in_its_own_units() {
+fn a_fender_is_its_family_scaled_to_its_size() {
     let library = FenderLibrary::built_in();
     let fender = library.fender("pneumatic", "1000x1500 50kPa").unwrap();
     assert_eq!((fender.height_m, fender.length_m), (1.0, Some(1.5)));
@@ -184,7 +183,7 @@ fn a_fender_is_its_family_in_its_own_units() {
 }
 
 #[test]
-fn scaling_is_by_height_squared_and_cubed_and_says_so() {
+fn scaling_is_by_height_squared_and_cubed_and_is_named_in_the_source() {
     let library = FenderLibrary::built_in();
     for family in ["cone", "V leg"] {
         let (one, two) =
@@ -277,7 +276,11 @@ fn a_users_file_adds_families_sizes_and_limits() {
     assert_eq!(cell.rated_deflection_m, 0.525);
     // By hand: 0.08 + 0.09 + 0.0975 + 0.121875.
     assert!((cell.rated_energy_j - 600e3 * 0.389_375).abs() < 1e-6, "{}", cell.rated_energy_j);
-    assert_eq!(cell.standing, Standing::Recalled, "a fender stands as its weakest part");
+    assert_eq!(
+        cell.standing,
+        Standing::Recalled,
+        "the standing of a fender is that of its weakest part"
+    );
     assert_eq!(cell.source, "curve: a maker's catalogue; rating: the same");
     let pneumatic = library.fender("pneumatic", "2000x3500 50kPa").unwrap();
     assert_eq!(pneumatic.rated_deflection_m, 1.2);
@@ -301,7 +304,7 @@ const CASES: &[(&str, &str, &str, &str, &str)] = &[
     ("[[0, 0], [0.2, 0.8], [0.3, 1], [0.4, 0.95], [0.525, 1], [0.55, 1.2]]", "[[0, 0]]", "points = [[0, 0]]", "family.cell.curve.points", "needs at least 2 rows [deflection, reaction], but has 1"),
     ("[[0, 0], [0.2, 0.8], [0.3, 1], [0.4, 0.95], [0.525, 1], [0.55, 1.2]]", "0.5", "points = 0.5", "family.cell.curve.points", "a list of rows [deflection, reaction]"),
     ("rated_deflection = 0.525", "rated_deflection = 0.6", "rated_deflection", "family.cell.rated_deflection", "is 0.6, but the curve ends at 0.55"),
-    ("rated_deflection = 0.525", "rated_deflection = 0.4", "rated_deflection", "family.cell.rated_deflection", "the curve's reaction is 0.95, not 1"),
+    ("rated_deflection = 0.525", "rated_deflection = 0.4", "rated_deflection", "family.cell.rated_deflection", "the curve's reaction is 0.95, but must be 1"),
     ("rated_deflection = 0.525\n", "", "[family.cell]", "family.cell.rated_deflection", "is missing"),
     ("source = \"a maker's catalogue\"\nstanding = \"found\"\n\n[family.cell.v", "standing = \"found\"\n\n[family.cell.v", "[family.cell.curve]", "family.cell.curve.source", "is missing"),
     ("\"recalled\"\n\n[[family.cell.size]]", "\"remembered\"\n\n[[family.cell.size]]", "standing = \"remembered\"", "family.cell.velocity.standing", "\"found\", \"derived\", \"recalled\", \"assumed\", not \"remembered\""),
@@ -320,14 +323,14 @@ const CASES: &[(&str, &str, &str, &str, &str)] = &[
 ];
 
 #[test]
-fn every_mistake_is_answered_with_its_line_and_key() {
+fn every_mistake_names_line_and_key() {
     for (part, mistake, at, key, fragment) in CASES {
         assert!(GOOD.contains(part), "{part}");
         let text = GOOD.replacen(part, mistake, 1);
         let error = read(&text).expect_err(mistake);
         let line = text[..text.find(at).expect(at)].matches('\n').count() + 1;
-        let told = format!("{} {}", error.message(), error.help().unwrap_or_default());
-        assert!(told.contains(fragment), "{mistake}: {error}");
+        let shown = format!("{} {}", error.message(), error.help().unwrap_or_default());
+        assert!(shown.contains(fragment), "{mistake}: {error}");
         assert_eq!(error.key(), Some(*key), "{error}");
         assert_eq!(error.line(), Some(line), "{error}");
     }
@@ -340,7 +343,7 @@ fn with_unloading(law: &str) -> String {
 }
 
 #[test]
-fn a_family_says_how_its_fenders_give_back() {
+fn a_family_has_an_unloading_law() {
     let law = |text: &str| {
         let cell = read(&with_unloading(text)).unwrap().fender("cell", "1000 A").unwrap();
         assert!(cell.source.contains("; unloading (assumed): x"), "{}", cell.source);
@@ -359,7 +362,7 @@ fn a_family_says_how_its_fenders_give_back() {
 }
 
 #[test]
-fn every_mistake_of_an_unloading_law_is_answered_with_its_line_and_key() {
+fn every_mistake_of_an_unloading_law_names_line_and_key() {
     #[rustfmt::skip]
     let cases = [
         ("returned_energy = 1.01\n", "returned_energy", "must be at most 1, but is 1.01"),
@@ -373,8 +376,8 @@ fn every_mistake_of_an_unloading_law_is_answered_with_its_line_and_key() {
     for (law, key, fragment) in cases {
         let text = with_unloading(law);
         let error = read(&text).expect_err(law);
-        let told = format!("{} {}", error.message(), error.help().unwrap_or_default());
-        assert!(told.contains(fragment), "{law}: {error}");
+        let shown = format!("{} {}", error.message(), error.help().unwrap_or_default());
+        assert!(shown.contains(fragment), "{law}: {error}");
         assert_eq!(error.key(), Some(format!("family.cell.unloading.{key}").as_str()), "{error}");
         let at = text.find(law).expect(law);
         assert_eq!(error.line(), Some(text[..at].matches('\n').count() + 1), "{error}");
@@ -387,7 +390,7 @@ fn every_mistake_of_an_unloading_law_is_answered_with_its_line_and_key() {
 }
 
 #[test]
-fn a_family_that_is_there_keeps_its_curve() {
+fn the_curve_of_a_known_family_cannot_be_replaced() {
     let text = GOOD.replace("family.cell", "family.cone");
     let error = read(&text).unwrap_err();
     assert_eq!(error.message(), "there is a family named \"cone\" already");
@@ -406,7 +409,7 @@ fn an_empty_file_is_a_mistake() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(256))]
 
-    /// Whatever stands in a file, it is read or refused.
+    /// Any text is read or refused.
     #[test]
     fn no_text_panics(at in 0..GOOD.len(), cut in 0..40_usize, inserted in "[\\PC\n]{0,12}") {
         let end = (at + cut).min(GOOD.len());

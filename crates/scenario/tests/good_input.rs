@@ -1,4 +1,4 @@
-//! What a correct scenario becomes.
+//! A correct scenario becomes the expected set-up.
 
 use fenderline_contact::{Vec2, vec2};
 use fenderline_scenario::{Place, Scenario};
@@ -104,7 +104,7 @@ fn units_and_fractions() {
 }
 
 #[test]
-fn loads_last_for_ever_or_as_long_as_they_say() {
+fn a_load_lasts_until_its_end_or_the_end_of_the_run() {
     let text = format!(
         "{SMALL}[[load]]\nbody = \"barge\"\nforce = [\"1 kN\", 2]\n\
          [[load]]\nbody = \"tug\"\nmoment = \"3 kN.m\"\nfrom = \"1 min\"\nuntil = \"2 min\"\n"
@@ -118,7 +118,7 @@ fn loads_last_for_ever_or_as_long_as_they_say() {
 }
 
 #[test]
-fn what_was_put_right_is_told() {
+fn corrections_of_an_outline_give_notices() {
     let clockwise = "[body.barge]\noutline = [[-1, 1], [1, 1], [1, -1], [1, -1], [-1, -1]]";
     let square = "[body.barge]\noutline = [[-1, -1], [1, -1], [1, 1], [-1, 1]]";
     let scenario = parse(&SMALL.replace(square, clockwise));
@@ -135,22 +135,22 @@ fn what_was_put_right_is_told() {
 }
 
 #[test]
-fn idle_bodies_and_materials_are_told() {
+fn unused_bodies_and_materials_give_notices() {
     let scenario = parse(&SMALL.replace("[\"*\", \"*\"]", "[\"quay\", \"barge\"]"));
     assert_eq!(scenario.notices, []);
     let start = SMALL.find("[[pair]]").unwrap();
-    let told = |text: &str| -> Vec<String> {
+    let notices = |text: &str| -> Vec<String> {
         parse(text).notices.iter().map(ToString::to_string).collect()
     };
     let pair = "[[pair]]\nbodies = [\"tug\", \"quay\"]\nmaterial = \"hard\"";
-    let shown = told(&format!("{}{pair}", &SMALL[..start]));
+    let shown = notices(&format!("{}{pair}", &SMALL[..start]));
     assert_eq!(shown.len(), 2);
     assert_eq!(
         shown[0],
         "folder/small.toml:6:1: `material.soft`: no pair or fender uses this material"
     );
     assert!(shown[1].contains("`body.barge`: no pair names this body"), "{}", shown[1]);
-    let shown = told(&SMALL[..start]);
+    let shown = notices(&SMALL[..start]);
     assert_eq!(shown.len(), 1, "one for all");
     assert!(
         shown[0].ends_with("`pair`: there are no pairs, so no bodies can touch"),

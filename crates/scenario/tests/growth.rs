@@ -1,5 +1,5 @@
-//! Checking a scenario takes time in proportion to its size: ratios of times, each the least of some tries, so that
-//! another program on the machine does not matter.
+//! Checking a scenario takes time in proportion to its size. The tests compare ratios of times, each the least of
+//! several runs, so that other programs on the machine do not matter.
 
 use std::fmt::Write as _;
 use std::sync::OnceLock;
@@ -9,13 +9,13 @@ use fenderline_scenario::Scenario;
 
 const HEAD: &str = "[time]\nstep = \"0.1 s\"\nduration = \"1 s\"\n";
 
-/// Time that this thread was at work; where the system does not tell it, time that has passed.
+/// Processor time of this thread; where the system does not report it, elapsed time.
 fn work_time() -> Duration {
-    static BEGUN: OnceLock<Instant> = OnceLock::new();
-    let told = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
-    match told.split(' ').next().and_then(|nanoseconds| nanoseconds.parse().ok()) {
+    static START: OnceLock<Instant> = OnceLock::new();
+    let statistics = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
+    match statistics.split(' ').next().and_then(|nanoseconds| nanoseconds.parse().ok()) {
         Some(nanoseconds) => Duration::from_nanos(nanoseconds),
-        None => BEGUN.get_or_init(Instant::now).elapsed(),
+        None => START.get_or_init(Instant::now).elapsed(),
     }
 }
 
@@ -29,8 +29,8 @@ fn time_of(text: &str) -> (Duration, usize) {
     (0..4).map(|_| once()).min().expect("some tries")
 }
 
-/// Eight times as much takes about eight times as long; by the square it would take 64 times. The bound is halfway
-/// between, on the scale of powers.
+/// Eight times as much input takes about eight times as long; quadratic growth would take 64 times. The bound is their
+/// geometric mean.
 fn assert_linear(what: &str, text: impl Fn(usize) -> String, fewest_notices: usize) {
     const SMALL: usize = 1000;
     let (small, large) = (time_of(&text(SMALL)), time_of(&text(8 * SMALL)));
@@ -65,7 +65,7 @@ fn bodies_with_a_notice_each_are_not_checked_in_quadratic_time() {
 }
 
 #[test]
-fn materials_and_bodies_that_nothing_uses_are_not_told_of_in_quadratic_time() {
+fn unused_materials_and_bodies_are_not_reported_in_quadratic_time() {
     let pair = "[[pair]]\nbodies = [\"b0\", \"b1\"]\nmaterial = \"m0\"\n";
     let all = |n| {
         tables(n, |index, text| {
@@ -92,7 +92,7 @@ fn bodies_in_one_long_line_are_not_checked_in_quadratic_time() {
 }
 
 #[test]
-fn kinds_of_vessels_and_who_is_one_are_not_looked_for_in_quadratic_time() {
+fn kinds_of_vessels_and_their_bodies_are_not_looked_up_in_quadratic_time() {
     let all = |n| {
         tables(n, |index, text| {
             let _ = write!(

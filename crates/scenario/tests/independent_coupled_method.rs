@@ -1,12 +1,12 @@
-//! The engine against `validation/independent/coupled`: the coupled method written a second time, in another language,
-//! with other geometry, another way of moving bodies and another solver. Its results are kept in
-//! `validation/independent/berth/`; `cargo xtask test` makes some of them anew.
+//! The engine against `validation/independent/coupled`: an independent implementation of the coupled method, in another
+//! language, with other geometry, another integrator and another solver. Its results are in
+//! `validation/independent/berth/`; `cargo xtask test` computes some of them again.
 //!
-//! Both at steps that are fine beside every period of the scenario. Tolerance: 0.5 % of each largest force, depth, speed
-//! and yaw rate; of final speeds and yaw rates 0.5 % of the largest that the body has in the run, as most end nearly at
-//! rest. The time steps of the two programs leave 0.1 % of a first peak.
+//! Both run at steps much shorter than every period of the scenario. Tolerance: 0.5 % of each largest force, depth,
+//! speed and yaw rate; of final speeds and yaw rates 0.5 % of the largest that the body has in the run, as most end
+//! nearly at rest. The time steps of the two programs leave 0.1 % of a first peak.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "expected values may use std")]
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -25,7 +25,7 @@ fn read(path: &str) -> String {
     std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
-/// What a run gave, by (quantity, of), in the words of the files.
+/// The results of a run by (quantity, of), with the names of the files.
 type Found = BTreeMap<(String, String), f64>;
 
 /// The engine's run at this step.
@@ -111,31 +111,31 @@ fn compare(name: &str, step_s: f64) {
 }
 
 #[test]
-fn a_ship_that_is_not_convex_against_a_corner_is_as_in_the_independent_implementation() {
+fn a_non_convex_ship_against_a_corner_agrees_with_the_independent_implementation() {
     compare("bulb_and_stern_step_at_a_corner", 0.01);
 }
 
 #[test]
-fn a_berthing_on_cones_is_as_in_the_independent_implementation() {
+fn a_berthing_on_cones_agrees_with_the_independent_implementation() {
     compare("eight_cones_at_5_deg", 0.01);
 }
 
 #[test]
-fn six_hours_in_the_wind_are_as_in_the_independent_implementation() {
+fn six_hours_in_the_wind_agree_with_the_independent_implementation() {
     compare("held_by_wind_six_hours", 0.1);
 }
 
 #[test]
-fn a_ship_that_leans_on_fenders_is_as_in_the_independent_implementation() {
+fn a_ship_leaning_on_fenders_agrees_with_the_independent_implementation() {
     compare("leaning_on_eight_fenders", 0.1);
 }
 
 #[test]
-fn a_tug_that_pushes_and_slides_is_as_in_the_independent_implementation() {
+fn a_tug_that_pushes_and_slides_agrees_with_the_independent_implementation() {
     compare("tug_pushes_then_slides", 0.01);
 }
 
-/// It broke off at steps of 5 ms and less, where N rises for a moment, and her bow was held by static friction again.
+/// At steps of 5 ms and less the slide once broke off: N rises briefly, and static friction held her bow again.
 #[test]
 fn a_tugs_slide_is_the_same_at_any_time_step() {
     let right = ours("tug_pushes_then_slides", 0.002);
@@ -153,6 +153,6 @@ fn a_tugs_slide_is_the_same_at_any_time_step() {
 }
 
 #[test]
-fn two_ships_on_floating_fenders_are_as_in_the_independent_implementation() {
+fn two_ships_on_floating_fenders_agree_with_the_independent_implementation() {
     compare("two_ships_on_pneumatic_fenders", 0.01);
 }

@@ -1,12 +1,12 @@
-//! The engine and the simulation against `validation/independent/paper_method.py`: the paper method
-//! written a second time, by somebody else, in another language and with other geometry. Its rows
-//! are kept in `validation/independent/oblique_hit/`; `cargo xtask test` makes them anew.
+//! The engine and the simulation against `validation/independent/paper_method.py`: an independent implementation of the
+//! paper's method, by another author, in another language and with other geometry. Its rows are in
+//! `validation/independent/oblique_hit/`; `cargo xtask test` computes them again.
 //!
-//! Tolerance: 1e-9 of the largest size in each column. A run of 300 steps amplifies the rounding of
-//! its first state by about a thousand (the script with one coordinate changed by 1e-13 of itself
-//! moves its columns by up to 4e-11), so that agreement to 1e-9 is agreement of every formula.
+//! Tolerance: 1e-9 of the largest magnitude in each column. A run of 300 steps amplifies rounding errors of the first
+//! state about a thousand times (a relative change of one coordinate by 1e-13 moves the script's columns by up to
+//! 4e-11), so agreement to 1e-9 means that every formula agrees.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "expected values may use std")]
 
 use std::path::{Path, PathBuf};
 
@@ -130,7 +130,7 @@ fn compare(what: &str, ours: &[Vec<String>], header: &[String], theirs: &[Vec<St
 fn an_oblique_hit_with_friction_matches_the_independent_implementation_in_every_column() {
     let (contacts, bodies) = our_rows();
     let (header, theirs) = table("validation/independent/oblique_hit/contacts.csv");
-    // Every state of the law is there to be compared.
+    // Every state of the law occurs in the run.
     for (column, value) in [(14, "stick"), (14, "slip"), (15, "true"), (15, "false")] {
         assert!(theirs.iter().any(|row| row[column] == value), "no row is `{value}`");
     }

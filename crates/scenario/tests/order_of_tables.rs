@@ -1,5 +1,5 @@
-//! In which order the tables of a scenario stand changes nothing, to the bit: the order of its lines changed three of
-//! them, as forces were added up in the order of the file.
+//! The order of the tables in a scenario does not change a bit of its results. It once did for three scenarios, as
+//! forces were added in the order of the file.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 use fenderline_scenario::Scenario;
 use fenderline_sim::Simulation;
 
-/// Steps that are compared; most scenarios are over by then or have all their contacts and lines at work.
+/// Number of steps compared. By then most scenarios are over, or all their contacts and lines are active.
 const STEPS: u64 = 1500;
-/// Other orders that are tried of each scenario.
+/// Number of shuffled orders for each scenario.
 const ORDERS: u64 = 2;
 
 #[test]
@@ -47,7 +47,7 @@ fn scenarios_in(folder: &Path, files: &mut Vec<PathBuf>) {
     }
 }
 
-/// All that moved, by name, as bits.
+/// All results by name, as bits.
 fn played(text: &str, file: &Path) -> BTreeMap<String, Vec<u64>> {
     let name = file.to_str().expect("a name in UTF-8");
     let beside = |other: &str| {
@@ -93,8 +93,8 @@ fn played(text: &str, file: &Path) -> BTreeMap<String, Vec<u64>> {
     all
 }
 
-/// The same scenario with its tables in another order, of `[[order]]` alone that among themselves kept: of two orders
-/// for one time the second counts.
+/// The scenario with its tables shuffled. The `[[order]]` tables keep their relative order: of two orders at one time
+/// the second counts.
 fn shuffled(text: &str, seed: u64) -> String {
     let mut head = String::new();
     let mut groups: Vec<(String, String)> = Vec::new();

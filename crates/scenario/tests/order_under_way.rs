@@ -1,4 +1,4 @@
-//! An order given while a simulation is under way does what one in the file does, bit for bit.
+//! An order given while a simulation runs has the same effect as one in the file, bit for bit.
 
 use fenderline_scenario::{Override, Scenario, order};
 use fenderline_sim::{Action, Simulation, VesselAction};
@@ -12,25 +12,26 @@ fn scenario(changes: &[&str]) -> Scenario {
 }
 
 #[test]
-fn an_order_given_on_the_way_is_an_order_of_the_file() {
+fn an_order_given_during_the_run_equals_one_in_the_file() {
     let in_file = scenario(&["order=[{ at = 20.05, vessel = 'ship', rudder = '20 deg' }]"]);
     let without = scenario(&["order=[]"]);
-    let mut told = Simulation::new(without.setup.clone()).unwrap();
+    let mut given = Simulation::new(without.setup.clone()).unwrap();
     let mut known = Simulation::new(in_file.setup).unwrap();
     for step in 0..600 {
         if step == 200 {
-            let rudder = order("vessel = 'ship'\nrudder = '20 deg'", "helm", told.setup()).unwrap();
-            told.order(rudder).unwrap();
+            let rudder =
+                order("vessel = 'ship'\nrudder = '20 deg'", "helm", given.setup()).unwrap();
+            given.order(rudder).unwrap();
         }
-        told.step().unwrap();
+        given.step().unwrap();
         known.step().unwrap();
-        assert_eq!(told.states(), known.states(), "step {step}");
+        assert_eq!(given.states(), known.states(), "step {step}");
     }
-    assert!(told.states()[0].yaw_rate_radps > 1e-4);
+    assert!(given.states()[0].yaw_rate_radps > 1e-4);
 }
 
 #[test]
-fn an_order_to_nobody_changes_nothing() {
+fn an_order_to_an_unknown_vessel_changes_nothing() {
     let setup = scenario(&[]).setup;
     let error = order("vessel = 'quay'\nrudder = 0", "helm", &setup).unwrap_err();
     assert_eq!(error.key(), Some("order.vessel"));

@@ -7,7 +7,7 @@ use fenderline_scenario::{Scenario, schema};
 use serde_json::{Map, Value as Json, json};
 use toml::de::{DeTable, DeValue};
 
-/// A schema made ready; making it ready checks it against the meta-schema it names.
+/// A compiled schema. Compiling checks it against its meta-schema.
 struct Validator {
     schemas: Schemas,
     index: SchemaIndex,
@@ -29,7 +29,7 @@ impl Validator {
 }
 
 thread_local! {
-    /// Made ready once a thread: it takes longer than a thousand verdicts.
+    /// Compiled once for each thread: compiling takes longer than a thousand validations.
     static VALIDATOR: Validator = validator();
 }
 
@@ -42,7 +42,7 @@ fn the_schema_is_a_schema() {
     assert!(Validator::of(schema()).is_ok());
     let mut broken = schema();
     broken["type"] = json!("tabel");
-    assert!(Validator::of(broken).is_err(), "a schema that is none is refused");
+    assert!(Validator::of(broken).is_err(), "an invalid schema is refused");
     assert_eq!(schema()["$schema"], "https://json-schema.org/draft/2020-12/schema");
 }
 
@@ -84,8 +84,7 @@ fn every_scenario_in_the_repository_fits_reader_and_schema() {
     }
 }
 
-/// Scenarios that use every key of the schema between them: `full`, and those with what `full` cannot have
-/// beside what it has.
+/// Scenarios that together use every key of the schema: `full`, and others with the keys that exclude those of `full`.
 fn fulls() -> Vec<Json> {
     let mut by_file = full();
     by_file["environment"]["wind"] = json!({ "file": "wind.csv" });
@@ -291,7 +290,7 @@ fn full() -> Json {
     })
 }
 
-/// Both verdicts on a document; they must agree.
+/// Whether reader and schema accept a document; they must agree.
 #[track_caller]
 fn accepted(document: &Json) -> bool {
     let by_schema = VALIDATOR.with(|validator| validator.validate(document).is_ok());
@@ -387,7 +386,7 @@ fn absent_agrees(document: &Json, pointer: &str) {
     let mut changed = document.clone();
     let (parent, name) = parent_of(&mut changed, pointer);
     parent.remove(&name);
-    // What is absent may be what others refer to or are compared with; that only the reader knows.
+    // Other keys may refer to the absent one or be compared with it, which only the reader checks.
     let referred_to = [
         "/material",
         "/body/b/fixed",

@@ -1,6 +1,6 @@
-//! The tide in scenarios: depth, heights of fenders and bollards on what is ashore, and a ship that the water leaves.
+//! The tide in scenarios: depth, heights of fenders and bollards ashore, and a ship that grounds at low water.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "expected values may use std")]
 
 use fenderline_scenario::{Scenario, ScenarioError};
 use fenderline_sim::{Simulation, WorldEventKind};
@@ -83,10 +83,10 @@ fn simulation(changes: &[(&str, &str)], files: &[(&str, &str)]) -> Simulation {
     Simulation::new(good(changes, files).setup).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Where datum is must not matter: 2 m less below it, 2 m more above it, and the water 2 m above it are the same
-/// water, fender and bollard, to the last bit.
+/// The choice of datum must not matter. With the depth 2 m smaller, the heights 2 m larger and the tide 2 m above
+/// datum, all results are the same to the last bit.
 #[test]
-fn datum_may_lie_anywhere() {
+fn the_choice_of_datum_changes_no_bit() {
     let play = |changes: &[(&str, &str)]| {
         let mut simulation = simulation(changes, &[]);
         let mut tensions_n = Vec::new();
@@ -109,8 +109,8 @@ fn datum_may_lie_anywhere() {
     assert_ne!(at_datum.3, floating.3);
 }
 
-/// The wind presses her on a fender at 3 m; with the water a metre lower it is at 4 m above it, and heels her by
-/// N/(W GM) more. 2 % for what is left of the first roll.
+/// The wind presses her on a fender 3 m above the water. With the water a metre lower it is 4 m above it, and heels her
+/// by N · 1 m/(W GM) more. The tolerance of 2 % covers the remaining roll motion.
 #[test]
 fn a_lower_tide_raises_the_fender_on_the_quay() {
     let heel = |level: &str| {
@@ -136,16 +136,17 @@ fn a_lower_tide_raises_the_fender_on_the_quay() {
     assert!((more_rad.abs() / by_hand_rad - 1.0).abs() < 0.02, "{more_rad} {by_hand_rad}");
 }
 
-/// Adrift in the wind, two hours from 12 m of water to 7 m and back to 12 m. 1.1 draughts are passed at 8.8 m, the draught
-/// at 8 m, each told once at its time; the bottom takes her way off and keeps her, and she floats and drifts again.
-/// Nothing she feels jumps: with a quarter of the step it changes a quarter as much from step to step (0.4 with room for where it turns sharply).
+/// She drifts in the wind for two hours while the depth falls from 12 m to 7 m and rises back to 12 m. She passes 1.1
+/// draughts at 8.8 m and her draught at 8 m; each gives one event at its time. The bottom stops and holds her, then she
+/// floats and drifts again. Forces are continuous: with a quarter of the step they change about a quarter as much from
+/// step to step (0.4 is allowed for sharp turns).
 #[test]
-fn a_falling_tide_sets_her_on_the_bottom_and_takes_her_off_again() {
+fn a_falling_tide_grounds_a_ship_and_a_rising_tide_refloats_her() {
     let (coarse_n, fine_n) = (adrift_in_a_falling_tide(0.2), adrift_in_a_falling_tide(0.05));
     assert!(coarse_n < 20e3 && fine_n < 0.4 * coarse_n, "{coarse_n} {fine_n}");
 }
 
-/// The largest change of what water and bottom do to her from one step to the next (N).
+/// The largest change of the force of water and bottom from one step to the next (N).
 fn adrift_in_a_falling_tide(step_s: f64) -> f64 {
     let mut simulation = simulation(
         &[
@@ -157,14 +158,14 @@ fn adrift_in_a_falling_tide(step_s: f64) -> f64 {
         ],
         &[("tide.csv", "t_s,level_m\n0,12\n3600,7\n7200,12\n")],
     );
-    let mut told = Vec::new();
+    let mut water_events = Vec::new();
     let (mut last, mut aground_s) = (None::<f64>, 0.0_f64);
     let (mut largest_n, mut wind_n, mut drift_mps) = (0.0_f64, 0.0_f64, 0.0_f64);
     while !simulation.is_done() {
         let record = simulation.step().expect("a good step");
         let of_water = |kind| matches!(kind, WorldEventKind::Aground | WorldEventKind::ShallowHeld);
         let events = record.world_events.iter().map(|event| event.kind);
-        told.extend(events.filter(|kind| of_water(*kind)).map(|kind| (record.t_s, kind)));
+        water_events.extend(events.filter(|kind| of_water(*kind)).map(|kind| (record.t_s, kind)));
         let forces = &record.vessel_forces[0];
         let sway_n = forces.hull.sway_n + forces.bottom.sway_n;
         if let Some(before) = last.filter(|_| record.t_s > 60.0) {
@@ -182,10 +183,13 @@ fn adrift_in_a_falling_tide(step_s: f64) -> f64 {
         }
     }
     // 5 m an hour: 8.8 m after 2304 s, 8 m after 2880 s.
-    let [held, aground] = told.as_slice() else { panic!("{told:?}") };
+    let [held, aground] = water_events.as_slice() else { panic!("{water_events:?}") };
     assert_eq!((held.1, aground.1), (WorldEventKind::ShallowHeld, WorldEventKind::Aground));
-    assert!((held.0 - 2304.0).abs() <= 1.0 && (aground.0 - 2880.0).abs() <= 1.0, "{told:?}");
-    // As long as there are less than 8 m, and the two centimetres that she needs to float again.
+    assert!(
+        (held.0 - 2304.0).abs() <= 1.0 && (aground.0 - 2880.0).abs() <= 1.0,
+        "{water_events:?}"
+    );
+    // While the depth is below 8 m, plus the two centimetres that she needs to float again.
     assert!((aground_s - 1454.4).abs() < 3.0, "{aground_s}");
     assert!(!simulation.vessels()[0].aground && drift_mps > 0.3, "{drift_mps}");
     assert!(simulation.states()[0].velocity_mps.length() > 0.3);
@@ -193,32 +197,33 @@ fn adrift_in_a_falling_tide(step_s: f64) -> f64 {
     largest_n
 }
 
-/// 1.05 draughts used to be refused, though less than one was taken: a ship could not come to the bottom.
+/// A depth of 1.05 draughts is accepted with a notice, as depths below the draught are.
 #[test]
-fn water_between_one_and_1_1_draughts_is_taken_and_said_to_be_held() {
+fn depths_between_1_and_1_1_draughts_are_accepted_with_a_notice() {
     let scenario = good(&[("depth = \"16 m\"", "depth = \"8.4 m\"")], &[]);
-    let said = scenario.notices.iter().any(|notice| {
+    let noted = scenario.notices.iter().any(|notice| {
         notice.message.contains("water of 1.05 draughts") && notice.key == "vessel.coaster"
     });
-    assert!(said, "{:?}", scenario.notices);
+    assert!(noted, "{:?}", scenario.notices);
     let mut simulation = Simulation::new(scenario.setup).expect("a good set-up");
     let record = simulation.step().expect("a good step");
     let events: Vec<_> = record.world_events.iter().map(|event| event.kind).collect();
     assert_eq!(events, [WorldEventKind::ShallowHeld]);
-    // At 1.1 draughts there is nothing to say, and the mass is the same.
+    // At 1.1 draughts there is no such notice, and the mass is the same.
     let mass = |depth: &str| {
         let scenario = good(&[("depth = \"16 m\"", &format!("depth = \"{depth} m\""))], &[]);
-        let held = scenario.notices.iter().any(|notice| notice.message.contains("held"));
+        let held =
+            scenario.notices.iter().any(|notice| notice.message.contains("keep their values"));
         (held, scenario.setup.bodies[0].mass.expect("a mass").added_sway_kg)
     };
     let (edge, at, aground) = (mass("8.8001"), mass("8.4"), mass("7"));
     assert!(!edge.0 && at.0 && aground.0);
     assert_eq!(at.1, aground.1);
-    // A tenth of a millimetre of water more: the polynomial is steep there, 6 % in a centimetre.
+    // With 0.1 mm more water: the polynomial is steep there, 6 % in a centimetre.
     assert!((at.1 / edge.1 - 1.0).abs() < 1e-3, "{} {}", at.1, edge.1);
 }
 
-/// Constituents are summed about the level; the tide falls, and her added mass is said to stay.
+/// Constituents are added to the level. As the tide falls, a notice says that her added mass stays constant.
 #[test]
 fn a_tide_of_constituents_is_their_sum() {
     let tide = "depth = \"10 m\"\ntide = { level = 1, constituent = [{ amplitude = 1, period = \"12 h\" }, \
@@ -229,14 +234,14 @@ fn a_tide_of_constituents_is_their_sum() {
         let ours_m = water.tide.level_m(hour * 3600.0);
         assert!((ours_m - level_m).abs() < 1e-9, "{hour} h: {ours_m}");
     }
-    let said = |what: &str| scenario.notices.iter().any(|notice| notice.message.contains(what));
-    assert!(said("added mass stays that of the start"), "{:?}", scenario.notices);
+    let noted = |what: &str| scenario.notices.iter().any(|notice| notice.message.contains(what));
+    assert!(noted("added mass stays that of the start"), "{:?}", scenario.notices);
 }
 
 #[test]
 fn mistakes_about_the_tide_name_their_key() {
     for (tide, file, key, fragment) in [
-        ("{ level = -17 }", "", "environment.depth", "never any water"),
+        ("{ level = -17 }", "", "environment.depth", "the bottom is above the water"),
         ("{ }", "", "environment.tide.level", "is missing"),
         (
             "{ level = 1, file = \"t.csv\" }",

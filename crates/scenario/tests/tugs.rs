@@ -1,6 +1,6 @@
-//! Tugs that are vessels: azimuth units from scenario text, and what they do at a ship.
+//! Tugs that are vessels with azimuth units, from scenario text, working at a ship.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "expected values may use std")]
 
 use fenderline_contact::Rotation;
 use fenderline_scenario::Scenario;
@@ -82,7 +82,7 @@ fn ship_under_way(text: &str) -> String {
 const TF_N: f64 = 9806.65;
 
 #[test]
-fn a_tug_comes_softly_and_holds_the_ordered_push_in_still_water() {
+fn a_tug_touches_gently_and_holds_the_ordered_push_in_still_water() {
     let mut simulation = simulation(ASSIST);
     let (mut pushed_n, mut steps, mut touched_s) = (0.0, 0.0, None);
     while !simulation.is_done() {
@@ -102,7 +102,7 @@ fn a_tug_comes_softly_and_holds_the_ordered_push_in_still_water() {
     assert!((mean_n / 300e3 - 1.0).abs() < 0.01, "{mean_n} N");
     let touched_s = touched_s.expect("she touches");
     assert!(touched_s < 200.0, "{touched_s} s");
-    // 0.1 m/s is what she aims at; half as much again for the way her thrusters follow.
+    // She aims at 0.1 m/s; half as much again allows for the lag of her thrusters.
     let pair = &simulation.pair_summaries()[0];
     assert!(pair.approach_speed_mps > 0.0 && pair.approach_speed_mps < 0.15, "{pair:?}");
     let tug = simulation.states()[0];
@@ -111,7 +111,7 @@ fn a_tug_comes_softly_and_holds_the_ordered_push_in_still_water() {
 }
 
 #[test]
-fn beside_a_ship_under_way_she_comes_on_pushes_and_stays_with_her() {
+fn a_tug_comes_alongside_a_ship_under_way_pushes_and_stays_with_her() {
     let mut simulation = simulation(&ship_under_way(ASSIST));
     let (mut touching, mut steps) = (0, 0);
     while !simulation.is_done() {
@@ -126,7 +126,7 @@ fn beside_a_ship_under_way_she_comes_on_pushes_and_stays_with_her() {
         assert!(state.position_m.is_finite() && state.velocity_mps.length() < 3.0, "{state:?}");
     }
     assert!(ship.velocity_mps.length() > 1.0, "still under way: {ship:?}");
-    // Her bow leans on the side for all but moments, within a ship's beam of where she was sent.
+    // Her bow is in contact almost all the time, within a ship's beam of the ordered place.
     assert!(touching as f64 > 0.95 * f64::from(steps), "{touching} of {steps}");
     let own = ship.pose().apply_inverse(tug.pose().apply(fenderline_contact::vec2(16.9, 0.0)));
     assert!((own.x - 60.0).abs() < 58.0 && (own.y + 29.0).abs() < 1.0, "{own:?}");
@@ -135,7 +135,7 @@ fn beside_a_ship_under_way_she_comes_on_pushes_and_stays_with_her() {
 }
 
 #[test]
-fn behind_a_ship_at_six_knots_she_does_not_lie_a_breadth_off_her_place() {
+fn a_tug_behind_a_ship_at_six_knots_keeps_her_place() {
     // At speed her side thrust turned her bow the wrong way: she crabbed along 20 m beside her place.
     let text = include_str!("../../../scenarios/live/tug_escort.toml");
     let mut simulation = simulation(&text.replace("duration = \"4 h\"", "duration = \"6 min\""));
@@ -145,14 +145,14 @@ fn behind_a_ship_at_six_knots_she_does_not_lie_a_breadth_off_her_place() {
         if simulation.time_s() > 60.0 {
             let own = fenderline_contact::Rotation::from_angle(ship.heading_rad);
             let off = own.apply_inverse(tug.position_m - ship.position_m);
-            // Her place is 195 m astern; what is left is leeway, which nothing takes off: a quarter of her beam.
+            // Her place is 195 m astern. A quarter of her beam allows for leeway, which is not corrected.
             assert!(off.y.abs() < 3.0 && (off.x + 195.0).abs() < 3.0, "{off:?}");
         }
     }
 }
 
 #[test]
-fn on_her_line_she_pulls_with_what_was_ordered() {
+fn a_tug_on_her_line_pulls_with_the_ordered_force() {
     let line = r#"
 [line.tow]
 from = "tug"
@@ -190,7 +190,7 @@ pull_ship = { line = "tow", force = "250 kN", direction = "-70 deg" }
 }
 
 #[test]
-fn she_keeps_her_place_beside_a_ship_under_way() {
+fn a_tug_keeps_her_place_beside_a_ship_under_way() {
     let order = "[[order]]\nvessel = \"tug\"\n\
                  follow_ship = { ship = \"ship\", at = [20, -60], heading = \"0 deg\" }\n";
     let (before, _) = ASSIST.split_once("[[order]]").expect("an order");
@@ -205,7 +205,7 @@ fn she_keeps_her_place_beside_a_ship_under_way() {
 }
 
 #[test]
-fn an_azimuth_unit_gives_its_thrust_at_rest_turns_at_its_rate_and_loses_with_speed() {
+fn an_azimuth_unit_has_its_thrust_at_rest_its_turning_rate_and_less_thrust_with_speed() {
     let unit = |name: &str| {
         format!(
             "[[order]]\nvessel = \"tug\"\n\
@@ -214,7 +214,7 @@ fn an_azimuth_unit_gives_its_thrust_at_rest_turns_at_its_rate_and_loses_with_spe
     };
     let text = alone(&(unit("port") + &unit("starboard")))
         .replace("rate = \"18 deg/s\"", "rate = \"18 deg/s\", lag = 0");
-    // At rest, in the first step: all of it, turned by 0.1 s.
+    // In the first step at rest: full thrust, turned for 0.1 s.
     let mut at_rest = simulation(&text);
     let record = at_rest.step().expect("a good step");
     let thrust_n = record.vessel_forces[0].thrusters;
@@ -224,7 +224,7 @@ fn an_azimuth_unit_gives_its_thrust_at_rest_turns_at_its_rate_and_loses_with_spe
     assert!((thrust_n.sway_n / (60.0 * TF_N * turned.y) - 1.0).abs() < 1e-9, "{thrust_n:?}");
     let unit = record.vessels[0].azimuths[0];
     assert!((unit.direction.angle_rad - turned_rad).abs() < 1e-12, "{unit:?}");
-    // K_T of a B4-70 of pitch 1.0 falls from 0.45 at rest to about 0.27 at J = 0.47 (from the curves, recalled).
+    // K_T of a B4-70 of pitch 1.0 falls from 0.45 at rest to about 0.27 at J = 0.47 (from the curves, from memory).
     let ahead = text
         .replace("heading = \"0 deg\"", "velocity = { surge = \"5 m/s\" }")
         .replace("90 deg", "0 deg");
@@ -235,7 +235,7 @@ fn an_azimuth_unit_gives_its_thrust_at_rest_turns_at_its_rate_and_loses_with_spe
 }
 
 #[test]
-fn an_azimuth_order_beyond_its_stop_is_clamped_and_told_once() {
+fn an_azimuth_order_beyond_its_stop_is_clamped_with_one_event() {
     for (order, angle_deg, power) in [
         ("power = 1, direction = \"170 deg\"", 120.0, 1.0),
         ("power = 0, direction = \"-170 deg\"", -120.0, 0.0),
@@ -246,13 +246,13 @@ fn an_azimuth_order_beyond_its_stop_is_clamped_and_told_once() {
             .replace("rate = \"18 deg/s\"", "stop = \"120 deg\"")
             .replace("duration = \"8 min\"", "duration = \"60 s\"");
         let mut simulation = simulation(&text);
-        let mut told = 0;
+        let mut events = 0;
         while !simulation.is_done() {
             let record = simulation.step().expect("a good step");
             let clamped = |e: &&fenderline_sim::WorldEvent| e.kind == WorldEventKind::OrderClamped;
-            told += record.world_events.iter().filter(clamped).count();
+            events += record.world_events.iter().filter(clamped).count();
         }
-        assert_eq!(told, 1);
+        assert_eq!(events, 1);
         let unit = simulation.vessels()[0].azimuths[0];
         assert!((unit.direction.angle_rad.to_degrees() - angle_deg).abs() < 1e-9, "{unit:?}");
         assert!((unit.power.value - power).abs() < 1e-6, "{unit:?}");
@@ -291,7 +291,7 @@ fn without_a_propeller_course_and_speed_go_to_the_azimuth_units() {
     assert!((along.x / (6.0 * 1852.0 / 3600.0) - 1.0).abs() < 0.02, "{along:?}");
 }
 
-/// What is replaced by what, the key that is named, and a part of the message.
+/// A part, what replaces it, the key of the error, and a part of the message.
 #[rustfmt::skip]
 const MISTAKES: &[(&str, &str, &str, &str)] = &[
     ("at = [60, -29]", "at = [60, 0]", "order.0.push_ship.at", "29.0 m from the ship's outline"),

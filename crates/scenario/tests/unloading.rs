@@ -1,6 +1,6 @@
 //! A moored ship on fenders with unloading laws, in gusts and over a day.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "expected values may use std")]
 
 use std::path::Path;
 
@@ -23,7 +23,8 @@ fn moored(wind: &str, step: &str, duration: &str) -> Simulation {
     Simulation::new(setup).expect("a good set-up")
 }
 
-/// 3.5 % of the samples of a ship at rest lay below half of the curve, and reactions looked like a comb.
+/// Once 3.5 % of the samples of a ship at rest were below half of the curve, and reactions alternated from step to
+/// step.
 #[test]
 fn in_gusts_no_reaction_falls_below_its_unloading_curve() {
     let wind = "wind = { speed = \"14 m/s\", from = \"260 deg\", gusts = true, seed = 3 }";

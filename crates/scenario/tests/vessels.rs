@@ -1,4 +1,4 @@
-//! The vessel data against the published numbers, and every mistake that a vessel file can hold.
+//! The vessel data against published numbers, and every mistake in a vessel file.
 
 use std::path::{Path, PathBuf};
 
@@ -26,7 +26,7 @@ fn files() -> Vec<PathBuf> {
     files
 }
 
-/// A file that is not built in would add something; one that is can only say it again.
+/// A built-in file cannot be added again, as its names exist already.
 #[test]
 fn every_file_of_the_folder_is_built_in_and_fits_the_schema() {
     let (mut schemas, mut compiler) = (Schemas::new(), Compiler::new());
@@ -44,7 +44,7 @@ fn every_file_of_the_folder_is_built_in_and_fits_the_schema() {
     }
 }
 
-/// The schema refuses what the reader refuses, where no computation is needed to know it.
+/// The schema refuses what the reader refuses, where that needs no computation.
 #[test]
 fn the_schema_of_vessel_files_knows_what_goes_together() {
     let (mut schemas, mut compiler) = (Schemas::new(), Compiler::new());
@@ -96,13 +96,13 @@ fn every_built_in_vessel_is_there_and_has_a_source_for_every_number() {
     }
     for vessel in library.vessels() {
         assert!(vessel.ship.check().is_ok(), "{}", vessel.name);
-        // Whoever may lie at a berth has where lines go from, or is a tug that pushes with her belting.
+        // A vessel that may berth has chocks and bitts; a tug has a belting to push with.
         if vessel.outline_m.is_some() && vessel.name != "paper-tug" {
             assert!(!vessel.chocks.is_empty() && !vessel.bitts.is_empty(), "{}", vessel.name);
         }
         for source in &vessel.origin.sources {
-            let told = !source.source.is_empty() && !source.group.is_empty();
-            assert!(told && (source.is_estimate || !source.figures.is_empty()), "{source:?}");
+            let listed = !source.source.is_empty() && !source.group.is_empty();
+            assert!(listed && (source.is_estimate || !source.figures.is_empty()), "{source:?}");
         }
     }
 }
@@ -166,12 +166,12 @@ fn kvlcc2_has_the_published_numbers() {
     assert!((of_ship - 15.5 * 1852.0 / 3600.0).abs() < 1e-12);
     assert!((of_ship / of_model - time_scale).abs() < 1e-12);
     assert!((model.rudder.rate_per_s / ship.rudder.rate_per_s - time_scale).abs() < 1e-12);
-    // What is hers by inheritance is said so.
-    let told = |part: &str| {
+    // Inherited numbers are listed as such.
+    let listed = |part: &str| {
         let mut all = model.origin.sources.iter();
         all.any(|source| source.figures.iter().any(|figure| figure.name == part))
     };
-    assert!(told("sway_polynomial.x_vvvv") && told("rudder.race_gain") && told("rudder.rate"));
+    assert!(listed("sway_polynomial.x_vvvv") && listed("rudder.race_gain") && listed("rudder.rate"));
 }
 
 /// KCS, number by number (vessels/kcs.toml says where they are from). 1 − (1 − t) is t to the last bit in all three.
@@ -245,9 +245,9 @@ fn esso_osaka_has_the_published_numbers() {
     assert_eq!([propeller.diameter_m, rudder.area_m2], [0.084, 0.01063]);
 }
 
-/// What regressions gave is told with the formula and how well that is known, quantity by quantity.
+/// Estimates are listed with their formula and its standing, quantity by quantity.
 #[test]
-fn a_vessel_from_main_particulars_says_everything_that_is_estimated() {
+fn a_vessel_from_main_particulars_lists_everything_that_is_estimated() {
     let vessel = built_in("bulk-carrier");
     let estimates: Vec<_> = vessel.origin.estimates().collect();
     for (group, standing) in [
@@ -264,13 +264,13 @@ fn a_vessel_from_main_particulars_says_everything_that_is_estimated() {
         ("rudder and hull", Standing::Found),
     ] {
         let found = estimates.iter().find(|source| source.group == group);
-        let found = found.unwrap_or_else(|| panic!("{group} is not told"));
+        let found = found.unwrap_or_else(|| panic!("{group} is not listed"));
         assert_eq!((found.standing, found.figures.is_empty()), (standing, false), "{group}");
     }
     // Taylor's wake, by hand: 0.5 · 0.817 − 0.05.
-    let wake = estimates.iter().find(|source| source.group == "wake").expect("told");
+    let wake = estimates.iter().find(|source| source.group == "wake").expect("listed");
     assert_eq!(wake.figures[0].text, "0.3585");
-    // Esso Osaka's hull was measured: all that is estimated of hers is her propeller when it does not drive ahead.
+    // Esso Osaka's hull was measured: only her propeller outside of ahead operation is estimated.
     let esso_osaka = built_in("esso-osaka");
     let estimated: Vec<_> =
         esso_osaka.origin.estimates().map(|source| source.group.as_str()).collect();
@@ -280,7 +280,7 @@ fn a_vessel_from_main_particulars_says_everything_that_is_estimated() {
     );
 }
 
-/// The worked examples of the guide are what they say: the library's S175, and a scenario that runs.
+/// The worked examples of the guide are correct: the library's S175, and a scenario that runs.
 #[test]
 fn the_examples_of_the_guide_to_vessels_are_good() {
     let guide = include_str!("../../../vessels/README.md");
@@ -303,7 +303,7 @@ fn the_examples_of_the_guide_to_vessels_are_good() {
     for _ in 0..20 {
         simulation.step().expect("a good step");
     }
-    // The table of the range is the program's.
+    // The guide's table of ranges is the program's.
     for (ratio, [low, high]) in VALIDATED_RATIOS {
         let name = ratio.name().replace('_', " ").replace("length bp", "length");
         let row = format!("| {name} | {low} to {high} |");
@@ -332,10 +332,10 @@ position = [0, 100]
     )
 }
 
-/// Outside the range of the formulas she is estimated all the same; the notice names line, key, value and range.
+/// A vessel outside the range of the formulas is estimated too; the notice names line, key, value and range.
 #[test]
-fn particulars_outside_the_range_of_the_estimate_are_told_of_with_key_and_range() {
-    let told = |beam: &str, block: &str| {
+fn particulars_outside_the_range_of_the_estimate_give_a_notice_with_key_and_range() {
+    let listed = |beam: &str, block: &str| {
         let scenario = Scenario::parse(&ship_and_tug(beam, block), "outside.toml");
         let notices = scenario.expect("a good scenario").notices;
         let lines = notices
@@ -345,12 +345,12 @@ fn particulars_outside_the_range_of_the_estimate_are_told_of_with_key_and_range(
     };
     let tug =
         "outside.toml:13:10: `body.tug.vessel`: length_bp over beam is 2.500, outside 5.3 to 7.3";
-    let [only] = &told("25.4 m", "0.56")[..] else { panic!("within the range") };
+    let [only] = &listed("25.4 m", "0.56")[..] else { panic!("within the range") };
     assert!(only.starts_with(tug), "{only}");
-    let [fine, of_tug] = &told("25.4 m", "0.45")[..] else { panic!("a fine ship and a tug") };
-    let said = "outside.toml:7:21: `vessel.mine.block_coefficient`: block_coefficient is 0.450, outside 0.55 to 0.85";
-    assert!(fine.starts_with(said) && of_tug.starts_with(tug), "{fine} {of_tug}");
-    let [broad, deep, _] = &told("35 m", "0.56")[..] else { panic!("too broad twice") };
+    let [fine, of_tug] = &listed("25.4 m", "0.45")[..] else { panic!("a fine ship and a tug") };
+    let expected = "outside.toml:7:21: `vessel.mine.block_coefficient`: block_coefficient is 0.450, outside 0.55 to 0.85";
+    assert!(fine.starts_with(expected) && of_tug.starts_with(tug), "{fine} {of_tug}");
+    let [broad, deep, _] = &listed("35 m", "0.56")[..] else { panic!("too broad twice") };
     assert!(broad.contains("`vessel.mine.length_bp`: length_bp over beam is 5.000"), "{broad}");
     assert!(deep.contains("`vessel.mine.beam`: beam over draught is 4.118, outside 2.2"), "{deep}");
 }
@@ -415,7 +415,7 @@ source = "ours"
 standing = "assumed"
 "#;
 
-/// What is replaced by what, the key that is named, and a part of the message.
+/// A part, what replaces it, the key of the error, and a part of the message.
 #[rustfmt::skip]
 const MISTAKES: &[(&str, &str, &str, &str)] = &[
     ("length_bp = \"130 m\"\n", "", "vessel.coaster.length_bp", "is missing"),
@@ -431,14 +431,14 @@ const MISTAKES: &[(&str, &str, &str, &str)] = &[
     ("beam = \"20 m\"", "beam = \"200 m\"", "vessel.coaster.beam", "beam [m] must be between"),
     ("centre_of_gravity = \"1 m\"", "centre_of_gravity = \"100 m\"", "vessel.coaster.centre_of_gravity", "must be between"),
     ("gm = \"1.1 m\"", "gm = \"-1.1 m\"", "vessel.coaster.stability.gm", "must be at least"),
-    ("gm = \"1.1 m\"", "gm = \"9 m\"", "vessel.coaster.stability.gm", "no hull of this size"),
+    ("gm = \"1.1 m\"", "gm = \"9 m\"", "vessel.coaster.stability.gm", "a hull of this size has it at most"),
     ("waterplane_area = \"2150 m^2\"", "waterplane_area = \"9000 m^2\"", "vessel.coaster.stability", "waterplane"),
     ("[123, 6], [105, 10], [5, 10]", "[123, 6], [105, 14], [5, 14]", "vessel.coaster.outline.points", "but her beam is 20 m"),
     ("[133, 0]", "[150, 0]", "vessel.coaster.outline.points", "but her length overall is 136 m"),
     ("length_overall = \"136 m\"\nlength_bp = \"130 m\"", "length_bp = \"100 m\"", "vessel.coaster.outline.points", "length between perpendiculars is 100 m"),
     ("[123, -6], [133, 0], [123, 6]", "[123, 6], [133, 0], [123, -6]", "vessel.coaster.outline.points", "cross"),
-    ("at = [66, 2]", "at = [80, 2]", "vessel.coaster.chock.head.at", "is not on her"),
-    ("at = [0, 9]", "at = [0, 29]", "vessel.coaster.bitts.waist.at", "is not on her"),
+    ("at = [66, 2]", "at = [80, 2]", "vessel.coaster.chock.head.at", "is not on the vessel"),
+    ("at = [0, 9]", "at = [0, 29]", "vessel.coaster.bitts.waist.at", "is not on the vessel"),
     ("to = [40, 10]", "to = [40, -10]", "vessel.coaster.belting.side", "midship on one side"),
     ("along = \"55 m\"", "along = \"90 m\"", "vessel.coaster.thruster.bow.along", "is outside a ship of 130 m"),
     ("full = \"130 rpm\"\n", "", "vessel.coaster.propeller.full", "is missing"),
@@ -538,7 +538,7 @@ fn parse(text: &str) -> Result<Scenario, fenderline_scenario::ScenarioError> {
 }
 
 #[test]
-fn a_body_has_outline_mass_and_deck_of_her_vessel_about_her_centre_of_gravity() {
+fn a_body_has_outline_mass_and_deck_of_its_vessel_about_the_centre_of_gravity() {
     let setup = parse(HARBOUR).unwrap_or_else(|error| panic!("{error}")).setup;
     let ship = &setup.bodies[0];
     // From the after perpendicular to midship 65 m, and one more to the centre of gravity.
@@ -567,13 +567,13 @@ const HARBOUR_MISTAKES: &[(&str, &str, &str, &str)] = &[
     ("vessel = \"asd-tug\"", "vessel = \"esso-osaka\"", "body.tug.outline", "is missing"),
     ("belting = \"bow\"", "belting = \"bw\"", "fender.bow.belting", "did you mean \"bow\"?"),
     ("belting = \"bow\"", "belting = \"bow\"\nwidth = 3", "fender.bow.width", "does not go together with `belting`"),
-    ("on = \"tug\"", "on = \"quay\"", "fender.bow.belting", "its body is no vessel"),
+    ("on = \"tug\"", "on = \"quay\"", "fender.bow.belting", "its body is not a vessel"),
     ("belting = \"bow\"\n", "", "fender.bow.position", "is missing"),
     ("chock = \"head\"", "chock = \"hed\"", "line.head.chock", "did you mean \"head\"?"),
     ("chock = \"head\"", "chock = \"head\"\nfairlead_height = 3", "line.head.fairlead_height", "does not go together with `chock`"),
     ("chock = \"head\"", "chock = \"head\"\nfairlead = [1, 1]", "line.head.chock", "does not go together with `fairlead`"),
     ("chock = \"head\"\n", "", "line.head.fairlead", "is missing"),
-    ("bollard = [90, 4]\nbollard_height = \"3 m\"", "bitts = \"waist\"", "line.head.bitts", "its body is no vessel"),
+    ("bollard = [90, 4]\nbollard_height = \"3 m\"", "bitts = \"waist\"", "line.head.bitts", "its body is not a vessel"),
     ("[body.ship]", "[vessel.kcs]\nfrom = \"kvlcc2\"\n\n[body.ship]", "vessel.kcs", "has a vessel named \"kcs\" already"),
     ("[body.ship]", "[vessel.x]\nfrom = \"kvlc2\"\n\n[body.ship]", "vessel.x.from", "did you mean \"kvlcc2\"?"),
     ("[body.ship]", "[vessel.x]\nfrom = \"kcs\"\nrudder = { area = 3 }\n\n[body.ship]", "vessel.x.rudder.area", "does not go together with `from`"),
@@ -582,7 +582,7 @@ const HARBOUR_MISTAKES: &[(&str, &str, &str, &str)] = &[
 ];
 
 #[test]
-fn every_mistake_in_naming_a_vessel_or_her_deck_names_its_key() {
+fn every_mistake_in_a_reference_to_a_vessel_names_its_key() {
     for (part, mistake, key, fragment) in HARBOUR_MISTAKES {
         assert!(HARBOUR.contains(part), "{part} is not in the good scenario");
         let error = parse(&HARBOUR.replacen(part, mistake, 1))
@@ -599,7 +599,7 @@ fn every_mistake_in_naming_a_vessel_or_her_deck_names_its_key() {
 }
 
 #[test]
-fn from_changes_what_is_given_and_nothing_else() {
+fn a_vessel_with_from_differs_only_in_the_given_keys() {
     let text = |own: &str| {
         HARBOUR.replace("vessel = \"coaster\"", "vessel = \"mine\"").replace(
             "[body.ship]",
@@ -616,12 +616,12 @@ fn from_changes_what_is_given_and_nothing_else() {
     let faster = vessel("rudder = { rate = \"4 deg/s\" }");
     assert!((faster.rudder.rate_per_s.to_degrees() - 4.0).abs() < 1e-12);
     let rate = |vessel: &fenderline_sim::VesselSetup| {
-        let told = vessel
+        let listed = vessel
             .origin
             .sources
             .iter()
             .filter(|source| source.figures.iter().any(|figure| figure.name == "rudder.rate"));
-        told.map(|source| source.standing).collect::<Vec<_>>()
+        listed.map(|source| source.standing).collect::<Vec<_>>()
     };
     assert_eq!(rate(&faster), [Standing::Given]);
     assert_eq!(rate(&plain.setup.world.vessels[0]), [Standing::Assumed]);
@@ -635,7 +635,7 @@ fn from_changes_what_is_given_and_nothing_else() {
     let other = vessel("thruster.stern = { along = \"-50 m\", force = \"50 kN\" }");
     assert_eq!(other.thrusters.len(), 1);
     assert_eq!(other.thrusters[0].name, "stern");
-    let told =
+    let listed =
         |name: &str| other.origin.sources.iter().flat_map(|s| &s.figures).any(|f| f.name == name);
-    assert!(told("thruster.stern.force") && !told("thruster.bow.force"));
+    assert!(listed("thruster.stern.force") && !listed("thruster.bow.force"));
 }

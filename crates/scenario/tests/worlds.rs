@@ -1,6 +1,6 @@
-//! Vessels, weather, tugs and lines from scenarios: what runs, and what is refused.
+//! Vessels, weather, tugs and lines from scenarios: runs, and mistakes that are refused.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "expected values may use std")]
 
 use fenderline_scenario::Scenario;
 use fenderline_sim::{Simulation, WorldEventKind};
@@ -143,7 +143,7 @@ fn ten_hours_moored_in_waves_wind_and_current_stay_bounded_and_replay_to_the_sam
         let mut simulation = simulation(MOORED);
         let start = simulation.states()[0].position_m;
         let mut farthest_m = 0.0_f64;
-        // The most kinetic energy of each hour, and the largest residual of the books.
+        // The largest kinetic energy of each hour, and the largest residual of the energy ledger.
         let (mut kinetic_j, mut residual_j) = ([0.0_f64; 10], 0.0_f64);
         while !simulation.is_done() {
             let record = simulation.step().expect("a good step");
@@ -156,14 +156,13 @@ fn ten_hours_moored_in_waves_wind_and_current_stay_bounded_and_replay_to_the_sam
             assert!(roll_rad.abs() < 0.1, "{roll_rad}");
             farthest_m = farthest_m.max((simulation.states()[0].position_m - start).length());
         }
-        // A metre or two on lines and fenders; once she has settled in the first hour, none of the later ones is wilder
-        // than the earlier ones.
+        // She moves a metre or two on lines and fenders. After the first hour the motion does not grow.
         assert!(farthest_m < 3.0, "{farthest_m} m");
         let early_j: f64 = kinetic_j[1..5].iter().fold(0.0, |most, &j| most.max(j));
         let late_j: f64 = kinetic_j[5..].iter().fold(0.0, |most, &j| most.max(j));
         assert!(kinetic_j[0] < 5e6 && late_j < 1.5 * early_j, "{kinetic_j:?} J");
-        // What she has is what was put into her, over 72,000 steps: no energy drifts in or out. 0.1 % of what wind,
-        // lines, fenders and all else turned over is the criterion for every vessel.
+        // Her energy is the work done on her over 72,000 steps: the residual is below 0.1 % of the exchanged energy, the
+        // criterion for every vessel.
         let exchanged_j = simulation.energy().exchanged_j();
         println!("residual {residual_j:.0} J of {exchanged_j:.0} J, kinetic {early_j:.0} J");
         assert!(residual_j < 1e-3 * exchanged_j, "{residual_j} J of {exchanged_j} J");
@@ -173,38 +172,38 @@ fn ten_hours_moored_in_waves_wind_and_current_stay_bounded_and_replay_to_the_sam
 }
 
 #[test]
-fn a_ship_in_too_little_water_is_aground_and_held_and_told() {
+fn a_ship_in_too_little_water_is_held_aground_and_reported() {
     let text = MOORED
         .replace("depth = \"16 m\"", "depth = \"7 m\"")
         .replace("duration = \"10 h\"", "duration = \"10 min\"");
     let mut simulation = simulation(&text);
-    let mut told = 0;
+    let mut events = 0;
     while !simulation.is_done() {
         let record = simulation.step().expect("a good step");
-        told += record.world_events.iter().filter(|e| e.kind == WorldEventKind::Aground).count();
+        events += record.world_events.iter().filter(|e| e.kind == WorldEventKind::Aground).count();
     }
-    assert_eq!(told, 1);
+    assert_eq!(events, 1);
     let state = simulation.states()[0];
     assert!(state.position_m.is_finite() && state.velocity_mps.length() < 0.01, "{state:?}");
 }
 
 #[test]
-fn an_order_beyond_the_stop_is_clamped_and_told_once() {
+fn an_order_beyond_the_stop_is_clamped_with_one_event() {
     let text = MOORED
         .replace("rudder = \"5 deg\"", "rudder = \"70 deg\"")
         .replace("duration = \"10 h\"", "duration = \"5 min\"");
     let mut simulation = simulation(&text);
-    let mut told = 0;
+    let mut events = 0;
     while !simulation.is_done() {
         let record = simulation.step().expect("a good step");
         let clamped = |e: &&fenderline_sim::WorldEvent| e.kind == WorldEventKind::OrderClamped;
-        told += record.world_events.iter().filter(clamped).count();
+        events += record.world_events.iter().filter(clamped).count();
     }
-    assert_eq!(told, 1);
+    assert_eq!(events, 1);
     assert!((simulation.vessels()[0].rudder.value - 35.0_f64.to_radians()).abs() < 1e-9);
 }
 
-/// What is replaced by what, the key that is named, and a part of the message.
+/// A part, what replaces it, the key of the error, and a part of the message.
 #[rustfmt::skip]
 const MISTAKES: &[(&str, &str, &str, &str)] = &[
     ("speed = \"15 m/s\"", "speed = \"1e6 m/s\"", "environment.wind.speed", "must be"),
@@ -227,15 +226,15 @@ const MISTAKES: &[(&str, &str, &str, &str)] = &[
     ("length = \"40 m\"\n", "", "line.stern.pretension", "is missing"),
     ("to = \"quay\"\nbollard = [95, 4]", "to = \"ship\"\nbollard = [95, 4]", "line.head.to", "both ends"),
     ("to = \"quay\"\nbollard = [95, 4]", "to = \"qay\"\nbollard = [95, 4]", "line.head.to", "did you mean \"quay\"?"),
-    ("vessel = \"ship\"\nbollard_pull", "vessel = \"quay\"\nbollard_pull", "tug.one.vessel", "is no vessel"),
-    ("rudder = \"5 deg\"", "rudder = \"5 deg\"\nengine = 1", "order.0.engine", "asks for one thing"),
-    ("rudder = \"5 deg\"", "push = \"5 kN\"", "order.0.push", "is no order to a vessel"),
+    ("vessel = \"ship\"\nbollard_pull", "vessel = \"quay\"\nbollard_pull", "tug.one.vessel", "is not a vessel"),
+    ("rudder = \"5 deg\"", "rudder = \"5 deg\"\nengine = 1", "order.0.engine", "a second order in one table"),
+    ("rudder = \"5 deg\"", "push = \"5 kN\"", "order.0.push", "is not an order to a vessel"),
     ("rudder = \"5 deg\"", "thruster = { name = \"stern\", power = 1 }", "order.0.thruster.name", "no thruster \"stern\""),
     ("vessel = \"ship\"\nrudder = \"5 deg\"", "tug = \"two\"\npush = \"5 kN\"", "order.0.tug", "there is no tug \"two\""),
     ("vessel = \"ship\"\nrudder = \"5 deg\"", "line = \"hed\"\nlet_go = true", "order.0.line", "did you mean \"head\"?"),
     ("vessel = \"ship\"\nrudder = \"5 deg\"", "rudder = \"5 deg\"", "order.0", "must be for one of"),
     ("rudder = \"5 deg\"", "hands = false", "order.0.hands", "can only be true"),
-    ("rudder = \"5 deg\"", "", "order.0", "asks for nothing"),
+    ("rudder = \"5 deg\"", "", "order.0", "orders nothing"),
     ("vessel = \"ship\"\nrudder = \"5 deg\"", "line = \"head\"\nlet_go = false", "order.0.let_go", "can only be true"),
     ("vessel = \"ship\"\nrudder = \"5 deg\"", "tug = \"one\"\nstand_by = false", "order.0.stand_by", "can only be true"),
 ];

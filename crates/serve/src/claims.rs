@@ -83,8 +83,8 @@ impl Claims {
     }
 
     /// The list for pages.
-    pub(crate) fn told(&self, controls: &[Control]) -> Vec<Claim> {
-        let told = |control: &Control| {
+    pub(crate) fn list(&self, controls: &[Control]) -> Vec<Claim> {
+        let claim = |control: &Control| {
             let holder = self.0.get(control);
             Claim {
                 control: control.clone(),
@@ -92,7 +92,7 @@ impl Claims {
                 connected: holder.is_some_and(|holder| holder.connected),
             }
         };
-        controls.iter().map(told).collect()
+        controls.iter().map(claim).collect()
     }
 }
 
@@ -101,7 +101,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_client_has_a_helm_until_it_gives_it_back_goes_or_is_relieved() {
+    fn a_control_has_one_holder_until_it_is_released_vacated_or_taken_by_force() {
         let mut claims = Claims::default();
         let helm = || Control::Vessel("ship".into());
         assert_eq!(claims.take(helm(), (1, "pilot 1"), false), Ok(None));
@@ -111,8 +111,8 @@ mod tests {
         assert!(!claims.release(&helm(), 2) && claims.holds(&helm(), 1));
         assert_eq!(claims.take(helm(), (3, "instructor 3"), true), Ok(Some(1)));
         assert_eq!(claims.gone(3), [helm()]);
-        assert_eq!(claims.told(&[helm()])[0].holder.as_deref(), Some("instructor 3"));
-        assert!(claims.may_use(&helm(), 2).is_ok(), "nobody is at it");
+        assert_eq!(claims.list(&[helm()])[0].holder.as_deref(), Some("instructor 3"));
+        assert!(claims.may_use(&helm(), 2).is_ok(), "its holder has left");
         assert_eq!(claims.take(helm(), (2, "pilot 2"), false), Ok(None));
         assert!(claims.release(&helm(), 2) && !claims.holds(&helm(), 2));
     }

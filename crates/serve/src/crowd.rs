@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn a_newcomer_gets_in_and_the_first_of_the_crowd_goes() {
+    fn a_new_connection_replaces_the_oldest_of_the_largest_peer() {
         let crowd = Crowd::of(4);
         let alone = crowd.enter(peer("192.0.2.1"));
         let many: Vec<Place> = (0..3).map(|_| crowd.enter(peer("192.0.2.2"))).collect();
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn one_line_is_one_peer() {
+    fn an_ipv6_network_of_64_bits_is_one_peer() {
         assert_eq!(peer("2001:db8:1:2::1"), peer("2001:db8:1:2:ffff::9"));
         assert_ne!(peer("2001:db8:1:2::1"), peer("2001:db8:1:3::1"));
         assert_eq!(peer("::ffff:192.0.2.1"), peer("192.0.2.1"));

@@ -1,32 +1,33 @@
-//! Who gets in: `Host` and `Origin` of a request.
+//! Checks `Host` and `Origin` of a request.
 
 use std::net::IpAddr;
 
 use axum::http::HeaderMap;
 use axum::http::header::{HOST, ORIGIN};
 
-/// Which hosts this server answers to.
+/// The hosts that this server answers to.
 #[derive(Clone, Debug)]
 pub(crate) struct Door {
-    /// Beyond loopback: other addresses than that are answered to.
+    /// Whether any address is accepted as `Host`, not only loopback.
     pub(crate) remote: bool,
-    /// Names besides, without ports.
+    /// Further names, without ports.
     pub(crate) names: Vec<String>,
 }
 
 impl Door {
-    /// Checks a request's `Host`: `localhost`, a name that was given, a loopback address, or any address where others
-    /// are let in. A page of another site that has its name point here is thus refused: it has a name. The host.
+    /// Checks a request's `Host` and returns it. Accepted are `localhost`, the names that the user gave, loopback addresses,
+    /// and with `remote` all addresses. This refuses DNS rebinding: another site whose name points to this machine sends
+    /// its own name.
     ///
     /// # Errors
-    /// Why it is refused.
+    /// The reason of the refusal.
     pub(crate) fn host<'h>(&self, headers: &'h HeaderMap) -> Result<&'h str, &'static str> {
         let mut all = headers.get_all(HOST).iter();
         let (Some(host), None) = (all.next(), all.next()) else {
-            return Err("one Host is needed");
+            return Err("a request needs one Host");
         };
-        let host = host.to_str().map_err(|_| "no such Host")?;
-        let name = without_port(host).ok_or("no such Host")?;
+        let host = host.to_str().map_err(|_| "malformed Host")?;
+        let name = without_port(host).ok_or("malformed Host")?;
         let is_known = name.eq_ignore_ascii_case("localhost")
             || self.names.iter().any(|known| known.eq_ignore_ascii_case(name));
         let address = name.trim_start_matches('[').trim_end_matches(']').parse::<IpAddr>();
@@ -38,11 +39,11 @@ impl Door {
         }
     }
 
-    /// Checks that a websocket was opened by a page of this server, or by no page at all: programs send no `Origin`,
-    /// and need a token like everybody.
+    /// Checks that a websocket was opened by a page of this server or by a program. Programs send no `Origin`; they need a
+    /// token, as pages do.
     ///
     /// # Errors
-    /// Why it is refused.
+    /// The reason of the refusal.
     pub(crate) fn origin(&self, headers: &HeaderMap) -> Result<(), &'static str> {
         let host = self.host(headers)?;
         for origin in headers.get_all(ORIGIN) {
@@ -50,14 +51,14 @@ impl Door {
                 origin.strip_prefix("http://").or_else(|| origin.strip_prefix("https://"))
             });
             if own != Some(host) {
-                return Err("a page of another origin opens no websocket here");
+                return Err("pages of other origins may not open a websocket");
             }
         }
         Ok(())
     }
 }
 
-/// The host without its port, brackets of an IPv6 address kept.
+/// The host without its port. An IPv6 address keeps its brackets.
 fn without_port(host: &str) -> Option<&str> {
     let name = match host.rfind(']') {
         Some(end) => &host[..=end],
@@ -85,10 +86,10 @@ mod tests {
     }
 
     #[test]
-    fn only_our_own_hosts_and_pages_get_in() {
-        let near = Door { remote: false, names: vec![] };
-        let far = Door { remote: true, names: vec!["bridge.example".into()] };
-        for (host, by_near, by_far) in [
+    fn only_own_hosts_and_pages_are_accepted() {
+        let local = Door { remote: false, names: vec![] };
+        let remote = Door { remote: true, names: vec!["bridge.example".into()] };
+        for (host, by_local, by_remote) in [
             ("localhost:8090", true, true),
             ("127.0.0.1:8090", true, true),
             ("[::1]:8090", true, true),
@@ -103,10 +104,10 @@ mod tests {
             ("", false, false),
             ("[::1", false, false),
         ] {
-            assert_eq!(near.host(&headers(host, None)).is_ok(), by_near, "{host}");
-            assert_eq!(far.host(&headers(host, None)).is_ok(), by_far, "{host}");
+            assert_eq!(local.host(&headers(host, None)).is_ok(), by_local, "{host}");
+            assert_eq!(remote.host(&headers(host, None)).is_ok(), by_remote, "{host}");
         }
-        for (origin, gets_in) in [
+        for (origin, is_accepted) in [
             (None, true),
             (Some("http://localhost:8090"), true),
             (Some("http://localhost:8091"), false),
@@ -115,11 +116,11 @@ mod tests {
             (Some("http://localhost:8090.evil.example"), false),
         ] {
             assert_eq!(
-                near.origin(&headers("localhost:8090", origin)).is_ok(),
-                gets_in,
+                local.origin(&headers("localhost:8090", origin)).is_ok(),
+                is_accepted,
                 "{origin:?}"
             );
         }
-        assert!(near.host(&HeaderMap::new()).is_err());
+        assert!(local.host(&HeaderMap::new()).is_err());
     }
 }

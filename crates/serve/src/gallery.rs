@@ -7,29 +7,30 @@ use fenderline_live::message::GalleryEntry;
 use fenderline_live::{Outline, Session, Source};
 use fenderline_scenario::read_text;
 
-use super::saved::{self, ENDING, Played, Watch};
+use super::saved::{self, ENDING, Replayed, Watch};
 
-/// What is read from the files of a gallery at most, and how many files of a folder are looked at for that.
+/// Most entries of the gallery, and most files of a folder that are read for it.
 const MOST: usize = 200;
-const LOOKED_AT: usize = 1000;
+const MOST_READ: usize = 1000;
 /// A scenario and the files that it names together (bytes).
-const LARGEST_SCENE: usize = 64 << 20;
+const LARGEST_SCENARIO: usize = 64 << 20;
 
 /// A list of files that can be opened, by name. Nothing else can: a page names an entry, not a path.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Gallery {
-    told: Vec<GalleryEntry>,
+    entries: Vec<GalleryEntry>,
     paths: Vec<PathBuf>,
 }
 
 impl Gallery {
-    /// Adds scenarios with a vessel in them, and recordings, of these folders; of files of one name the first.
+    /// Adds the scenarios with a vessel and the recordings of these folders. Of several files with one name only the first
+    /// is added.
     pub(crate) fn fill(&mut self, folders: &[&Path]) {
         for folder in folders {
             let Ok(entries) = fs::read_dir(folder) else { continue };
             let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
             paths.sort();
-            paths.iter().take(LOOKED_AT).for_each(|path| self.add(path));
+            paths.iter().take(MOST_READ).for_each(|path| self.add(path));
         }
     }
 
@@ -37,7 +38,7 @@ impl Gallery {
     pub(crate) fn add(&mut self, path: &Path) {
         let name = name_of(path);
         if self.paths.len() < MOST
-            && !self.told.iter().any(|entry| entry.file == name)
+            && !self.entries.iter().any(|entry| entry.file == name)
             && let Some(entry) = entry(path)
         {
             self.put(path, entry);
@@ -46,20 +47,20 @@ impl Gallery {
 
     /// Adds an entry that was made of a file.
     pub(crate) fn put(&mut self, path: &Path, entry: GalleryEntry) {
-        if self.paths.len() < MOST && !self.told.iter().any(|other| other.file == entry.file) {
-            self.told.push(entry);
+        if self.paths.len() < MOST && !self.entries.iter().any(|other| other.file == entry.file) {
+            self.entries.push(entry);
             self.paths.push(path.to_owned());
         }
     }
 
     /// The list for pages.
-    pub(crate) fn told(&self) -> &[GalleryEntry] {
-        &self.told
+    pub(crate) fn entries(&self) -> &[GalleryEntry] {
+        &self.entries
     }
 
     /// The file of an entry.
     pub(crate) fn path(&self, file: &str) -> Option<&Path> {
-        let index = self.told.iter().position(|entry| entry.file == file)?;
+        let index = self.entries.iter().position(|entry| entry.file == file)?;
         Some(&self.paths[index])
     }
 }
@@ -68,7 +69,7 @@ fn name_of(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// What a gallery tells of a file; `None` for one that cannot be opened. Of a recording its first line is read.
+/// The entry of a file; `None` for a file that cannot be opened. Only the first line of a recording is read.
 pub(crate) fn entry(path: &Path) -> Option<GalleryEntry> {
     let name = name_of(path);
     if name.ends_with(ENDING) {
@@ -93,18 +94,21 @@ fn scenario_entry(path: &Path, file: String) -> Option<GalleryEntry> {
 fn recording_entry(path: &Path, file: String) -> Option<GalleryEntry> {
     let title = saved::title(&saved::open(path).ok()??)?;
     let name = file.strip_suffix(ENDING).unwrap_or(&file);
-    let text = format!("Saved as {name}; it goes on where it ended.");
+    let text = format!("Saved as {name}. It continues where it ended.");
     Some(GalleryEntry { title: format!("Session: {title}"), text, file })
 }
 
 /// Reads the files that a scenario names, which lie beside it.
 fn beside(scenario: &Path) -> impl FnMut(&str) -> Result<String, String> {
     let folder = scenario.parent().unwrap_or(Path::new("")).to_owned();
-    let mut left = LARGEST_SCENE;
+    let mut left = LARGEST_SCENARIO;
     move |name| {
         let text = read_text(&folder.join(name))?;
         left = left.checked_sub(text.len()).ok_or_else(|| {
-            format!("{name}: with it the files are larger than {} MiB", LARGEST_SCENE >> 20)
+            format!(
+                "{name}: the scenario and its files are larger than {} MiB",
+                LARGEST_SCENARIO >> 20
+            )
         })?;
         Ok(text)
     }
@@ -113,16 +117,16 @@ fn beside(scenario: &Path) -> impl FnMut(&str) -> Result<String, String> {
 /// A session that was opened.
 pub(crate) struct Opened {
     pub(crate) session: Session,
-    /// What its recording begins with; `None`: the session's own first lines.
+    /// The recording that it continues, with its outline; `None`: a new session.
     pub(crate) recorded: Option<(File, Outline)>,
-    /// What a user should know of it.
+    /// Notices for the user.
     pub(crate) notices: Vec<String>,
 }
 
-/// Opens a scenario, or a recording that goes on where it ended.
+/// Opens a scenario, or a recording, which continues where it ended.
 ///
 /// # Errors
-/// What is wrong with it, for its reader, or why `watch` wanted no more.
+/// What is wrong with the file, as a text for the user; or the reason with which `watch` stopped.
 pub(crate) fn open(path: &Path, set: &[String], watch: Watch<'_>) -> Result<Opened, String> {
     if let Some(file) = saved::open(path).map_err(|why| format!("cannot read {why}"))? {
         return open_recording(path, file, set, watch);
@@ -131,7 +135,7 @@ pub(crate) fn open(path: &Path, set: &[String], watch: Watch<'_>) -> Result<Open
     let (source, scenario) = Source::collect(&name_of(path), text, set.to_vec(), beside(path))
         .map_err(|e| e.to_string())?;
     if scenario.setup.world.vessels.is_empty() {
-        return Err(format!("{}: it has no vessel: there is nothing to steer", path.display()));
+        return Err(format!("{}: there is no vessel in it that could be steered", path.display()));
     }
     let notices = scenario.notices.iter().map(ToString::to_string).collect();
     let session = Session::open(source).map_err(|e| e.to_string())?;
@@ -146,16 +150,18 @@ fn open_recording(
 ) -> Result<Opened, String> {
     let name = path.display();
     if !set.is_empty() {
-        return Err(format!("{name}: a recorded session goes on as it began: no key can be set"));
+        return Err(format!("{name}: keys of a recorded session cannot be set"));
     }
-    let played = saved::play(file, watch).map_err(|e| format!("{name}, {e}"))?;
-    let Played { session, outline, version, file, .. } = played;
-    let mut notices: Vec<String> = saved::told_of_end(outline.ending)
-        .map(|told| format!("{name}: {told}"))
+    let replayed = saved::replay(file, watch).map_err(|e| format!("{name}, {e}"))?;
+    let Replayed { session, outline, version, file, .. } = replayed;
+    let mut notices: Vec<String> = saved::missing_at_end(outline.ending)
+        .map(|missing| format!("{name}: {missing}"))
         .into_iter()
         .collect();
     if version != env!("CARGO_PKG_VERSION") {
-        notices.push(format!("{name}: recorded by version {version}, which may make other bits"));
+        notices.push(format!(
+            "{name}: recorded by version {version}, which may compute different bits"
+        ));
     }
     Ok(Opened { session, recorded: Some((file, outline)), notices })
 }

@@ -1,4 +1,4 @@
-//! HTTP: the page's files, and the way to the websocket.
+//! HTTP: the files of the page, and the upgrade to a websocket.
 
 use std::pin::Pin;
 use std::sync::{Arc, PoisonError};
@@ -26,16 +26,16 @@ use super::door::Door;
 use super::hub::Hub;
 use super::page::Page;
 
-/// Connections that are not websockets yet, at a time: beyond it the one that has waited for longest goes.
+/// Most connections that are not websockets yet. Beyond it an old one is closed (see `crowd`).
 const MOST_CONNECTIONS: usize = 256;
-/// Websockets that are being told why they are closed, at a time.
+/// Most websockets that are open only to be told why they are closed.
 const MOST_TURNED_AWAY: usize = 64;
-/// The time for a request's head, and for a whole connection up to its answer or its websocket.
-const HEAD: Duration = Duration::from_secs(5);
-const WHOLE: Duration = Duration::from_secs(30);
+/// Time limits: for the head of a request, and for a whole connection up to its answer or its websocket.
+const HEAD_TIMEOUT: Duration = Duration::from_secs(5);
+const CONNECTION_TIMEOUT: Duration = Duration::from_secs(30);
 /// The largest message of a page (bytes).
 const LARGEST_MESSAGE: usize = 16 << 10;
-/// What waits to be written to one websocket at most (bytes).
+/// Most bytes that wait to be written to one websocket.
 const MOST_WAITING: usize = 4 << 20;
 
 /// What every request needs.
@@ -43,7 +43,7 @@ pub(crate) struct Site {
     pub(crate) hub: Arc<Hub>,
     pub(crate) page: Page,
     pub(crate) door: Door,
-    /// Those whose websocket is opened only to be told why it is closed.
+    /// Websockets that are open only to be told why they are closed.
     pub(crate) turned_away: Arc<Crowd>,
 }
 
@@ -61,7 +61,7 @@ pub(crate) async fn serve(listener: TcpListener, site: Arc<Site>) {
         let (stream, peer) = match listener.accept().await {
             Ok((stream, from)) => (stream, Peer::of(from.ip())),
             Err(e) => {
-                // Out of file descriptors, most likely: they come back as connections end.
+                // Most likely there are no file descriptors left. They become free as connections end.
                 site.hub.log.refused(&format!("cannot accept a connection: {e}"));
                 tokio::time::sleep(Duration::from_millis(100)).await;
                 continue;
@@ -71,7 +71,7 @@ pub(crate) async fn serve(listener: TcpListener, site: Arc<Site>) {
         let (app, site) = (app.clone(), Arc::clone(&site));
         tokio::spawn(async move {
             tokio::select! {
-                _ = timeout(WHOLE, connection(stream, app, peer)) => {}
+                _ = timeout(CONNECTION_TIMEOUT, connection(stream, app, peer)) => {}
                 () = place.asked_out() => {
                     site.hub.log.refused("ended a connection: there are too many of them");
                 }
@@ -82,12 +82,12 @@ pub(crate) async fn serve(listener: TcpListener, site: Arc<Site>) {
 
 /// One connection, up to its answer or its websocket.
 async fn connection(stream: TcpStream, app: Router, peer: Peer) {
-    // Small frames at once.
+    // Sends small frames at once.
     let _ = stream.set_nodelay(true);
     let app = app.layer(Extension(peer));
     let _ = hyper::server::conn::http1::Builder::new()
         .timer(TokioTimer::new())
-        .header_read_timeout(HEAD)
+        .header_read_timeout(HEAD_TIMEOUT)
         .max_buf_size(LARGEST_MESSAGE)
         .serve_connection(TokioIo::new(stream), TowerToHyperService::new(app))
         .with_upgrades()
@@ -99,12 +99,12 @@ fn refused(site: &Site, why: &'static str) -> Response {
     plain(StatusCode::FORBIDDEN, why)
 }
 
-/// A line of text, and nothing else that a browser might take it for.
+/// An answer of one line of text. The header keeps browsers from taking it for anything else.
 fn plain(status: StatusCode, text: &'static str) -> Response {
     (status, [(X_CONTENT_TYPE_OPTIONS, "nosniff"), (CONNECTION, "close")], text).into_response()
 }
 
-/// The websocket: own pages and programs with a token.
+/// Opens a websocket, for pages of this server and for programs, with a token.
 async fn live(
     State(site): State<Arc<Site>>,
     Extension(peer): Extension<Peer>,
@@ -127,12 +127,12 @@ async fn live(
         tokens.role(token.unwrap_or(""))
     };
     let Some(role) = role else {
-        site.hub.log.refused("refused a websocket: its token opens nothing");
-        return upgrade.on_upgrade(told_and_closed(&site, peer, client::turn_away));
+        site.hub.log.refused("refused a websocket: unknown token");
+        return upgrade.on_upgrade(turn_away(&site, peer, client::turn_away));
     };
     let Some(seat) = site.hub.seat(&role, peer) else {
         site.hub.log.refused("refused a client: all seats are taken");
-        return upgrade.on_upgrade(told_and_closed(&site, peer, client::full));
+        return upgrade.on_upgrade(turn_away(&site, peer, client::turn_away_full));
     };
     let hub = Arc::clone(&site.hub);
     upgrade.on_upgrade(async move |socket| {
@@ -141,17 +141,17 @@ async fn live(
     })
 }
 
-/// Tells a websocket why it is closed; not longer than there is room for those.
-fn told_and_closed<F: Future<Output = ()> + Send + 'static>(
+/// Closes a websocket with `close`, which tells it why; at once if too many others are being closed.
+fn turn_away<F: Future<Output = ()> + Send + 'static>(
     site: &Site,
     peer: Peer,
-    tell: impl FnOnce(WebSocket) -> F + Send + 'static,
+    close: impl FnOnce(WebSocket) -> F + Send + 'static,
 ) -> impl FnOnce(WebSocket) -> Pin<Box<dyn Future<Output = ()> + Send>> + Send + 'static {
     let place = site.turned_away.enter(peer);
     move |socket| {
         Box::pin(async move {
             tokio::select! {
-                () = tell(socket) => {}
+                () = close(socket) => {}
                 () = place.asked_out() => {}
             }
         })
@@ -165,13 +165,13 @@ async fn file(State(site): State<Arc<Site>>, request: Request) -> Response {
         Err(why) => return refused(&site, why),
     };
     if !matches!(*request.method(), Method::GET | Method::HEAD) {
-        return plain(StatusCode::METHOD_NOT_ALLOWED, "pages are only read");
+        return plain(StatusCode::METHOD_NOT_ALLOWED, "only GET and HEAD are allowed");
     }
     let Some(file) = site.page.file(request.uri().path()) else {
         return plain(StatusCode::NOT_FOUND, "there is no such file");
     };
-    // Nothing from elsewhere: no script, no frame, no form. The websocket's address is named, as older browsers do
-    // not count it as one's own. Styles are set by scripts, on elements.
+    // The page loads nothing from other sites: no script, no frame, no form. The address of the websocket is given
+    // because older browsers do not count it as `self`. `unsafe-inline`: the page's scripts set styles of elements.
     let policy = format!(
         "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; \
          font-src 'self'; connect-src 'self' ws://{host} wss://{host}; manifest-src 'self'; \
@@ -181,10 +181,10 @@ async fn file(State(site): State<Arc<Site>>, request: Request) -> Response {
         (CONTENT_TYPE, file.content_type),
         (CONTENT_SECURITY_POLICY, policy.as_str()),
         (X_CONTENT_TYPE_OPTIONS, "nosniff"),
-        // The address has a token in it.
+        // The page's address contains a token.
         (REFERRER_POLICY, "no-referrer"),
         (CACHE_CONTROL, "no-cache"),
-        // A place for the next one.
+        // Makes room for the next connection.
         (CONNECTION, "close"),
     ];
     (headers, Body::from(file.bytes.clone())).into_response()

@@ -24,18 +24,18 @@ const MOST_STEERING: usize = 32;
 /// A text that is sent to many clients.
 pub(crate) type Text = Arc<str>;
 
-/// The sentences of the last second for chart programs.
-pub(crate) type Said = Option<Arc<[String]>>;
+/// The latest round of sentences for chart programs.
+pub(crate) type Sentences = Option<Arc<[String]>>;
 
 /// A frame, and the last events with their numbers, so that clients that missed frames still get the events.
 #[derive(Clone, Debug)]
-pub(crate) struct Shown {
+pub(crate) struct Published {
     pub(crate) frame: Text,
     pub(crate) events: Arc<[(u64, EventNow)]>,
 }
 
 /// A message to the simulation's thread.
-pub(crate) enum Told {
+pub(crate) enum ToEngine {
     /// A client has connected. `hello` always holds the latest greeting; `out` queues messages that must not be lost.
     Join {
         client: ClientId,
@@ -46,22 +46,22 @@ pub(crate) enum Told {
     /// The client has disconnected.
     Leave { client: ClientId },
     /// The client sent a command.
-    Said { client: ClientId, id: Option<i64>, request: Result<Request, Refusal> },
+    Command { client: ClientId, id: Option<i64>, request: Result<Request, Refusal> },
     /// Work on another thread has finished.
-    Done(Outcome),
+    WorkDone(Outcome),
     /// The server stops.
     Stop,
 }
 
 /// The shared part.
 pub(crate) struct Hub {
-    to_engine: Sender<Told>,
+    to_engine: Sender<ToEngine>,
     waiting: AtomicUsize,
     next_client: AtomicU64,
-    pub(crate) frames: watch::Sender<Option<Shown>>,
+    pub(crate) frames: watch::Sender<Option<Published>>,
     pub(crate) predictions: watch::Sender<Option<Text>>,
     /// The latest sentences for chart programs.
-    pub(crate) said: watch::Sender<Said>,
+    pub(crate) sentences: watch::Sender<Sentences>,
     pub(crate) tokens: RwLock<Tokens>,
     watching: Arc<Seats>,
     steering: Arc<Seats>,
@@ -69,14 +69,14 @@ pub(crate) struct Hub {
 }
 
 impl Hub {
-    pub(crate) fn new(to_engine: Sender<Told>, notify: Notify) -> Hub {
+    pub(crate) fn new(to_engine: Sender<ToEngine>, notify: Notify) -> Hub {
         Hub {
             to_engine,
             waiting: AtomicUsize::new(0),
             next_client: AtomicU64::new(1),
             frames: watch::Sender::new(None),
             predictions: watch::Sender::new(None),
-            said: watch::Sender::new(None),
+            sentences: watch::Sender::new(None),
             tokens: RwLock::new(Tokens::default()),
             watching: Seats::of(MOST_WATCHING),
             steering: Seats::of(MOST_STEERING),
@@ -97,23 +97,23 @@ impl Hub {
 
     /// Sends a message to the simulation's thread. The number of waiting commands is limited. False if there was no room, or
     /// the server stops.
-    pub(crate) fn tell_engine(&self, told: Told) -> bool {
-        if matches!(told, Told::Said { .. }) {
+    pub(crate) fn send_to_engine(&self, message: ToEngine) -> bool {
+        if matches!(message, ToEngine::Command { .. }) {
             if self.waiting.fetch_add(1, Ordering::AcqRel) >= MOST_WAITING {
                 self.waiting.fetch_sub(1, Ordering::AcqRel);
                 return false;
             }
-            if self.to_engine.send(told).is_err() {
+            if self.to_engine.send(message).is_err() {
                 self.waiting.fetch_sub(1, Ordering::AcqRel);
                 return false;
             }
             return true;
         }
-        self.to_engine.send(told).is_ok()
+        self.to_engine.send(message).is_ok()
     }
 
     /// Counts a command that the simulation's thread has taken from the queue.
-    pub(crate) fn taken(&self) {
+    pub(crate) fn command_taken(&self) {
         self.waiting.fetch_sub(1, Ordering::AcqRel);
     }
 }

@@ -1,4 +1,4 @@
-//! What the ships' instruments say once a second: sentences for a chart program.
+//! The sentences of the ships' instruments for chart programs.
 
 use fenderline_contact::{BodyState, Rotation, Vec2, vec2};
 use fenderline_live::Session;
@@ -8,21 +8,21 @@ use fenderline_nautical::{
 };
 use fenderline_sim::VesselSetup;
 
-/// Numbers of the ships count from here. 999 is no country's (recalled): nobody is taken for somebody.
+/// MMSI of the first ship. No country has 999 (recalled), so that no real ship has these numbers.
 const FIRST_MMSI: u32 = 999_000_001;
-/// Ship data once in so many seconds; on the air it is six minutes.
+/// Rounds between two reports of ship data. On the air they come every six minutes.
 const SHIP_DATA_EVERY: u64 = 10;
-/// Slower than this a ship with a fast line is moored (m/s); our choice.
+/// A ship with a line made fast that is slower than this reports herself as moored (m/s); our choice.
 const MOORED_MPS: f64 = 0.2;
 
-/// A vessel as its instruments see it. The antenna is midship.
+/// A vessel as its instruments report it. The antenna is amidships.
 struct Vessel<'s> {
     index: usize,
     of: &'s VesselSetup,
     state: &'s BodyState,
-    /// From the centre of gravity aft to midship (m).
+    /// Centre of gravity forward of midship (m).
     ahead_m: f64,
-    /// Over ground at midship, ahead and to starboard (m/s).
+    /// Velocity over ground at midship, ahead and to starboard (m/s).
     ground: Vec2,
 }
 
@@ -124,18 +124,17 @@ impl<'s> Vessel<'s> {
     }
 }
 
-/// Where a wind over the bow's axes comes from, and how fast.
+/// Direction from which a wind comes, from the bow (rad), and its speed (m/s), from its velocity in the ship's axes.
 fn from_and_speed(air: Vec2) -> (f64, f64) {
     (libm::atan2(-air.y, -air.x), air.length())
 }
 
-/// Everything that is said in a second: the own ship's instruments and her AIS, then that of all others. `number`
-/// counts the seconds.
+/// One round of sentences: the own ship's instruments and her AIS, then the AIS of all others. `round` counts the rounds.
 pub(crate) fn sentences(
     session: &Session,
     origin: &ChartOrigin,
     at: Moment,
-    number: u64,
+    round: u64,
 ) -> Vec<String> {
     let own = session.cast().own;
     let count = session.simulation().vessels().len();
@@ -147,8 +146,8 @@ pub(crate) fn sentences(
             all.extend(instruments(&vessel.instruments(session, origin, at)));
         }
         all.extend(ais_position(&vessel.position_report(session, origin, &at), is_own));
-        if number.is_multiple_of(SHIP_DATA_EVERY) {
-            let sequence = ((number / SHIP_DATA_EVERY + index as u64) % 10) as u8;
+        if round.is_multiple_of(SHIP_DATA_EVERY) {
+            let sequence = ((round / SHIP_DATA_EVERY + index as u64) % 10) as u8;
             all.extend(ais_ship_data(&vessel.ship_data(session), is_own, sequence));
         }
     }

@@ -1,11 +1,24 @@
 //! The live server: a session in real time, steered from browsers over websockets.
 //!
-//! `engine` is the simulation's thread and the only one that touches the session; `pacer` is its clock, `claims` and
-//! `permit` decide who may do what, `recorder` writes the session down, `gallery` opens scenarios and sessions, `saved`
-//! reads recordings, `opening` does both beside the simulation. `http`
-//! answers requests, `door` and `tokens` let people in, `page` is what browsers get; `client` is the task of one
-//! websocket. `hub` is what lies between: the latest frame for everybody, no queue that grows. `instruments` is what
-//! ships say to chart programs, `wire` how.
+//! One thread simulates, some serve the network, and `hub` is all that they share: the latest frame for every client, and a
+//! limited queue of commands.
+//!
+//! | of the simulation | |
+//! |---|---|
+//! | `engine` | its thread, the only one that touches the session |
+//! | `pacer` | its clock |
+//! | `claims`, `permit` | which client may use which control, and what each role may do |
+//! | `recorder`, `saved` | write a session to its file; read and replay one |
+//! | `gallery`, `opening` | the files that can be opened; opening and saving on a thread of their own |
+//! | `instruments` | the sentences of ships' instruments |
+//!
+//! | of the network | |
+//! |---|---|
+//! | `http`, `page` | requests, and the files of the page |
+//! | `door`, `tokens` | which hosts and origins are answered, and the links |
+//! | `client` | the task of one websocket |
+//! | `wire` | sentences to chart programs, over TCP and UDP |
+//! | `crowd`, `seats`, `rate`, `log` | limits on connections, clients, commands and log lines |
 //!
 //! The crate knows no command line: the program gives [`Options`], shows [`Server::greeting`] and decides when the
 //! server stops.
@@ -48,10 +61,10 @@ use self::door::Door;
 use self::engine::Engine;
 use self::gallery::Gallery;
 use self::http::Site;
-use self::hub::{Hub, Told};
+use self::hub::{Hub, ToEngine};
 pub use self::log::Notify;
 use self::page::Page;
-use self::saved::{Played, Unplayed, Way};
+use self::saved::{Progress, ReplayFailure};
 
 /// What to serve, and to whom.
 #[derive(Clone, Debug)]
@@ -149,8 +162,8 @@ impl Server {
     ) -> Result<Server, ServeError> {
         let notify = options.notify;
         check_addresses(options)?;
-        let opened = gallery::open(&options.scenario, &options.set, &mut |way| {
-            if let Way::Plays(done, of) = way {
+        let opened = gallery::open(&options.scenario, &options.set, &mut |at| {
+            if let Progress::Replaying(done, of) = at {
                 progress(done, of);
             }
             Ok(())
@@ -165,8 +178,8 @@ impl Server {
             }
             None => Page::of_repository(notify),
         };
-        let speaks = options.nmea_tcp.is_some() || options.nmea_udp.is_some();
-        let (to_engine, told) = mpsc::channel();
+        let has_charts = options.nmea_tcp.is_some() || options.nmea_udp.is_some();
+        let (to_engine, messages) = mpsc::channel();
         let hub = Arc::new(Hub::new(to_engine, notify));
         let engine = Engine::new(
             Arc::clone(&hub),
@@ -174,7 +187,7 @@ impl Server {
             gallery(options),
             options.sessions.clone(),
             options.is_paused,
-            speaks.then_some(options.origin),
+            has_charts.then_some(options.origin),
         )
         .map_err(|why| ServeError::failed(format_args!("error: {why}")))?;
         let runtime = tokio::runtime::Builder::new_multi_thread()
@@ -193,12 +206,12 @@ impl Server {
         let address = listener.local_addr().unwrap_or(address);
         let wires = wires(options, &hub, &runtime)?;
         let (links, recording) = (engine.links(), engine.recording().to_owned());
-        // Dropped when the thread ends, also by a panic: there is nothing left to serve then.
+        // Dropped when the thread ends, also by a panic. The server then stops.
         let (alive, simulation_ended) = oneshot::channel::<()>();
         let simulation = std::thread::Builder::new()
             .name("simulation".into())
             .spawn(move || {
-                engine.run(&told);
+                engine.run(&messages);
                 drop(alive);
             })
             .map_err(|e| {
@@ -239,7 +252,7 @@ impl Server {
                 _ = simulation_ended => {}
             }
         });
-        hub.tell_engine(Told::Stop);
+        hub.send_to_engine(ToEngine::Stop);
         if simulation.join().is_err() {
             return Err(ServeError::failed("error: the simulation's thread panicked: see above"));
         }
@@ -278,7 +291,7 @@ fn gallery(options: &Options) -> Gallery {
 
 /// Starts the connections to chart programs; a line for the user about each.
 fn wires(options: &Options, hub: &Arc<Hub>, runtime: &Runtime) -> Result<String, ServeError> {
-    let mut told = String::new();
+    let mut lines = String::new();
     let cannot = |what: String| move |e| ServeError::failed(format_args!("error: {what}: {e}"));
     if let Some(port) = options.nmea_tcp {
         let at = SocketAddr::new(options.bind, port);
@@ -286,7 +299,7 @@ fn wires(options: &Options, hub: &Arc<Hub>, runtime: &Runtime) -> Result<String,
             .block_on(TcpListener::bind(at))
             .map_err(cannot(format!("cannot listen for chart programs on {at}")))?;
         let at = listener.local_addr().unwrap_or(at);
-        told += &format!("NMEA 0183 and AIS over TCP on {at}\n");
+        lines += &format!("NMEA 0183 and AIS over TCP on {at}\n");
         runtime.spawn(wire::tcp(listener, Arc::clone(hub)));
     }
     if let Some(to) = options.nmea_udp {
@@ -294,16 +307,16 @@ fn wires(options: &Options, hub: &Arc<Hub>, runtime: &Runtime) -> Result<String,
         let socket = runtime
             .block_on(UdpSocket::bind(from))
             .map_err(cannot(format!("cannot send to {to}")))?;
-        told += &format!("NMEA 0183 and AIS over UDP to {to}\n");
+        lines += &format!("NMEA 0183 and AIS over UDP to {to}\n");
         runtime.spawn(wire::udp(socket, to, Arc::clone(hub)));
     }
-    Ok(told)
+    Ok(lines)
 }
 
-/// A socket that listens. What it accepts holds little back: who reads slowly shall not read of long ago.
+/// A listening socket. Its connections have small send buffers, so that a slow client does not read old frames.
 fn listen(address: SocketAddr) -> std::io::Result<TcpListener> {
     let socket = if address.is_ipv4() { TcpSocket::new_v4()? } else { TcpSocket::new_v6()? };
-    // Elsewhere than on Windows it means that the port of a server that has just ended is free.
+    // The port of a server that has just ended can be used again. On Windows the option means something else.
     #[cfg(not(windows))]
     socket.set_reuseaddr(true)?;
     socket.set_send_buffer_size(SEND_BUFFER)?;
@@ -311,9 +324,9 @@ fn listen(address: SocketAddr) -> std::io::Result<TcpListener> {
     socket.listen(BACKLOG)
 }
 
-/// What the user is told when the server is there.
+/// What is printed when the server has started.
 fn greeting(address: SocketAddr, links: &[Link], wires: &str, recording: &Path) -> String {
-    // Every address of this machine is no address to go to.
+    // A browser cannot open the unspecified address, which stands for all addresses of this machine.
     let shown = match address.ip() {
         IpAddr::V4(ip) if ip.is_unspecified() => format!("localhost:{}", address.port()),
         IpAddr::V6(ip) if ip.is_unspecified() => format!("localhost:{}", address.port()),
@@ -327,12 +340,13 @@ fn greeting(address: SocketAddr, links: &[Link], wires: &str, recording: &Path) 
     };
     let width = links.iter().map(|link| name(&link.role).len()).max().unwrap_or(0);
     let mut text = format!(
-        "fenderline is on http://{shown} (Ctrl-C ends it, once more at once). Open one of these:\n"
+        "fenderline is on http://{shown}. Ctrl-C ends it; a second Ctrl-C ends it at once. Open one of these:\n"
     );
     for Link { role, path } in links {
         text += &format!("  {:width$}  http://{shown}{path}\n", name(role));
     }
-    text + wires + &format!("Who has a link has its role. Recorded to {}\n", recording.display())
+    text + wires
+        + &format!("Whoever has a link has its role. Recorded to {}\n", recording.display())
 }
 
 /// A recorded session that was replayed to its end.
@@ -354,30 +368,31 @@ pub struct Replayed {
 /// total.
 ///
 /// # Errors
-/// A file that is no recording or is damaged; a session whose replay differs in any bit.
+/// A file that is not a recording or is damaged; a session whose replay differs in any bit.
 pub fn replay(session: &Path, mut progress: impl FnMut(u64, u64)) -> Result<Replayed, ServeError> {
     let name = session.display();
     let file = saved::open(session)
         .map_err(|why| ServeError::input(format_args!("error: cannot read {why}")))?;
     let file = file.ok_or_else(|| {
-        ServeError::input(format_args!("error: {name}: it is no recorded session"))
+        ServeError::input(format_args!("error: {name}: this is not a recorded session"))
     })?;
-    let played = saved::play(file, &mut |way| {
-        if let Way::Plays(done, of) = way {
+    let replayed = saved::replay(file, &mut |at| {
+        if let Progress::Replaying(done, of) = at {
             progress(done, of);
         }
         Ok(())
     });
-    let Played { session, same, outline, .. } = played.map_err(|why| match why {
-        Unplayed::Differs(error) => ServeError::failed(format_args!("error: {name}, {error}")),
+    let replayed = replayed.map_err(|why| match why {
+        ReplayFailure::Differs(error) => ServeError::failed(format_args!("error: {name}, {error}")),
         other => ServeError::input(format_args!("error: {name}, {other}")),
     })?;
+    let saved::Replayed { session, equal_states, outline, .. } = replayed;
     Ok(Replayed {
         title: session.title().to_owned(),
         branches: outline.branches,
         ticks: outline.ticks,
-        equal_states: same,
-        incomplete: saved::told_of_end(outline.ending),
+        equal_states,
+        incomplete: saved::missing_at_end(outline.ending),
     })
 }
 

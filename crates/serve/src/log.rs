@@ -45,9 +45,9 @@ impl Log {
         let left_out = std::mem::take(&mut thinned.left_out);
         drop(thinned);
         if left_out > 0 {
-            self.notify(&format!("({left_out} like lines left out)"));
+            self.notify(&format!("({left_out} similar lines left out)"));
         }
-        // A stranger's text cannot write to the terminal what the terminal obeys.
+        // Control characters are removed: a client's text must not control the terminal.
         let line: String = line.chars().take(300).filter(|c| !c.is_control()).collect();
         self.notify(&line);
     }

@@ -1,5 +1,5 @@
-//! What takes a while is done beside the simulation's thread: opening a scenario or a session, and saving one. One at a
-//! time; its owner sees how far it is, and can stop it.
+//! Opening a scenario or a session, and saving one, on a thread of their own, so that the simulation goes on. One at a time;
+//! the simulation's thread sees the progress and can stop an opening.
 
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -14,78 +14,81 @@ use fenderline_live::message::{GalleryEntry, OpeningNow};
 use super::claims::ClientId;
 use super::gallery::{self, Opened};
 use super::recorder::{Copy, Recorder};
-use super::saved::Way;
+use super::saved::Progress as ReplayProgress;
 
-/// A recording that is played for longer is given up: `fenderline replay` has no such limit.
-const LONGEST: Duration = Duration::from_secs(600);
+/// Time limit of an opening. `fenderline replay` has none.
+const TIME_LIMIT: Duration = Duration::from_secs(600);
 
-/// Who asked, and with which command.
+/// The client that asked for the work, and the number of its command.
 #[derive(Clone, Debug)]
-pub(crate) struct Asked {
+pub(crate) struct Requester {
     pub(crate) client: ClientId,
     pub(crate) label: String,
     pub(crate) id: Option<i64>,
 }
 
-/// What came of it, for the simulation's thread.
+/// The result of the work, for the simulation's thread.
 pub(crate) enum Outcome {
-    /// Something to go on with, already recorded to a file of its own; or why not.
+    /// A session to continue with, already recorded to a file of its own; or why it could not be opened.
     Opened(Box<Result<(Opened, Recorder), String>>),
-    /// A copy, and its entry in the gallery; or why not.
+    /// The path of a copy and its entry in the gallery; or why it could not be saved.
     Saved(Result<(PathBuf, Option<GalleryEntry>), String>),
-    /// Its thread panicked: a mistake of ours, told on standard error. The session goes on.
-    Lost,
+    /// The thread panicked, which is a bug; the panic is on standard error. The present session goes on.
+    Panicked,
 }
 
-/// Shares of work are counted in so many parts.
+/// The progress is stored as an integer share of this.
 const PARTS: u64 = 1000;
 
-/// How far it is, and whether it shall go on.
+/// Progress of the work, shared by both threads.
 #[derive(Debug, Default)]
 struct Progress {
-    plays: AtomicBool,
+    /// A recording is replayed; false while it is read and checked.
+    is_replaying: AtomicBool,
+    /// Share that is done, times [`PARTS`].
     parts: AtomicU64,
+    /// The work shall stop.
     stop: AtomicBool,
 }
 
-/// Something that is being done.
+/// Work on another thread.
 pub(crate) struct Work {
-    pub(crate) asked: Asked,
-    /// What is opened; `None` where a session is saved.
+    pub(crate) requester: Requester,
+    /// The file that is opened; `None` while a session is saved.
     pub(crate) file: Option<String>,
     progress: Arc<Progress>,
     thread: JoinHandle<()>,
 }
 
 impl Work {
-    /// Opens an entry of the gallery, and begins its recording in a folder.
+    /// Begins to open an entry of the gallery, and its recording in a folder.
     ///
     /// # Errors
     /// The system gives no thread.
     pub(crate) fn open(
         send: impl FnOnce(Outcome) + Send + 'static,
-        asked: Asked,
+        requester: Requester,
         file: String,
         path: PathBuf,
         sessions: PathBuf,
     ) -> io::Result<Work> {
         let progress = Arc::new(Progress::default());
-        let (seen, name) = (Arc::clone(&progress), file.clone());
-        let until = Instant::now() + LONGEST;
+        let (shared, name) = (Arc::clone(&progress), file.clone());
+        let until = Instant::now() + TIME_LIMIT;
         let open = move || {
-            let watch = &mut |way: Way| {
-                let (plays, done, of) = match way {
-                    Way::Reads(done, of) => (false, done, of),
-                    Way::Plays(done, of) => (true, done, of),
+            let watch = &mut |at: ReplayProgress| {
+                let (is_replaying, done, of) = match at {
+                    ReplayProgress::Reading(done, of) => (false, done, of),
+                    ReplayProgress::Replaying(done, of) => (true, done, of),
                 };
-                seen.plays.store(plays, Ordering::Relaxed);
-                seen.parts.store(PARTS * done.min(of) / of.max(1), Ordering::Relaxed);
-                if seen.stop.load(Ordering::Relaxed) {
-                    return Err("it was stopped".to_owned());
+                shared.is_replaying.store(is_replaying, Ordering::Relaxed);
+                shared.parts.store(PARTS * done.min(of) / of.max(1), Ordering::Relaxed);
+                if shared.stop.load(Ordering::Relaxed) {
+                    return Err("stopped".to_owned());
                 }
                 if Instant::now() > until {
-                    let minutes = LONGEST.as_secs() / 60;
-                    return Err(format!("it takes more than {minutes} min, and is given up"));
+                    let minutes = TIME_LIMIT.as_secs() / 60;
+                    return Err(format!("stopped: it takes more than {minutes} min"));
                 }
                 Ok(())
             };
@@ -95,16 +98,16 @@ impl Work {
             })
         };
         let done = move |opened| Outcome::Opened(Box::new(opened));
-        Work::start(send, asked, Some(file), progress, move || done(open()))
+        Work::start(send, requester, Some(file), progress, move || done(open()))
     }
 
-    /// Saves a copy of a recording.
+    /// Begins to save a copy of a recording.
     ///
     /// # Errors
     /// The system gives no thread.
     pub(crate) fn save(
         send: impl FnOnce(Outcome) + Send + 'static,
-        asked: Asked,
+        requester: Requester,
         copy: Copy,
     ) -> io::Result<Work> {
         let save = move || {
@@ -114,32 +117,32 @@ impl Work {
                 (path, entry)
             }))
         };
-        Work::start(send, asked, None, Arc::default(), save)
+        Work::start(send, requester, None, Arc::default(), save)
     }
 
     fn start(
         send: impl FnOnce(Outcome) + Send + 'static,
-        asked: Asked,
+        requester: Requester,
         file: Option<String>,
         progress: Arc<Progress>,
         work: impl FnOnce() -> Outcome + Send + 'static,
     ) -> io::Result<Work> {
         let thread = std::thread::Builder::new().name("opening".into()).spawn(move || {
             let outcome = catch_unwind(AssertUnwindSafe(work));
-            send(outcome.unwrap_or(Outcome::Lost));
+            send(outcome.unwrap_or(Outcome::Panicked));
         })?;
-        Ok(Work { asked, file, progress, thread })
+        Ok(Work { requester, file, progress, thread })
     }
 
-    /// How far it is, if something is being opened.
+    /// The progress, if something is being opened.
     pub(crate) fn now(&self) -> Option<OpeningNow> {
-        let at = if self.progress.plays.load(Ordering::Relaxed) { "plays" } else { "reads" };
+        let at = if self.progress.is_replaying.load(Ordering::Relaxed) { "plays" } else { "reads" };
         let parts = self.progress.parts.load(Ordering::Relaxed);
         let share = parts as f64 / PARTS as f64;
         Some(OpeningNow { file: self.file.clone()?, at, share })
     }
 
-    /// It shall not go on; false for a session that is being saved.
+    /// Asks the work to stop. Returns false if a session is being saved, which cannot be stopped.
     pub(crate) fn stop(&self) -> bool {
         self.progress.stop.store(true, Ordering::Relaxed);
         self.file.is_some()
@@ -149,7 +152,7 @@ impl Work {
         self.progress.stop.load(Ordering::Relaxed)
     }
 
-    /// Waits for a session that is being saved: half a copy is none. What is being opened is left alone.
+    /// Waits until a session is saved, so that no partial copy is left. An opening is not waited for.
     pub(crate) fn finish(self) {
         if self.file.is_none() {
             let _ = self.thread.join();

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 /// Beyond this delay missed ticks are dropped: the machine slept, or the program was stopped.
 const FORGIVEN: Duration = Duration::from_secs(1);
 
-/// Ticks at equal distances of wall time.
+/// Ticks at equal intervals of wall time.
 #[derive(Clone, Debug)]
 pub(crate) struct Pacer {
     step_s: f64,
@@ -46,13 +46,13 @@ impl Pacer {
         self.restart(now);
     }
 
-    /// Another scenario may have another step.
+    /// Sets the step of another scenario, and restarts the clock.
     pub(crate) fn set_step(&mut self, step_s: f64, now: Instant) {
         self.step_s = step_s;
         self.restart(now);
     }
 
-    /// How long until the next tick; zero where it is due.
+    /// Time until the next tick; zero if it is due.
     pub(crate) fn wait(&self, now: Instant) -> Duration {
         self.due_at().saturating_duration_since(now)
     }
@@ -61,7 +61,7 @@ impl Pacer {
         self.due_at() <= now
     }
 
-    /// A due tick begins now. Counted as late beyond half a step.
+    /// A due tick begins now. It counts as late if it is delayed by more than half a step.
     pub(crate) fn begin(&mut self, now: Instant) {
         let late = now.saturating_duration_since(self.due_at());
         self.ticks += 1;
@@ -70,13 +70,13 @@ impl Pacer {
             self.latest = self.latest.max(late);
         }
         if late > FORGIVEN {
-            // What lies between is not made up for, and counted.
+            // The missed ticks are counted but not caught up.
             self.late_ticks += (late.as_secs_f64() / self.wall_step().as_secs_f64()) as u64;
             self.restart(now);
         }
     }
 
-    /// Ticks that came too late, and the latest of them (ms).
+    /// Number of late ticks, and the largest delay (ms).
     pub(crate) fn late(&self) -> (u64, f64) {
         (self.late_ticks, 1e3 * self.latest.as_secs_f64())
     }
@@ -89,7 +89,7 @@ mod tests {
     const STEP: Duration = Duration::from_millis(100);
 
     #[test]
-    fn ticks_keep_their_distance_however_each_of_them_wavers() {
+    fn small_delays_do_not_add_up() {
         let start = Instant::now();
         let mut pacer = Pacer::new(0.1, start);
         for tick in 0..1000_u32 {
@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn late_ticks_are_counted_and_made_up_for_unless_they_are_very_late() {
+    fn late_ticks_are_counted_and_caught_up_unless_very_late() {
         let start = Instant::now();
         let mut pacer = Pacer::new(0.1, start);
         pacer.begin(start);
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn another_pace_begins_from_now() {
+    fn a_new_pace_starts_from_now() {
         let start = Instant::now();
         let mut pacer = Pacer::new(0.1, start);
         pacer.begin(start);

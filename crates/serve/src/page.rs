@@ -1,4 +1,4 @@
-//! The page: built from the repository's `web` folder where there is need and Node, and held in memory.
+//! The page of the live server, in memory. It is built from the repository's `web` folder if it is missing or old.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -11,12 +11,12 @@ use maud::{DOCTYPE, html};
 
 use super::log::Notify;
 
-/// The folder beside the sources that this program was built from.
+/// The `web` folder of the sources that this program was built from.
 const WEB: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../web");
-/// A page's files together are not read beyond this (bytes).
+/// Largest size of all files of a page together (bytes).
 const LARGEST: u64 = 64 << 20;
-/// What lies in `web` and is no source of the page.
-const NO_SOURCES: [&str; 5] = ["node_modules", "dist", "e2e", "test", "screenshots"];
+/// Folders of `web` that hold no sources of the page.
+const NOT_SOURCES: [&str; 5] = ["node_modules", "dist", "e2e", "test", "screenshots"];
 
 /// A file as it is sent.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,13 +25,12 @@ pub(crate) struct PageFile {
     pub(crate) bytes: Vec<u8>,
 }
 
-/// All files of the page by their paths, `/index.html` among them. What is not among them is not sent: no path
-/// leads anywhere else.
+/// All files of the page by their paths, with `/index.html`. Only these are sent: no path leads to any other file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Page(BTreeMap<String, PageFile>);
 
 impl Page {
-    /// A page that was built, from its folder.
+    /// Reads a built page from its folder.
     ///
     /// # Errors
     /// A folder without `index.html`, or that cannot be read.
@@ -45,8 +44,8 @@ impl Page {
         Ok(Page(files))
     }
 
-    /// The repository's page, built first where it is missing or older than its sources; else a page that says what
-    /// is missing.
+    /// The repository's page. It is built first if it is missing or older than its sources. If that fails, a page that
+    /// says why.
     pub(crate) fn of_repository(notify: Notify) -> Page {
         built(Path::new(WEB), notify).and_then(|dist| Page::read(&dist)).unwrap_or_else(|why| {
             notify(&format!("no page: {why}"));
@@ -55,7 +54,7 @@ impl Page {
         })
     }
 
-    /// A page that says why there is none.
+    /// A page that says why the real one is missing.
     fn missing(why: &str) -> Page {
         let text = html! {
             (DOCTYPE)
@@ -88,11 +87,11 @@ fn read_folder(
     files: &mut BTreeMap<String, PageFile>,
     left: &mut u64,
 ) -> Result<(), String> {
-    let told = |e: std::io::Error| format!("{}: {e}", folder.display());
-    for entry in fs::read_dir(folder).map_err(told)? {
-        let entry = entry.map_err(told)?;
+    let with_folder = |e: std::io::Error| format!("{}: {e}", folder.display());
+    for entry in fs::read_dir(folder).map_err(with_folder)? {
+        let entry = entry.map_err(with_folder)?;
         let name = entry.file_name().to_string_lossy().into_owned();
-        let (path, kind) = (format!("{under}/{name}"), entry.file_type().map_err(told)?);
+        let (path, kind) = (format!("{under}/{name}"), entry.file_type().map_err(with_folder)?);
         if kind.is_dir() {
             read_folder(&entry.path(), &path, files, left)?;
         } else if kind.is_file() {
@@ -125,7 +124,7 @@ fn content_type(name: &str) -> &'static str {
     }
 }
 
-/// Builds the page in `web` where it has to be; its folder.
+/// Builds the page in `web` if needed, and returns its folder.
 fn built(web: &Path, notify: Notify) -> Result<PathBuf, String> {
     if !web.join("package.json").is_file() {
         return Err(format!(
@@ -145,7 +144,7 @@ fn built(web: &Path, notify: Notify) -> Result<PathBuf, String> {
     Ok(dist)
 }
 
-/// The page's files are not older than any of its sources.
+/// Whether no source is newer than the built page.
 fn is_up_to_date(web: &Path, dist: &Path) -> bool {
     let Some(built) = changed(&dist.join("index.html")) else { return false };
     newest(web).is_some_and(|source| source <= built)
@@ -163,12 +162,12 @@ fn changed(path: &Path) -> Option<SystemTime> {
     fs::metadata(path).and_then(|of| of.modified()).ok()
 }
 
-/// When the newest source was changed.
+/// The last change of any source.
 fn newest(folder: &Path) -> Option<SystemTime> {
     let mut newest_yet = None;
     for entry in fs::read_dir(folder).ok()?.flatten() {
         let name = entry.file_name();
-        if NO_SOURCES.iter().any(|other| name == *other) || name.to_string_lossy().starts_with('.')
+        if NOT_SOURCES.iter().any(|other| name == *other) || name.to_string_lossy().starts_with('.')
         {
             continue;
         }
@@ -182,7 +181,7 @@ fn newest(folder: &Path) -> Option<SystemTime> {
 fn npm(web: &Path, arguments: &[&str], notify: Notify) -> Result<(), String> {
     let program = if cfg!(windows) { "npm.cmd" } else { "npm" };
     let called = format!("npm {}", arguments.join(" "));
-    // Our standard output is for links; npm's goes with the messages.
+    // Standard output is for the links, so that npm's output is captured.
     let output = Command::new(program).args(arguments).current_dir(web).output();
     let output = output.map_err(|e| match e.kind() {
         std::io::ErrorKind::NotFound => {
@@ -203,7 +202,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_page_has_its_files_and_no_others() {
+    fn a_page_sends_its_own_files_only() {
         let folder = std::env::temp_dir().join(format!("fenderline-page-{}", std::process::id()));
         fs::create_dir_all(folder.join("assets")).expect("a folder");
         assert!(Page::read(&folder).expect_err("empty").contains("index.html"));

@@ -1,4 +1,4 @@
-//! What a role may do.
+//! What each role may do.
 
 use fenderline_live::message::Role;
 use fenderline_live::{Action, Cast, Conduct, Control, Helm, Refusal};
@@ -6,36 +6,36 @@ use fenderline_live::{Action, Cast, Conduct, Control, Helm, Refusal};
 /// What a command needs besides its role.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Needs {
-    /// To hold the helm; one that nobody holds is taken with the command.
+    /// To hold this control; a free one is taken with the command.
     Helm(Control),
-    /// That nobody else holds it: an order to somebody's control, not a hand on it.
+    /// That nobody else holds this control. It is not taken.
     NobodyAt(Control),
     /// Nothing.
     Nothing,
 }
 
-/// May this role give this command, and what does that need?
+/// Checks whether a role may give this command, and returns what else the command needs.
 ///
 /// # Errors
-/// Why not.
+/// The reason of the refusal.
 pub(crate) fn for_action(role: &Role, action: &Action, cast: &Cast) -> Result<Needs, Refusal> {
     let helm = cast.helm(action);
     match (role, helm) {
-        (Role::Observer, _) => Err(Refusal::new("an observer commands nothing")),
+        (Role::Observer, _) => Err(Refusal::new("an observer gives no commands")),
         (Role::Instructor, Helm::Of(control)) => Ok(Needs::NobodyAt(control)),
         (Role::Instructor, Helm::Line(_) | Helm::World | Helm::Board) => Ok(Needs::Nothing),
-        (_, Helm::World) => Err(Refusal::new("only the instructor makes weather and faults")),
+        (_, Helm::World) => Err(Refusal::new("only the instructor sets weather and faults")),
         (_, Helm::Of(control)) if may_claim(role, &control, cast) => Ok(Needs::Helm(control)),
         (Role::Pilot, Helm::Of(control)) => Ok(Needs::NobodyAt(control)),
         (Role::Pilot, Helm::Line(_) | Helm::Board) => Ok(Needs::Nothing),
         (Role::Tugmaster { tug }, Helm::Line(ends)) if ends.contains(tug) => Ok(Needs::Nothing),
         (Role::Tugmaster { tug }, _) => {
-            Err(Refusal::new(format_args!("the master of {tug} commands her alone")))
+            Err(Refusal::new(format_args!("the master of {tug} commands that tug only")))
         }
     }
 }
 
-/// May this role hold this helm?
+/// Whether a role may hold this control.
 pub(crate) fn may_claim(role: &Role, control: &Control, cast: &Cast) -> bool {
     match (role, control) {
         (_, Control::Session(_)) | (Role::Observer, _) => false,
@@ -46,7 +46,7 @@ pub(crate) fn may_claim(role: &Role, control: &Control, cast: &Cast) -> bool {
     }
 }
 
-/// Does this role order this control about without holding it, where nobody does?
+/// Whether a role may give orders to this control without holding it, as long as nobody holds it.
 pub(crate) fn may_order(role: &Role, control: &Control, cast: &Cast) -> bool {
     match role {
         Role::Instructor => true,
@@ -55,12 +55,12 @@ pub(crate) fn may_order(role: &Role, control: &Control, cast: &Cast) -> bool {
     }
 }
 
-/// May this role conduct the session so? Claims are looked at where they are taken.
+/// Checks whether a role may give this command about the session. Claims are checked where they are taken, alarms by the
+/// alarm book.
 ///
 /// # Errors
-/// Why not.
+/// The reason of the refusal.
 pub(crate) fn for_conduct(role: &Role, conduct: &Conduct) -> Result<(), Refusal> {
-    // Whose an alarm is the alarm book knows.
     let own = matches!(
         conduct,
         Conduct::Claim { .. } | Conduct::Release { .. } | Conduct::Acknowledge { .. }
@@ -79,7 +79,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_role_opens_its_own_actions_and_no_other() {
+    fn each_role_may_give_its_own_commands_only() {
         let text = include_str!("../../../scenarios/berth/asd_tugs_push_alongside.toml");
         let scenario = fenderline_scenario::Scenario::parse(text, "a.toml").expect("a scenario");
         let cast = Cast::of(&scenario.setup);

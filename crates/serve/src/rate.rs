@@ -39,7 +39,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn so_many_at_once_and_so_many_a_second() {
+    fn a_bucket_limits_bursts_and_the_rate() {
         let start = Instant::now();
         let mut bucket = Bucket::new(10.0, 5.0, start);
         let taken = |bucket: &mut Bucket, at| (0..100).filter(|_| bucket.take(at)).count();

@@ -32,7 +32,7 @@ impl Recorder {
         scenario: &str,
         opened: &mut Opened,
     ) -> Result<Recorder, String> {
-        fs::create_dir_all(folder).map_err(|e| told(folder, &e))?;
+        fs::create_dir_all(folder).map_err(|e| with_path(folder, &e))?;
         let (path, file) = next_free(folder, scenario)?;
         let mut recorder = Recorder { folder: folder.to_owned(), path, file, bytes: 0 };
         match recorder.begin_with(opened) {
@@ -50,7 +50,7 @@ impl Recorder {
             let mut output = BufWriter::new(&self.file);
             copy_kept(BufReader::new(&file), &outline, &mut output)
                 .map_err(|e| format!("{}: the recording cannot go on: {e}", self.path.display()))?;
-            output.flush().map_err(|e| told(&self.path, &e))?;
+            output.flush().map_err(|e| with_path(&self.path, &e))?;
             self.bytes = outline.kept_bytes;
         }
         self.add(&opened.session.take_lines())
@@ -71,7 +71,7 @@ impl Recorder {
     /// # Errors
     /// An error of the file system, with the path.
     pub(crate) fn add(&mut self, lines: &str) -> Result<(), String> {
-        self.file.write_all(lines.as_bytes()).map_err(|e| told(&self.path, &e))?;
+        self.file.write_all(lines.as_bytes()).map_err(|e| with_path(&self.path, &e))?;
         self.bytes += lines.len() as u64;
         Ok(())
     }
@@ -110,20 +110,20 @@ impl Copy {
     pub(crate) fn make(self) -> Result<PathBuf, String> {
         let from = open_regular(&self.from, LARGEST_RECORDING_BYTES).map_err(|e| e.to_string())?;
         let to = OpenOptions::new().write(true).create_new(true).open(&self.to);
-        let mut to = to.map_err(|e| told(&self.to, &e))?;
+        let mut to = to.map_err(|e| with_path(&self.to, &e))?;
         let written = io::copy(&mut from.take(self.bytes), &mut to).and_then(|bytes| {
             let lacks = io::Error::other("the recording is shorter than what was written to it");
             if bytes < self.bytes { Err(lacks) } else { to.write_all(self.end_line.as_bytes()) }
         });
         if let Err(e) = written {
             let _ = fs::remove_file(&self.to);
-            return Err(told(&self.to, &e));
+            return Err(with_path(&self.to, &e));
         }
         Ok(self.to)
     }
 }
 
-fn told(path: &Path, e: &io::Error) -> String {
+fn with_path(path: &Path, e: &io::Error) -> String {
     format!("{}: {e}", path.display())
 }
 
@@ -136,7 +136,7 @@ fn next_free(folder: &Path, scenario: &str) -> Result<(PathBuf, File), String> {
         match OpenOptions::new().append(true).create_new(true).open(&path) {
             Ok(file) => return Ok((path, file)),
             Err(e) if e.kind() == io::ErrorKind::AlreadyExists => {}
-            Err(e) => return Err(told(&path, &e)),
+            Err(e) => return Err(with_path(&path, &e)),
         }
     }
     Err(format!("{}: no number is free for {stem}", folder.display()))

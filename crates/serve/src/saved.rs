@@ -21,21 +21,21 @@ const BLOCK: usize = 256 << 10;
 
 /// Progress of a replay.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Way {
+pub(crate) enum Progress {
     /// Bytes that are read and checked, and their total.
-    Reads(u64, u64),
+    Reading(u64, u64),
     /// Ticks that are replayed, and their total.
-    Plays(u64, u64),
+    Replaying(u64, u64),
 }
 
 /// Receives the progress; an error stops the replay with that reason.
-pub(crate) type Watch<'w> = &'w mut dyn FnMut(Way) -> Result<(), String>;
+pub(crate) type Watch<'w> = &'w mut dyn FnMut(Progress) -> Result<(), String>;
 
 /// A recording that was replayed to its end.
-pub(crate) struct Played {
+pub(crate) struct Replayed {
     pub(crate) session: Session,
     /// Number of recorded states that the replay met bit for bit.
-    pub(crate) same: u64,
+    pub(crate) equal_states: u64,
     pub(crate) outline: Outline,
     /// Version of the program that recorded it.
     pub(crate) version: String,
@@ -44,7 +44,7 @@ pub(crate) struct Played {
 
 /// Why a recording was not replayed to its end; without its name.
 #[derive(Debug)]
-pub(crate) enum Unplayed {
+pub(crate) enum ReplayFailure {
     /// It is not a recording, or damaged; found before the replay.
     Bad(RecordingError),
     /// Its lines are intact, but the replay differs from the recorded states.
@@ -53,12 +53,12 @@ pub(crate) enum Unplayed {
     Stopped(String),
 }
 
-impl fmt::Display for Unplayed {
+impl fmt::Display for ReplayFailure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Unplayed::Bad(error) => error.fmt(f),
-            Unplayed::Differs(error) => error.fmt(f),
-            Unplayed::Stopped(why) => f.write_str(why),
+            ReplayFailure::Bad(error) => error.fmt(f),
+            ReplayFailure::Differs(error) => error.fmt(f),
+            ReplayFailure::Stopped(why) => f.write_str(why),
         }
     }
 }
@@ -84,46 +84,47 @@ pub(crate) fn title(file: &File) -> Option<String> {
 /// Checks a whole recording, then replays it.
 ///
 /// # Errors
-/// [`Unplayed`].
-pub(crate) fn play(file: File, watch: Watch<'_>) -> Result<Played, Unplayed> {
-    let unreadable = |e: std::io::Error| Unplayed::Stopped(e.to_string());
+/// [`ReplayFailure`].
+pub(crate) fn replay(file: File, watch: Watch<'_>) -> Result<Replayed, ReplayFailure> {
+    let unreadable = |e: std::io::Error| ReplayFailure::Stopped(e.to_string());
     let all = file.metadata().map_err(unreadable)?.len();
     let mut stopped = None;
-    let read =
-        |bytes: u64| watch(Way::Reads(bytes, all)).inspect_err(|why| stopped = Some(why.clone()));
+    let read = |bytes: u64| {
+        watch(Progress::Reading(bytes, all)).inspect_err(|why| stopped = Some(why.clone()))
+    };
     let outline = Outline::read(BufReader::with_capacity(BLOCK, &file), read);
     let outline = match (outline, stopped) {
-        (_, Some(why)) => return Err(Unplayed::Stopped(why)),
-        (Err(error), None) => return Err(Unplayed::Bad(error)),
+        (_, Some(why)) => return Err(ReplayFailure::Stopped(why)),
+        (Err(error), None) => return Err(ReplayFailure::Bad(error)),
         (Ok(outline), None) => outline,
     };
     (&file).rewind().map_err(unreadable)?;
     let input = BufReader::with_capacity(BLOCK, &file);
     let version = {
-        let reader = RecordingReader::open(input).map_err(Unplayed::Bad)?;
+        let reader = RecordingReader::open(input).map_err(ReplayFailure::Bad)?;
         reader.version().to_owned()
     };
     (&file).rewind().map_err(unreadable)?;
     let input = BufReader::with_capacity(BLOCK, &file);
-    let mut replay = Replay::begin(input, outline.clone()).map_err(Unplayed::Differs)?;
-    while !replay.play(SLICE).map_err(Unplayed::Differs)? {
-        watch(Way::Plays(replay.done(), outline.ticks)).map_err(Unplayed::Stopped)?;
+    let mut replay = Replay::begin(input, outline.clone()).map_err(ReplayFailure::Differs)?;
+    while !replay.play(SLICE).map_err(ReplayFailure::Differs)? {
+        watch(Progress::Replaying(replay.done(), outline.ticks)).map_err(ReplayFailure::Stopped)?;
     }
-    let replayed = replay.finish().map_err(Unplayed::Differs)?;
-    let (session, same) = (replayed.session, replayed.same);
-    Ok(Played { session, same, outline, version, file })
+    let replayed = replay.finish().map_err(ReplayFailure::Differs)?;
+    let (session, equal_states) = (replayed.session, replayed.same);
+    Ok(Replayed { session, equal_states, outline, version, file })
 }
 
 /// What is missing at the end of a recording; `None` for a complete one.
-pub(crate) fn told_of_end(ending: Ending) -> Option<String> {
+pub(crate) fn missing_at_end(ending: Ending) -> Option<String> {
     match ending {
         Ending::Whole => None,
         Ending::Open => Some(
-            "it has no line that ends it: its writer was killed or still writes, or lines were cut off"
+            "its last line is missing: the program was killed or is still recording, or the file was cut off"
                 .to_owned(),
         ),
         Ending::Torn { bytes } => Some(format!(
-            "it is torn: {bytes} bytes of a last line without end are dropped"
+            "its last line is incomplete: its {bytes} bytes are dropped"
         )),
     }
 }

@@ -58,7 +58,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_address_leaves_seats_for_others() {
+    fn one_address_cannot_take_all_seats() {
         let peer = |text: &str| Peer::of(text.parse().expect("an address"));
         let seats = Seats::of(8);
         let mut crowd: Vec<Seat> = (0..6).filter_map(|_| seats.take(peer("192.0.2.1"))).collect();

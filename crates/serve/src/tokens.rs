@@ -1,4 +1,4 @@
-//! Tokens: what a link carries, and which role it opens.
+//! Tokens: the secret in each link, and the role that it opens.
 
 use fenderline_live::message::{Link, Role};
 use subtle::ConstantTimeEq as _;
@@ -15,8 +15,8 @@ struct Token {
 pub(crate) struct Tokens(Vec<Token>);
 
 impl Tokens {
-    /// Makes tokens for the roles that have none yet. A role that is no longer needed keeps its own: its tug may
-    /// come back with the next scenario.
+    /// Makes tokens for the roles that have none yet. Roles that the present scenario does not have keep theirs, for the
+    /// next scenario that has the same tug.
     ///
     /// # Errors
     /// The operating system has no random numbers.
@@ -61,7 +61,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_token_opens_its_role_and_nothing_else_does() {
+    fn each_token_opens_its_role_only() {
         let tug = Role::Tugmaster { tug: "a".into() };
         let mut tokens = Tokens::default();
         let roles = [Role::Instructor, Role::Pilot, tug.clone()];

@@ -1,4 +1,4 @@
-//! Sentences over TCP and UDP, for chart programs. Only out: what they say is not read.
+//! Sends sentences to chart programs over TCP and UDP. Nothing that they send is read.
 
 use std::net::SocketAddr;
 use std::sync::Arc;
@@ -10,13 +10,14 @@ use tokio::sync::watch;
 use tokio::time::timeout;
 
 use super::crowd::{Crowd, Peer};
-use super::hub::{Hub, Said};
+use super::hub::{Hub, Sentences};
 
-/// Chart programs at a time, the one that has been there for longest goes beyond it; and how long one may take nothing.
+/// Most chart programs over TCP. Beyond it an old one is disconnected (see `crowd`).
 const MOST: usize = 32;
-const SLOW: Duration = Duration::from_secs(10);
+/// A chart program that does not read one round of sentences within this time is disconnected.
+const SEND_TIMEOUT: Duration = Duration::from_secs(10);
 
-/// Serves who connects; a connection that takes nothing is closed.
+/// Serves every chart program that connects.
 pub(crate) async fn tcp(listener: TcpListener, hub: Arc<Hub>) {
     let crowd = Crowd::of(MOST);
     loop {
@@ -28,18 +29,18 @@ pub(crate) async fn tcp(listener: TcpListener, hub: Arc<Hub>) {
         let hub = Arc::clone(&hub);
         tokio::spawn(async move {
             tokio::select! {
-                () = tell(stream, hub.said.subscribe()) => {}
+                () = send_all(stream, hub.sentences.subscribe()) => {}
                 () = place.asked_out() => hub.log.refused("ended a chart program: there are too many of them"),
             }
         });
     }
 }
 
-async fn tell(mut stream: TcpStream, mut said: watch::Receiver<Said>) {
-    while said.changed().await.is_ok() {
-        let text = said.borrow_and_update().as_ref().map(|all| all.concat());
+async fn send_all(mut stream: TcpStream, mut sentences: watch::Receiver<Sentences>) {
+    while sentences.changed().await.is_ok() {
+        let text = sentences.borrow_and_update().as_ref().map(|round| round.concat());
         let Some(text) = text else { continue };
-        if !matches!(timeout(SLOW, stream.write_all(text.as_bytes())).await, Ok(Ok(()))) {
+        if !matches!(timeout(SEND_TIMEOUT, stream.write_all(text.as_bytes())).await, Ok(Ok(()))) {
             return;
         }
     }
@@ -47,11 +48,11 @@ async fn tell(mut stream: TcpStream, mut said: watch::Receiver<Said>) {
 
 /// Sends every sentence as a datagram of its own.
 pub(crate) async fn udp(socket: UdpSocket, to: SocketAddr, hub: Arc<Hub>) {
-    let mut said = hub.said.subscribe();
-    while said.changed().await.is_ok() {
-        let all = said.borrow_and_update().clone();
-        for sentence in all.iter().flat_map(|all| all.iter()) {
-            // Nobody there is no mistake: they may come yet.
+    let mut sentences = hub.sentences.subscribe();
+    while sentences.changed().await.is_ok() {
+        let round = sentences.borrow_and_update().clone();
+        for sentence in round.iter().flat_map(|round| round.iter()) {
+            // No receiver is no error: the chart program may be started later.
             let _ = socket.send_to(sentence.as_bytes(), to).await;
         }
     }

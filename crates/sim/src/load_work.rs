@@ -7,7 +7,7 @@ use crate::hydro::Force;
 use crate::mean_velocity::MeanVelocity;
 use crate::record::LoadWork;
 use crate::rigid_body::Inertia;
-use crate::world::{Carried, Mooring, TugAtWork, VesselForces, WorldSetup};
+use crate::world::{Mooring, TugAtWork, VesselForces, WaterInertia, WorldSetup};
 
 /// Forces and motion of one step.
 pub(crate) struct LoadedStep<'a> {
@@ -20,7 +20,7 @@ pub(crate) struct LoadedStep<'a> {
     pub(crate) plain: &'a [Wrench],
     pub(crate) world: &'a WorldSetup,
     pub(crate) forces: &'a [VesselForces],
-    pub(crate) carried: &'a [Carried],
+    pub(crate) water_inertia: &'a [WaterInertia],
     pub(crate) tugs: &'a [TugAtWork],
     pub(crate) lines: &'a [Mooring],
     pub(crate) order: &'a SumOrder,
@@ -50,10 +50,10 @@ impl LoadedStep<'_> {
 
     /// Adds the works of a vessel's own forces and of the current.
     fn vessel(&self, index: usize, body: usize, works: &mut LoadWork) {
-        let (forces, carried) = (&self.forces[index], &self.carried[index]);
+        let (forces, water_inertia) = (&self.forces[index], &self.water_inertia[index]);
         // The hull coefficients contain the Munk moment and the centripetal terms of the added mass. They do no work
         // and are part of the turning momentum, so they are removed here.
-        works.hull_j += self.of_force(index, forces.hull + carried.ideal);
+        works.hull_j += self.of_force(index, forces.hull + water_inertia.coriolis);
         works.propeller_j += self.of_force(index, forces.propeller);
         works.rudder_j += self.of_force(index, forces.rudder);
         works.thrusters_j += self.of_force(index, forces.thrusters);
@@ -62,11 +62,14 @@ impl LoadedStep<'_> {
         works.banks_j += self.of_force(index, forces.banks);
         works.bottom_j += self.of_force(index, forces.bottom);
         let stream_j = |state: &BodyState| {
-            let drifting =
-                BodyState { velocity_mps: carried.stream_mps, yaw_rate_radps: 0.0, ..*state };
+            let drifting = BodyState {
+                velocity_mps: water_inertia.current_mps,
+                yaw_rate_radps: 0.0,
+                ..*state
+            };
             self.inertias[body].kinetic_j(&drifting)
         };
-        works.current_j += self.mean[body].power_w(&carried.along) * self.step_s
+        works.current_j += self.mean[body].power_w(&water_inertia.acceleration) * self.step_s
             + stream_j(&self.after[body])
             - stream_j(&self.before[body]);
     }

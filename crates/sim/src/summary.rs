@@ -17,8 +17,10 @@ pub struct PairSummary {
     pub peak_normal_force_n: f64,
     /// Start of the step with the largest normal force (s).
     pub peak_normal_force_at_s: f64,
-    /// Largest penetration of a patch (m).
+    /// Largest penetration of a patch, or deflection of a fender (m).
     pub peak_depth_m: f64,
+    /// The fender whose deflection `peak_depth_m` is, as an index into the set-up's fenders; `None`: it is a penetration.
+    pub peak_depth_fender: Option<usize>,
     /// Start of the step with the largest penetration (s).
     pub peak_depth_at_s: f64,
     /// Impulse of the normal forces, ∫ N dt (N·s).
@@ -78,6 +80,7 @@ impl Summaries {
                 peak_normal_force_n: 0.0,
                 peak_normal_force_at_s: t_s,
                 peak_depth_m: 0.0,
+                peak_depth_fender: None,
                 peak_depth_at_s: t_s,
                 impulse_ns: 0.0,
                 approach_speed_mps,
@@ -108,6 +111,7 @@ fn add_touch(pair: &mut PairSummary, own: &[Contact], record: &StepRecord<'_>) {
     for contact in own {
         if contact.peak_depth_m > pair.peak_depth_m {
             pair.peak_depth_m = contact.peak_depth_m;
+            pair.peak_depth_fender = contact.fender.map(|fender| fender.0 as usize);
             pair.peak_depth_at_s = record.t_s;
         }
     }

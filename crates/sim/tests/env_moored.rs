@@ -1,5 +1,4 @@
-//! Ten hours on six lines in a gusty wind off the quay: wind, current and lines together, as a simulation
-//! will use them.
+//! Ten hours on six lines in a gusty wind off the quay: wind, current and lines together.
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
@@ -108,9 +107,8 @@ fn run() -> Run {
     Run { greatest_m, mean_wind_n, mean_lines_n, mean_damping_n, last, states }
 }
 
-/// She stays where her lines hold her (no more than 3 m off, where the breast lines would be near to
-/// rendering); nothing parts; the lines carry what the wind and the water put on her: the means cancel to the momentum she ends
-/// with over ten hours.
+/// Her lines hold her (no more than 3 m off, where the breast lines would almost render); none parts; the mean forces of lines,
+/// wind and water over ten hours cancel, up to her final momentum.
 #[test]
 fn ten_hours_alongside_are_bounded_and_balanced() {
     let run = run();

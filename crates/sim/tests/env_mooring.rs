@@ -221,7 +221,7 @@ fn a_pretension_is_met() {
 
 /// The brake renders at 60 % of the ship design MBL, whatever the step and the speed.
 #[test]
-fn a_brake_renders_at_its_setting_and_takes_nothing_back() {
+fn a_brake_renders_at_its_setting_and_does_not_heave_in() {
     let winch = Winch::of_design(MBL_N, 100.0);
     let made = setup(polyester(), InboardEnd::Winch(winch), InitialLength::FromPretension(100e3));
     let (line, mut state) = Line::new(made, &ends(50.0)).unwrap();
@@ -282,7 +282,7 @@ fn a_winch_heaves_to_its_stall_and_pays_out_at_its_rate() {
 }
 
 #[test]
-fn lines_that_cannot_be_are_refused_by_name() {
+fn impossible_lines_are_refused_by_name() {
     let refused = |kind, inboard_end, initial_length| {
         Line::new(setup(kind, inboard_end, initial_length), &ends(50.0)).unwrap_err().to_string()
     };

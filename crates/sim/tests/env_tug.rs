@@ -99,8 +99,8 @@ fn force_follows_its_lag_exactly() {
     }
 }
 
-/// From push to pull she lets go, then takes the strain at the other place; the force never jumps by more
-/// than the lag allows, Δt/τ of the bollard pull, and a hundredth of it where she changes over.
+/// From push to pull the force first falls to zero, then grows at the other point. It never jumps by more than the lag allows,
+/// Δt/τ of the bollard pull, and a hundredth of that where she changes over.
 #[test]
 fn from_push_to_pull_she_lets_go_first() {
     let (tug, mut state) = (tug(), TugState::default());
@@ -136,7 +136,7 @@ fn direction_takes_the_short_way() {
 }
 
 #[test]
-fn more_than_she_has_is_limited_and_said() {
+fn an_order_beyond_the_envelope_is_limited_and_reported() {
     let (tug, mut state) = (tug(), TugState::default());
     tug.order(&mut state, 0.0, push(1e7)).unwrap();
     let at_rest = run(&tug, &mut state, 0.0, 300, 1.0);
@@ -145,7 +145,7 @@ fn more_than_she_has_is_limited_and_said() {
     let moving = vec2(6.0 * KNOT_MPS, 0.0);
     let under_way = tug.step(&mut state, (300.0, 1.0), moving, 1025.0);
     assert!(under_way.limited && (under_way.force[1] / BP_N - 0.49).abs() < 0.005);
-    // Pushing from ahead against the way she makes is not weakened: her drag helps.
+    // A push from ahead against the motion is not reduced: her drag assists.
     assert_eq!(SIXTY.available_n(PI, 3.0, 1025.0), BP_N);
 }
 

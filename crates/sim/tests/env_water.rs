@@ -14,7 +14,7 @@ fn profile() -> CurrentProfile {
 /// Trapezoids by hand: to 5 m (1 + 0.75)/2; to 15 m (0.75·10 + 0.4·5)/15 with 0.3 at 15 m; to 30 m
 /// (0.75·10 + 0.3·10 + 0.1·10)/30.
 #[test]
-fn a_hull_meets_the_mean_over_its_draught() {
+fn the_current_on_a_hull_is_the_mean_over_its_draught() {
     let close = |draught_m: f64, north: f64| {
         let mean = profile().mean_over(draught_m);
         assert!((mean.x - north).abs() < 1e-12, "{draught_m}: {}", mean.x);
@@ -29,7 +29,7 @@ fn a_hull_meets_the_mean_over_its_draught() {
 /// A field that is linear in each of north, east and time is met exactly: f = 0.1 + n/1000 + 2e/1000 +
 /// 3 n e/1e6 + t/1e4.
 #[test]
-fn a_grid_is_exact_for_what_is_linear() {
+fn a_grid_is_exact_for_a_linear_field() {
     let field =
         |t: f64, n: f64, e: f64| 0.1 + n / 1e3 + 2.0 * e / 1e3 + 3.0 * n * e / 1e6 + t / 1e4;
     let (times, north, east) = (vec![0.0, 600.0], vec![0.0, 100.0, 300.0], vec![-50.0, 50.0]);
@@ -50,7 +50,7 @@ fn a_grid_is_exact_for_what_is_linear() {
 }
 
 #[test]
-fn a_current_serves_any_of_its_kinds() {
+fn all_kinds_of_current_give_a_velocity() {
     let uniform = Current::uniform(vec2(0.3, -0.4)).unwrap();
     assert_eq!(uniform.velocity(vec2(1e7, 0.0), 1e9, 10.0), vec2(0.3, -0.4));
     let layered = Current::Layered(profile());

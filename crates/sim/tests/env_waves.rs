@@ -76,7 +76,7 @@ fn the_same_seed_gives_the_same_bits() {
 
 /// ω² = gk tanh kh to rounding, deep and shallow.
 #[test]
-fn waves_are_as_long_as_the_dispersion_says() {
+fn wave_lengths_follow_the_dispersion_relation() {
     for depth_m in [0.5, 5.0, 12.0, 50.0, 5000.0] {
         for frequency in [0.05, 0.3, 0.8, 2.0, 10.0] {
             let k = wave_number(frequency, depth_m);
@@ -90,7 +90,7 @@ fn waves_are_as_long_as_the_dispersion_says() {
 
 /// Crest in the origin at t = 0, one length and one period on again, and it runs towards the east.
 #[test]
-fn a_regular_wave_runs_where_it_should() {
+fn a_regular_wave_propagates_in_its_direction() {
     let wave = RegularWave { height_m: 2.0, period_s: 8.0, phase_rad: 0.0 };
     let sea = Sea::regular(wave, FRAC_PI_2, 20.0).unwrap();
     let length_m = TAU / wave_number(TAU / 8.0, 20.0);
@@ -111,8 +111,8 @@ const SHIP: BoxShip = BoxShip {
     roll_damping: 0.15,
 };
 
-/// In very long waves a ship does what the surface does: heave the elevation, pitch and roll the slope.
-/// ω = 0.02 rad/s: wave of 154 km; what is left is of order kL = 0.012.
+/// In very long waves a ship follows the surface: heave is the elevation, pitch and roll are the slope.
+/// ω = 0.02 rad/s: a wave of 154 km; the error is of order kL = 0.012.
 #[test]
 fn in_long_waves_the_ship_follows_the_surface() {
     let w = 0.02;
@@ -127,18 +127,18 @@ fn in_long_waves_the_ship_follows_the_surface() {
     }
 }
 
-/// Waves a tenth of the ship's length move her by less than 2 % of what they are.
+/// Waves of a tenth of the ship's length move her by less than 2 % of their amplitude.
 #[test]
-fn short_waves_leave_her_alone() {
+fn short_waves_do_not_move_a_ship() {
     let w = (TAU * G / 29.8).sqrt();
     let [_, _, heave, _, pitch, _] = SHIP.at(w, PI, 0.0);
     assert!(heave.modulus() < 0.02, "{heave:?}");
     assert!(pitch.modulus() < 0.02 * w * w / G, "{pitch:?}");
 }
 
-/// Roll answers most near its period, by about 1/(2ζ) of the effective slope.
+/// Roll is greatest near its natural period, about 1/(2ζ) times the effective slope.
 #[test]
-fn she_rolls_at_her_period() {
+fn roll_is_greatest_at_its_natural_period() {
     let roll = |w: f64| SHIP.at(w, FRAC_PI_2, 0.0)[3].modulus() * G / (w * w);
     let natural = TAU / 16.5;
     assert!(roll(natural) > 2.5 && roll(natural) < 1.0 / 0.3 + 1e-9, "{}", roll(natural));
@@ -247,7 +247,7 @@ const WAMIT_FPSO: [(f64, f64, f64); 5] = [
 /// the ship, to 45 % (head) and 30 % (beam); in longer waves the peak by heave and pitch comes out at a third of its height
 /// or more, and what falls off does so within 3 % of the short waves' force.
 #[test]
-fn drift_by_frequency_is_that_of_a_panel_code_as_far_as_a_formula_goes() {
+fn drift_by_frequency_agrees_with_a_panel_code_within_the_limits_of_the_formula() {
     for (hull, table) in [(TANKER, WAMIT_TANKER), (FPSO, WAMIT_FPSO)] {
         for (period_s, head_m, beam_m) in table {
             let number = deep_number_radpm(period_s);
@@ -271,7 +271,7 @@ fn drift_by_frequency_is_that_of_a_panel_code_as_far_as_a_formula_goes() {
 /// Waves of 10 m abeam: a wall of the whole length would be pushed with ½ρga² a metre; rounded ends take off less than
 /// a tenth. Long waves leave her alone.
 #[test]
-fn short_waves_are_turned_back_and_long_ones_pass() {
+fn short_waves_are_reflected_and_long_ones_pass() {
     for hull in [TANKER, FPSO] {
         let at =
             |length_m: f64, direction_rad: f64| hull.coefficients(TAU / length_m, direction_rad);
@@ -313,7 +313,7 @@ fn drift_is_continuous_in_heading_and_mirrors() {
 /// A sea drifts her as its waves do one by one: ρga²·C of a regular one, and of a spectrum 2ρg∫S·C dω (trapezoids of
 /// 1e-3 rad/s against 400 harmonics: 2 %).
 #[test]
-fn a_sea_drifts_her_by_its_waves() {
+fn the_drift_in_a_sea_is_the_sum_over_its_waves() {
     let wave = RegularWave { height_m: 2.0, period_s: 8.0, phase_rad: 0.3 };
     let regular = Sea::regular(wave, FRAC_PI_2, 100.0).unwrap();
     let force = mean_drift(&regular, &TANKER, (0.4, vec2(0.0, 0.0)), 1025.0);

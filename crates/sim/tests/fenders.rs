@@ -1,4 +1,4 @@
-//! Fenders in a run: what they store, what they hold, and when they fail.
+//! Fenders in a simulation: stored energy, reaction and failure.
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
@@ -24,7 +24,7 @@ fn run(setup: Setup) -> Simulation {
     simulation
 }
 
-/// A cone fender on the quay at `along_m`, against a hull that bears 200 kN/m².
+/// A cone fender on the quay at `along_m`, for a hull pressure of at most 200 kN/m².
 fn fender(name: &str, along_m: f64, height_m: f64, rated_reaction_n: f64) -> FenderSetup {
     FenderSetup {
         hull_pressure_limit_npm2: Some(200e3),
@@ -98,7 +98,7 @@ fn assert_balanced(energy: &Energy, start_j: f64) {
 
 #[test]
 fn an_87800_t_ship_does_not_sail_through_a_small_fender() {
-    // 2 m wide, 1 m deep: it can take 0.4 MJ, and she brings 4.1 MJ.
+    // 2 m wide, 1 m deep: it can absorb 0.4 MJ, and she has 4.1 MJ.
     for step_s in [0.1, 1.0] {
         let small = fender("small", 0.0, 1.0, 0.8e6);
         let capacity_j = small.rated.expect("a curve").energy_j;
@@ -120,7 +120,7 @@ fn an_87800_t_ship_does_not_sail_through_a_small_fender() {
         assert!(summary.failed);
         assert!(summary.peak_energy_j > 2.0 * capacity_j);
         assert!(summary.share_of_rated_energy.unwrap() > 2.0);
-        // And she is thrown back no faster than γ says.
+        // She rebounds no faster than γ allows.
         let back_mps = -simulation.states()[1].velocity_mps.y;
         assert!(back_mps > 0.0 && back_mps < 0.03, "Δt {step_s}: {back_mps} m/s");
     }
@@ -140,7 +140,7 @@ fn a_berthing_puts_its_energy_into_the_fenders_and_the_ledger_balances() {
             most_stored_j = most_stored_j.max(record.energy.stored_j);
         }
         let energy = simulation.energy();
-        // At the deepest all of it is in the fenders: within what a step of her speed misses.
+        // At the greatest deflection all of it is in the fenders, within the error of a step.
         let peaks_j: f64 = simulation.fender_summaries().map(|f| f.peak_energy_j).sum();
         assert!((peaks_j / start_j - 1.0).abs() < 0.02, "Δt {step_s}: {peaks_j} of {start_j} J");
         assert!((energy.kinetic_j / start_j - 0.01).abs() < 0.001, "γ² goes back: {energy:?}");
@@ -172,7 +172,7 @@ fn factors_scale_the_reaction_and_are_those_of_the_first_touch() {
 /// She comes straight at a fender 60 m ahead of midships, her side along the quay: by formula
 /// Ce = (K² + R² cos²γ)/(K² + R²) where the face holds her, K²/(K² + a²) where she slides freely.
 #[test]
-fn the_study_of_a_berthing_finds_the_energy_that_ce_says() {
+fn the_study_of_a_berthing_agrees_with_the_eccentricity_factor() {
     for (friction, shear_npm) in [(0.0, 0.0), (100.0, 1e11)] {
         let mut setup = berth(vec![fender("ahead", 60.0, 1.6, 3e6)], 0.3, 0.1, 40.0);
         setup.materials[1].material.friction_static = friction;
@@ -251,7 +251,7 @@ fn a_day_alongside_in_steady_wind_drifts_less_than_a_millimetre_and_gains_nothin
         assert!(hours_j.is_sorted_by(|one, next| *next <= one + 1e-12), "{hours_j:?}");
         let depth_m = simulation.states()[1].position_m.y + 23.0 + 1.2;
         assert!((depth_m / 0.03 - 1.0).abs() < 0.005, "Δt {step_s}: {depth_m} m");
-        // From the loads' work comes what is stored, and nothing else.
+        // The work of the loads equals the stored energy.
         let energy = simulation.energy();
         assert!(energy.normal_work_j + energy.tangential_work_j <= 0.0, "{energy:?}");
     }
@@ -271,7 +271,7 @@ fn episode(seed: &Episode) -> Setup {
     let tug = &mut setup.bodies[1];
     tug.mass.as_mut().unwrap().added_sway_kg = 4e5;
     tug.heading_rad = seed.heading_rad;
-    // The hull's farthest point toward the quay, a little off the face.
+    // The point of the hull nearest to the quay, a little off the face.
     let (sin, cos) = (libm::sin(seed.heading_rad).abs(), libm::cos(seed.heading_rad).abs());
     tug.position_m = vec2(seed.along_m, -1.2 - (16.0 * sin + 5.5 * cos) - 0.05);
     let (sin, cos) = (libm::sin(seed.heading_rad), libm::cos(seed.heading_rad));
@@ -332,7 +332,7 @@ fn episodes() -> impl Strategy<Value = Episode> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
-    /// 100,000 of them are `cargo xtask passivity`; the 1e-9 is rounding.
+    /// `cargo xtask passivity` runs 100,000 of them. The 1e-9 is for rounding.
     #[test]
     fn nobody_leaves_a_fender_with_more_energy_than_it_came_with(seed in episodes()) {
         let simulation = Simulation::new(episode(&seed));

@@ -1,8 +1,8 @@
-//! No jump: forces are continuous in velocity, revolutions and rudder, through rest, astern, all drift angles
-//! and all four quadrants of the propeller.
+//! Forces are continuous in velocity, revolutions and rudder: through rest, astern, all drift angles and all four quadrants of
+//! the propeller.
 //!
-//! Two proofs, neither of which knows the formulas. *Halving*: along a line the largest step of a continuous,
-//! piecewise smooth function halves with the spacing; a jump stays. *Lipschitz*: forces are of degree two in the
+//! Two checks, independent of the formulas. *Halving*: along a line the largest step of a continuous, piecewise smooth
+//! function halves with the spacing; a jump does not. *Lipschitz*: forces are of degree two in the
 //! velocities, so |ΔF| ≤ K · scale · V · |ΔV| with one K for all states.
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]

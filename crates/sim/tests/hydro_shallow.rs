@@ -1,8 +1,8 @@
-//! Shallow water: factors, and what they make of turns and zig-zags.
+//! Shallow water: factors, and their effect on turns and zig-zags.
 //!
-//! What a ship does there is held against what trials of tankers and container ships agree on: turns are a little wider
-//! at h/T 1.5 and half as wide again or more at 1.2; she drifts less in them and loses less speed; she overshoots less at
-//! 1.2 (at 1.5 Esso Osaka overshot about as much as in deep water).
+//! Manoeuvres are compared with trials of tankers and container ships, which agree on this: turns are a little wider at h/T 1.5
+//! and wider by half or more at 1.2; ships drift less in them and lose less speed; overshoots are smaller at 1.2 (at 1.5 those
+//! of Esso Osaka were about as in deep water).
 //! `validation/shallow_water.toml` has the numbers.
 
 #[path = "support/ships.rs"]
@@ -125,7 +125,7 @@ fn carried_out(vessel: &Vessel, ship: Mmg, speed_mps: f64) -> Done {
 /// Tactical diameter over that in deep water, rudder 35°: 1.0 to 1.45 at h/T 1.5 and 1.3 to 1.95 at 1.2, for every ship of
 /// the library and every reference ship from her particulars. Drift, speed, rate of turn and overshoots move as in trials.
 #[test]
-fn every_ship_turns_and_answers_in_shallow_water_as_trials_say() {
+fn every_ship_manoeuvres_in_shallow_water_as_in_trials() {
     for (name, vessel, speed_mps) in
         steered().into_iter().chain(BY_PARTICULARS.iter().map(ByParticulars::estimated))
     {
@@ -161,7 +161,7 @@ fn every_ship_turns_and_answers_in_shallow_water_as_trials_say() {
                 .expect("she turns")
                 .tactical_diameter_m
         });
-        // Nothing happens between the depths that are looked at.
+        // The values change steadily between these depths.
         let grows = steps.windows(2).all(|pair| pair[1] > 0.97 * pair[0]);
         assert!(grows && steps[10] < 3.5 * steps[0], "{name}: {steps:.0?}");
     }
@@ -177,7 +177,7 @@ fn hull_factors(factors: &HullFactors) -> [f64; 17] {
 }
 
 #[test]
-fn deep_water_changes_nothing_and_shoaling_water_takes_nothing_back() {
+fn factors_are_one_in_deep_water_and_grow_as_the_water_gets_shallower() {
     for vessel in [kvlcc2(), kcs(), esso_osaka_model()] {
         let ship = vessel.ship.particulars;
         let at =
@@ -193,7 +193,7 @@ fn deep_water_changes_nothing_and_shoaling_water_takes_nothing_back() {
             let hull = Corrections::of(set, &ship, f64::INFINITY).hull;
             assert!(hull_factors(&hull).iter().all(|factor| (factor - 1.0).abs() < 1e-12));
         }
-        // From three draughts on each factor grows, by no more than the clearance shrinks.
+        // From three draughts on each factor grows, by no more than the clearance decreases.
         let mut before = hull_factors(&at(3.0).hull);
         for hundredths in (110..300).rev() {
             let ratio = f64::from(hundredths) / 100.0;
@@ -204,13 +204,13 @@ fn deep_water_changes_nothing_and_shoaling_water_takes_nothing_back() {
             }
             before = now;
         }
-        // Below 1.1 draughts, aground too, nothing changes any more.
+        // Below 1.1 draughts, also aground, the factors are constant.
         assert_eq!(at(1.0999), at(1.1));
         assert_eq!(at(-3.0), at(1.1));
     }
 }
 
-/// UFC's drag of a ship abeam is hers where she crabs, and not in a turn.
+/// The drag abeam of UFC applies where she crabs, but not in a turn.
 #[test]
 fn the_drag_of_a_berthed_ship_stays_out_of_the_turn() {
     for vessel in [kvlcc2(), kcs(), esso_osaka_model()] {

@@ -1,4 +1,4 @@
-//! The paper's method made up to 179 % of the energy of a hit, and no output said so.
+//! The paper's method generated up to 179 % of the energy of an impact, and no output reported it.
 
 #![allow(clippy::disallowed_methods, reason = "what is drawn, not what is computed")]
 
@@ -7,7 +7,7 @@ mod support;
 use fenderline_sim::{Integrator, Method, Setup, Simulation};
 use support::{fixed, floating, rectangle, spring, two};
 
-/// A tug of 1,000 t that turns as she hits a wall: `draw` gives a number between two bounds.
+/// A tug of 1,000 t that turns while she hits a wall. `draw` gives a number between two bounds.
 fn hit(draw: &mut dyn FnMut(f64, f64) -> f64, step_s: f64, method: Method) -> Simulation {
     let mut tug = floating("tug", rectangle(32.0, 10.0), 1e6, draw(5.0, 15.0));
     (tug.velocity.surge_mps, tug.velocity.sway_mps) = (draw(0.3, 2.0), draw(-1.0, 1.0));
@@ -28,7 +28,7 @@ fn hit(draw: &mut dyn FnMut(f64, f64) -> f64, step_s: f64, method: Method) -> Si
     run
 }
 
-/// Numbers between bounds, the same for one seed.
+/// Random numbers between bounds from a seed.
 fn drawn(seed: u64) -> impl FnMut(f64, f64) -> f64 {
     let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1;
     move |low, high| {
@@ -40,12 +40,12 @@ fn drawn(seed: u64) -> impl FnMut(f64, f64) -> f64 {
 }
 
 #[test]
-fn energy_that_the_papers_method_makes_is_told() {
+fn energy_generated_by_the_papers_method_is_reported() {
     let mut told = 0;
     for seed in 0..2000 {
         let run = hit(&mut drawn(seed), 2.0, Method::Paper);
         let energy = run.energy();
-        // Nothing else works on her than the wall: what she had is what she has less its work.
+        // Only the wall does work on her: its work is the change of her energy.
         let start_j = energy.kinetic_j - energy.normal_work_j - energy.tangential_work_j;
         let made_j = energy.kinetic_j - start_j;
         if made_j > 0.01 * energy.contact_taken_j {
@@ -62,7 +62,7 @@ fn energy_that_the_papers_method_makes_is_told() {
 }
 
 #[test]
-fn a_run_that_makes_no_energy_is_told_nothing() {
+fn a_run_without_a_gain_of_energy_reports_none() {
     for seed in 0..40 {
         assert_eq!(hit(&mut drawn(seed), 2.0, Method::Coupled).energy_gain(), None, "seed {seed}");
     }

@@ -6,7 +6,7 @@ use fenderline_contact::BodyState;
 use fenderline_sim::{Setup, Simulation};
 use support::scenes::{oblique_berthing, tug_impact, tug_push};
 
-/// Runs that differ in all that matters: chords and faces, friction, loads, added mass, time steps.
+/// Runs with and without chords and faces, friction, loads and added mass, at several time steps.
 fn scenes() -> Vec<Setup> {
     let mut scenes = vec![];
     for step_s in [0.1, 0.5, 2.0] {
@@ -22,7 +22,7 @@ fn scenes() -> Vec<Setup> {
     scenes
 }
 
-/// Everything that a run leaves: its states, its memory and its energies.
+/// The result of a run: states, memory and energies.
 fn end_of(setup: &Setup) -> (Vec<BodyState>, Vec<u8>, String) {
     let mut simulation = Simulation::new(setup.clone()).unwrap();
     while !simulation.is_done() {

@@ -1,4 +1,4 @@
-//! The energy ledger of vessels under way: it balances at every time step, in every water, by every integrator.
+//! The energy ledger of vessels under way balances at every time step, in any current and with every integrator.
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
@@ -20,20 +20,20 @@ use support::{fixed, rectangle};
 const STEPS_S: [f64; 4] = [0.05, 0.1, 0.5, 1.0];
 const INTEGRATORS: [Integrator; 3] = [Integrator::SemiImplicit, Integrator::Euler, Integrator::Rk4];
 
-/// What she does.
+/// A manoeuvre.
 #[derive(Clone, Copy, Debug)]
 enum Manoeuvre {
     /// Rudder hard over at full speed.
     Turning,
     /// Full astern at full speed.
     Stopping,
-    /// Pushed sideways and round by tugs from rest.
+    /// Pushed sideways and turned by tugs from rest.
     Crabbing,
 }
 
 const MANOEUVRES: [Manoeuvre; 3] = [Manoeuvre::Turning, Manoeuvre::Stopping, Manoeuvre::Crabbing];
 
-/// Still water, a uniform current, one that differs from place to place and grows.
+/// Still water, a uniform current, and one that varies with position and time.
 fn currents() -> [Option<Current>; 3] {
     let grid = CurrentGrid::new(
         vec![0.0, 150.0, 300.0],
@@ -169,15 +169,15 @@ fn the_ledger_of_a_tanker_balances_by_the_other_integrators() {
 
 /// KVLCC2's model of 7 m turns ten degrees a second.
 #[test]
-fn the_ledger_of_what_turns_fast_balances() {
+fn the_ledger_of_a_fast_turning_model_balances() {
     for integrator in INTEGRATORS {
         balances(&ships::kvlcc2_model(), integrator, 1e-3);
     }
 }
 
-/// In still water the stream does nothing, and what the propeller gives goes into drag and motion.
+/// In still water the current does no work, and the energy of the propeller goes into drag and motion.
 #[test]
-fn in_still_water_the_propeller_pays_for_everything() {
+fn in_still_water_the_propeller_supplies_all_energy() {
     let energy =
         run((&ships::kvlcc2(), Manoeuvre::Turning), (0.5, Integrator::SemiImplicit), None, None);
     assert_eq!(energy.loads.current_j, 0.0);

@@ -1,5 +1,5 @@
-//! A vessel in the simulation against the three-degree-of-freedom model that the manoeuvres are validated
-//! with, in still water and in a current.
+//! A vessel in the simulation, compared with the model of three degrees of freedom with which the manoeuvres are validated, in
+//! still water and in a current.
 
 #[path = "support/ships.rs"]
 mod ships;
@@ -100,7 +100,7 @@ fn circle(setup: Setup, current_mps: Vec2) -> (f64, f64) {
 }
 
 #[test]
-fn a_vessel_turns_in_the_simulation_as_in_the_model_that_was_validated() {
+fn a_vessel_turns_in_the_simulation_as_in_the_validated_model() {
     let vessel = ships::kvlcc2();
     let model = Model3::new(vessel.ship, Water::SEA);
     let approach =
@@ -108,7 +108,7 @@ fn a_vessel_turns_in_the_simulation_as_in_the_model_that_was_validated() {
             .expect("she goes");
     for rudder_deg in [35.0, -35.0_f64] {
         let turn = manoeuvres::turning_circle(&model, &approach, rudder_deg.to_radians()).unwrap();
-        // Forces are held through a step: the error falls with it.
+        // Forces are constant during a step, so the error decreases with the step.
         for (step_s, tolerance) in [(0.1, 0.002), (1.0, 0.02)] {
             let (advance_m, diameter_m) =
                 circle(kvlcc2(rudder_deg, Vec2::ZERO, step_s).0, Vec2::ZERO);
@@ -132,14 +132,14 @@ fn a_uniform_current_carries_a_manoeuvre_along_and_changes_nothing_else() {
 }
 
 #[test]
-fn an_order_by_hand_is_carried_out_as_one_of_the_set_up_bit_for_bit() {
+fn an_order_during_a_run_equals_one_of_the_set_up_bit_for_bit() {
     let (mut setup, _) = kvlcc2(35.0, Vec2::ZERO, 0.5);
     setup.duration_s = 100.0;
     let later = Order { at_s: 40.0, action: Action::Vessel(0, VesselAction::Rudder(-0.2)) };
     let mut planned = setup.clone();
     planned.world.orders.push(later.clone());
     let mut planned = Simulation::new(planned).expect("a good set-up");
-    // Without any order at first, and both by hand: the later one long before its time.
+    // Without orders in the set-up; both are given during the run, the later one long before its time.
     setup.world.orders.clear();
     let mut steered = Simulation::new(setup).expect("a good set-up");
     steered.order(later).expect("she has a rudder");
@@ -154,7 +154,7 @@ fn an_order_by_hand_is_carried_out_as_one_of_the_set_up_bit_for_bit() {
 }
 
 #[test]
-fn an_order_that_cannot_be_is_refused_and_changes_nothing() {
+fn an_impossible_order_is_refused_and_changes_nothing() {
     let (mut setup, _) = kvlcc2(35.0, Vec2::ZERO, 0.5);
     setup.duration_s = 50.0;
     let mut left_alone = Simulation::new(setup.clone()).expect("a good set-up");
@@ -184,7 +184,7 @@ fn an_order_that_cannot_be_is_refused_and_changes_nothing() {
 }
 
 #[test]
-fn what_has_failed_does_not_move_and_comes_back_when_it_is_repaired() {
+fn failed_controls_do_not_move_until_they_are_repaired() {
     let (setup, _) = kvlcc2(35.0, Vec2::ZERO, 0.5);
     let mut run = Simulation::new(setup).expect("a good set-up");
     let go = |run: &mut Simulation, seconds: f64| {
@@ -206,7 +206,7 @@ fn what_has_failed_does_not_move_and_comes_back_when_it_is_repaired() {
 }
 
 #[test]
-fn a_current_set_during_a_run_takes_a_drifting_ship_along_as_one_from_the_start() {
+fn a_current_set_during_a_run_carries_a_drifting_ship_as_one_from_the_start() {
     let drift = |at_start: bool| {
         let current_mps = vec2(0.0, 0.5);
         let (mut setup, _) = kvlcc2(0.0, if at_start { current_mps } else { Vec2::ZERO }, 0.5);
@@ -229,7 +229,7 @@ fn a_current_set_during_a_run_takes_a_drifting_ship_along_as_one_from_the_start(
 }
 
 #[test]
-fn orders_that_are_forgotten_are_not_carried_out_and_the_others_are() {
+fn dropped_orders_are_not_carried_out_and_the_others_are() {
     let (mut setup, _) = kvlcc2(0.0, Vec2::ZERO, 0.5);
     setup.duration_s = 60.0;
     setup.world.orders = vec![

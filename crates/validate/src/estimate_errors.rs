@@ -1,5 +1,5 @@
-//! By how much ships that are estimated from their main particulars differ from their references: what is told with every
-//! estimated ship. From the rows of `validation/estimated_ships.toml` that hold a ship against a reference of hers.
+//! The errors of ships that are estimated from their main particulars, which are reported with every estimated ship. They
+//! come from the rows of `validation/estimated_ships.toml` that compare a ship with a reference.
 
 use std::sync::OnceLock;
 
@@ -22,7 +22,7 @@ const NAMES: [&str; 4] = [
     "first overshoot of 20°/20°",
 ];
 
-/// The errors of the formulas that estimated a vessel; empty where nothing of her is estimated, or the formulas' errors
+/// The errors of the formulas that estimated a vessel; empty if nothing of her is estimated, or the errors of the formulas
 /// are not known.
 pub fn errors_of(origin: &vessels::Origin) -> &'static [EstimateError] {
     match origin.estimate_method {
@@ -101,7 +101,7 @@ fn errors(values: &Values, route: &str) -> Vec<EstimateError> {
 mod tests {
     use super::*;
 
-    /// What is told with every ship that is estimated by the usual route, and the goal of that route.
+    /// The errors that are reported with ships by the usual route, and the goal of that route.
     #[test]
     fn estimated_ships_turn_within_15_percent_in_the_mean_and_25_each() {
         let errors = estimate_errors(EstimateMethod::YoshimuraMasumoto);
@@ -109,7 +109,7 @@ mod tests {
             assert!(error.ships == 6 && error.size <= 0.15, "{error:?}");
             assert!(error.largest().abs() <= 0.25, "{error:?}");
         }
-        // The route before: further off at its worst, and biased to the stable side.
+        // The older route: larger largest errors, and a bias to the stable side.
         let before = estimate_errors(EstimateMethod::Clarke);
         for (error, before) in errors.iter().zip(before) {
             assert!(error.largest().abs() < before.largest().abs(), "{error:?} {before:?}");

@@ -1,13 +1,14 @@
-//! The paper's figures drawn again, and the outlines that they were made with.
+//! The paper's figures from our runs, and the outlines in these runs.
 
-use fenderline_contact::{BodyState, Vec2, vec2};
-use fenderline_sim::{BodySetup, Setup};
+use fenderline_contact::{BodyState, Pose, Vec2, vec2};
+use fenderline_sim::BodySetup;
 use maud::{Markup, html};
 
 use super::play::{Played, Sample};
 use super::row::Runs;
 use fenderline_report::plot::{
-    Axis, Chart, Frame, Harbour, Label, Outlined, Plan, Point, Reference, Series, Stage, plain,
+    Axis, Chart, Frame, Harbour, Label, Outlined, Place, Plan, Point, Reference, Series, Stage,
+    plain,
 };
 
 /// Experiment 1: the time step varies; names of the runs and of the lines.
@@ -27,7 +28,7 @@ const SPEEDS: [(&str, &str); 4] = [
 /// The charts end when the last push has ended (s).
 const END_OF_EXPERIMENT_1_S: f64 = 10.0;
 const END_OF_EXPERIMENT_2_S: f64 = 12.0;
-/// Steps from this on are so few that each is marked (s).
+/// Runs with this time step or a longer one have few steps: each is marked (s).
 const MARKED_STEP_S: f64 = 0.5;
 
 const FORCE: (&str, &str, f64) = ("normal force", "MN", 1e-6);
@@ -40,8 +41,7 @@ pub(super) fn figure_9(runs: &Runs) -> Markup {
         (label, unit),
         series(&STEPS, runs, END_OF_EXPERIMENT_1_S, |s, _| s.normal_force_n * factor),
         Vec::new(),
-        "A mark stands at the start of the step over which its force acts; at 2 s the force of two \
-         steps is all there is.",
+        "A mark is at the start of the step over which its force acts. At 2 s only two steps have a force.",
     )
 }
 
@@ -53,14 +53,14 @@ pub(super) fn figure_10(runs: &Runs) -> Markup {
         ("relative speed", "m/s"),
         series(&STEPS, runs, END_OF_EXPERIMENT_1_S, |s, _| s.closing_mps),
         vec![Reference { label: "−γV⁰".to_owned(), value: expected_final_mps(run) }],
-        "Positive closing. Dashed: the final speed expected by eq. 9.",
+        "Positive when closing. Dashed: the final speed expected by eq. 9.",
     )
 }
 
 /// Fig. 11: relative speed for the four approach speeds.
 pub(super) fn figure_11(runs: &Runs) -> Markup {
     let references = SPEEDS.iter().enumerate().map(|(index, (name, _))| Reference {
-        // The lines of the slow ones stand too close for texts of their own.
+        // The lines of the slow runs are too close together for texts of their own.
         label: if index == 0 { "−γV⁰ of each".to_owned() } else { String::new() },
         value: expected_final_mps(&runs[name]),
     });
@@ -69,11 +69,11 @@ pub(super) fn figure_11(runs: &Runs) -> Markup {
         ("relative speed", "m/s"),
         series(&SPEEDS, runs, END_OF_EXPERIMENT_2_S, |s, _| s.closing_mps),
         references.collect(),
-        "Positive closing; 2 m apart at the start, so that the slow ones touch late.",
+        "Positive when closing. The bodies start 2 m apart, so that the slow ones touch late.",
     )
 }
 
-/// Fig. 11 once more, each speed as a share of its own start.
+/// Fig. 11 again, each speed as a share of its initial value.
 pub(super) fn figure_11_scaled(runs: &Runs) -> Markup {
     let run = &runs[SPEEDS[0].0];
     let value = expected_final_mps(run) / run.pair.approach_speed_mps;
@@ -84,7 +84,7 @@ pub(super) fn figure_11_scaled(runs: &Runs) -> Markup {
             s.closing_mps / run.pair.approach_speed_mps
         }),
         vec![Reference { label: "−γ".to_owned(), value }],
-        "Ours, to show that the final speed is the same share of each.",
+        "Our own figure: the final speed is the same share of each initial speed.",
     )
 }
 
@@ -135,29 +135,26 @@ fn series(
     drawn.collect()
 }
 
-/// −γV⁰, by the material of the run's only pair (m/s).
+/// −γV⁰ (m/s).
 fn expected_final_mps(run: &Played) -> f64 {
-    let material = &run.setup.materials[run.setup.pairs[0].material].material;
-    -material.restitution * run.pair.approach_speed_mps
+    -run.restitution * run.pair.approach_speed_mps
 }
 
 /// Both outlines, each with its dimensions, and how the bodies lie at the start.
 pub(super) fn outlines(runs: &Runs) -> Markup {
-    let setup = &runs[STEPS[0].0].setup;
+    let run = &runs[STEPS[0].0];
     html! {
-        @for (style, body) in setup.bodies.iter().enumerate() { (outline(body, style)) }
-        (start(setup))
+        @for (style, body) in run.setup.bodies.iter().enumerate() { (outline(body, style)) }
+        (start(run))
     }
 }
 
-/// One outline by itself, its bow to the right.
+/// One outline by itself, the bow to the right.
 fn outline(body: &BodySetup, style: usize) -> Markup {
     // Heading east, so that a long ship lies along the page.
     let pose = BodyState { heading_rad: core::f64::consts::FRAC_PI_2, ..Default::default() }.pose();
-    let vertices_m: Vec<Vec2> = body.outline.vertices().iter().map(|v| pose.apply(*v)).collect();
-    let Some(frame) = Frame::around(vertices_m.iter().copied()) else {
-        unreachable!("an outline has vertices");
-    };
+    let vertices_m = body.outline.vertices().iter().map(|v| pose.apply(*v)).collect();
+    let frame = frame_of(body, &pose);
     let (length_m, breadth_m) = size(body);
     // Room for the scale bar below and the arrow above.
     let room = vec2(0.25 * breadth_m, 0.0);
@@ -171,57 +168,62 @@ fn outline(body: &BodySetup, style: usize) -> Markup {
         harbour: Harbour::default(),
         tracks: Vec::new(),
         arrows: Vec::new(),
-        labels: vec![Label { at_m: Vec2::ZERO, reach_m: length_m, side: Vec2::ZERO, text }],
+        labels: vec![Label { text, place: Place::At(vec![Vec2::ZERO]) }],
         note: format!("Bow to the right; vertices, m forward and to starboard: {}.", corners(body)),
     }
     .render()
 }
 
-/// How both lie at the start of experiment 1, near where they will touch (Fig. 8).
-fn start(setup: &Setup) -> Markup {
-    let (outlines, frames): (Vec<_>, Vec<_>) = setup
-        .bodies
-        .iter()
-        .enumerate()
-        .map(|(style, body)| {
-            let state = BodyState {
-                position_m: body.position_m,
-                heading_rad: body.heading_rad,
-                ..Default::default()
-            };
-            let pose = state.pose();
-            let vertices_m: Vec<Vec2> =
-                body.outline.vertices().iter().map(|v| pose.apply(*v)).collect();
-            let frame = Frame::around(vertices_m.iter().copied());
-            (Outlined { vertices_m, stage: Stage::Peak, style }, frame)
-        })
-        .unzip();
-    let [Some(ship), Some(tug)] = frames[..] else { unreachable!("the paper has two bodies") };
+/// A body at the start of a run.
+struct Placed<'r> {
+    body: &'r BodySetup,
+    outlined: Outlined,
+    frame: Frame,
+}
+
+impl<'r> Placed<'r> {
+    fn of(body: &'r BodySetup, style: usize) -> Placed<'r> {
+        let state = BodyState {
+            position_m: body.position_m,
+            heading_rad: body.heading_rad,
+            ..Default::default()
+        };
+        let pose = state.pose();
+        let vertices_m = body.outline.vertices().iter().map(|v| pose.apply(*v)).collect();
+        let outlined = Outlined { vertices_m, stage: Stage::Peak, style };
+        Placed { body, outlined, frame: frame_of(body, &pose) }
+    }
+
+    fn label(&self) -> Label {
+        let place = Place::At(vec![(self.frame.low + self.frame.high) * 0.5]);
+        Label { text: self.body.name.clone(), place }
+    }
+}
+
+/// The smallest frame round the bounds of a body.
+fn frame_of(body: &BodySetup, pose: &Pose) -> Frame {
+    let (low, high) = body.outline.bounds();
+    let diagonal = |a: Vec2, b: Vec2| Frame::between(pose.apply(a), pose.apply(b));
+    diagonal(low, high).with(diagonal(vec2(low.x, high.y), vec2(high.x, low.y)))
+}
+
+/// How both lie at the start of experiment 1, near where they will touch (Fig. 8): the tug west of the ship.
+fn start(run: &Played) -> Markup {
+    let [one, other] = run.bodies.map(|body| Placed::of(&run.setup.bodies[body], body));
+    let [tug_placed, ship_placed] =
+        if one.frame.low.y < other.frame.low.y { [one, other] } else { [other, one] };
+    let (tug, ship) = (tug_placed.frame, ship_placed.frame);
     let gap_m = ship.low.y - tug.high.y;
     let bow = vec2(0.0, tug.high.y);
     let room = vec2(24.0, 6.0);
     let frame =
         Frame { low: vec2(-room.x, tug.low.y - room.y), high: vec2(room.x, ship.high.y + room.y) };
-    let labels = vec![
-        Label {
-            at_m: (ship.low + ship.high) * 0.5,
-            reach_m: size(&setup.bodies[0]).1,
-            side: Vec2::ZERO,
-            text: setup.bodies[0].name.clone(),
-        },
-        Label {
-            at_m: (tug.low + tug.high) * 0.5,
-            reach_m: size(&setup.bodies[1]).1,
-            side: Vec2::ZERO,
-            text: setup.bodies[1].name.clone(),
-        },
-        Label {
-            at_m: bow + vec2(9.0, 0.5 * gap_m),
-            reach_m: f64::MAX,
-            side: Vec2::ZERO,
-            text: format!("gap {} m", plain(gap_m, 3)),
-        },
-    ];
+    let gap = Label {
+        text: format!("gap {} m", plain(gap_m, 3)),
+        place: Place::At(vec![bow + vec2(9.0, 0.5 * gap_m)]),
+    };
+    let labels = vec![ship_placed.label(), tug_placed.label(), gap];
+    let outlines = vec![ship_placed.outlined, tug_placed.outlined];
     Plan {
         title: "Fig. 8 – Start of experiment 1: the tug bow-on to the ship's side amidships"
             .to_owned(),
@@ -232,7 +234,7 @@ fn start(setup: &Setup) -> Markup {
         tracks: Vec::new(),
         arrows: Vec::new(),
         labels,
-        note: "The ship runs on above and below.".to_owned(),
+        note: "The ship extends beyond the view, above and below.".to_owned(),
     }
     .render()
 }

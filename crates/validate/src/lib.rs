@@ -1,10 +1,9 @@
 //! Validation: every published case that the project reproduces, our numbers beside the published ones.
 //!
-//! `published` reads what others published (`validation/*.toml`), `play` runs the scenarios,
-//! `quantity` takes values from a run, `computed` has all others, `row` holds one against
-//! the other; `estimate_errors` tells how far off ships from main particulars are; `printed`, `files`, `page`
-//! and `figures` show it. All cases are compiled in, so that an installed program validates
-//! anywhere; nothing is read or written.
+//! `published` reads the published numbers (`validation/*.toml`), `play` runs the scenarios, `quantity` takes values from a
+//! run, `computed` has all other values, and `row` compares them. `estimate_errors` has the errors of ships that are estimated
+//! from main particulars. `printed`, `files`, `page` and `figures` write the results. All cases are compiled in, so that an
+//! installed program validates anywhere; nothing is read or written.
 #![forbid(unsafe_code)]
 
 mod computed;
@@ -31,7 +30,7 @@ macro_rules! published {
     };
 }
 
-/// What there is to compare with, in the order of the table.
+/// The published numbers, in the order of the table.
 const PUBLISHED: [(&str, &str); 17] = published![
     "moreno2023.toml",
     "closed_form.toml",
@@ -89,7 +88,7 @@ impl Validation {
         files::files(page::render(&self.sources, &self.rows, &self.runs), &self.rows)
     }
 
-    /// Each row that is out of tolerance, or within it although it is listed as a known mismatch.
+    /// A complaint for each row that is out of tolerance, or within it although it is listed as a known mismatch.
     pub fn complaints(&self) -> Vec<String> {
         complaints(&self.rows)
     }
@@ -119,10 +118,9 @@ mod tests {
         sources.iter().flat_map(|source| evaluate(source, &runs, &Values::default())).collect()
     }
 
-    /// A run of which nobody compares anything is dead code (one run gives several measures, of which not all are
-    /// published); a case that stands twice is a slip of the pen.
+    /// A computed run without a comparison is dead code. (A run gives several measures, not all of which are published.)
     #[test]
-    fn every_computed_run_is_held_against_something_and_no_case_stands_twice() {
+    fn every_computed_run_is_compared_and_no_case_occurs_twice() {
         let (sources, values) = (sources(), values());
         let numbers = || sources.iter().flat_map(|source| &source.numbers);
         let run = |name: &str| name.rsplit_once('/').map_or(name, |(run, _)| run).to_owned();
@@ -140,18 +138,18 @@ mod tests {
     }
 
     #[test]
-    fn a_number_that_is_known_not_to_match_must_not_match() {
+    fn a_known_mismatch_that_matches_is_a_complaint() {
         let tampered =
             MORENO_2023.replacen("published = 0.96", "published = 0.96\nknown_mismatch = true", 1);
         let complaints = complaints(&rows(&tampered));
-        assert!(complaints[0].contains("known mismatch"), "it does match");
+        assert!(complaints[0].contains("known mismatch"), "it matches");
 
         let tampered = tampered.replacen("published = 0.96", "published = 1.50", 1);
-        assert!(super::complaints(&rows(&tampered)).is_empty(), "as it is written down");
+        assert!(super::complaints(&rows(&tampered)).is_empty(), "a mismatch that is listed");
     }
 
     #[test]
-    fn published_numbers_are_met_and_tampered_ones_are_not() {
+    fn published_numbers_match_and_tampered_ones_do_not() {
         assert!(complaints(&rows(MORENO_2023)).is_empty());
 
         let tampered = MORENO_2023.replacen("published = 0.96", "published = 1.50", 1);
@@ -162,11 +160,11 @@ mod tests {
     }
 
     #[test]
-    fn a_statement_that_ceases_or_comes_to_hold_is_a_failure() {
+    fn a_statement_that_changes_its_truth_is_a_complaint() {
         let tampered = MORENO_2023.replacen("holds = \"rises\"", "holds = \"falls\"", 1);
         assert!(complaints(&rows(&tampered))[0].contains("does not hold"));
 
-        // A mismatch that is written down and is none any more would be a false confession.
+        // A statement that is listed as a mismatch, and holds.
         let tampered = MORENO_2023.replacen("low = 1\n", "low = 0.5\n", 1);
         assert_ne!(tampered, MORENO_2023);
         assert!(complaints(&rows(&tampered))[0].contains("known mismatch"));

@@ -1,4 +1,4 @@
-//! `validation.html`: what is compared, the table, and the paper's figures drawn again.
+//! `validation.html`: what is compared, the table, and the paper's figures from our runs.
 
 use fenderline_report::{Head, table_head};
 use maud::{Markup, html};
@@ -23,13 +23,13 @@ pub(super) fn render(sources: &[Source], rows: &[Row], runs: &Runs) -> String {
         (verdict(rows))
         h2 { "What is compared" }
         (introduction(sources))
-        h2 { "Numbers, ours beside theirs" }
+        h2 { "Numbers: ours and the published ones" }
         (numbers(sources, rows))
-        h2 { "What the text says of its figures" }
+        h2 { "Statements of the paper about its figures" }
         (statements(rows))
         h2 { "Outlines" }
         p {
-            "The paper gives lengths and beams, no polygons. These are ours, the same in all of its "
+            "The paper gives lengths and beams, but no polygons. These are ours, the same in all of its "
             "eight runs."
         }
         (figures::outlines(runs))
@@ -61,7 +61,7 @@ fn verdict(rows: &[Row]) -> Markup {
         @for row in rows.iter().filter(|row| !row.is_ok) {
             p {
                 strong {
-                    @if row.is_known_mismatch() { "Known not to match: " }
+                    @if row.is_known_mismatch() { "Known mismatch: " }
                     @else { "NOT MATCHING: " }
                 }
                 "“" (tied(&row.case)) "” (" (row.cited()) "). " (row.note)
@@ -78,10 +78,10 @@ fn introduction(sources: &[Source]) -> Markup {
             }
         }
         p {
-            "How sure a number is that ours is held against: published, and taken from the publication "
-            "or its authors' code; computed by another program from the same data, most often one under "
-            "validation/independent; recalled, where the formula or curve was not read, so that agreement "
-            "shows that it is coded as it was recalled and no more; or a closed form."
+            "The standing of a reference number: published, and taken from the publication "
+            "or its authors' code; computed by another program from the same data, usually one under "
+            "validation/independent; recalled, if the formula or curve was not read, so that agreement "
+            "only shows that it is coded as recalled; or a closed form."
         }
         h3 { "The paper's contact experiments" }
         p {
@@ -104,12 +104,12 @@ fn introduction(sources: &[Source]) -> Markup {
                 "the moment of touch against the time steps, and with it the peak of a coarse step."
             }
             li {
-                "Added masses and radii of gyration are not given. Those assumed stand in the "
-                "scenarios; the moments of inertia play no part in a symmetric hit."
+                "Added masses and radii of gyration are not given. The scenarios have the assumed values. "
+                "The moments of inertia have no effect in a symmetric hit."
             }
             li {
-                "Figures are published as pictures without numbers. What can be read from them without "
-                "measuring a picture is compared: the dotted line, and what the text says."
+                "Figures are published as pictures without numbers. Only what can be read without measuring a "
+                "picture is compared: the dotted line, and the statements of the text."
             }
         }
     }
@@ -141,10 +141,9 @@ fn numbers(sources: &[Source], rows: &[Row]) -> Markup {
         }
         h3 { "Why these tolerances" }
         (reasons(rows))
-        h3 { "Where the uncertainties come from" }
+        h3 { "Origin of the uncertainties" }
         p {
-            "An uncertainty says how far the reference may be from what it stands for. A row is refused whose "
-            "tolerance is not below twice of it."
+            "The uncertainty is that of the reference. A tolerance must be below twice the uncertainty."
         }
         (uncertainties(sources, rows))
     }
@@ -173,7 +172,7 @@ fn number_row(row: &Row) -> Markup {
     }
 }
 
-/// Where the uncertainties of each source come from, each said once.
+/// The origins of each source's uncertainties, each once.
 fn uncertainties(sources: &[Source], rows: &[Row]) -> Markup {
     let of = |source: &Source| {
         let mut said: Vec<&str> = Vec::new();
@@ -195,7 +194,7 @@ fn uncertainties(sources: &[Source], rows: &[Row]) -> Markup {
     }
 }
 
-/// Reasons and notes of the numbers; those that only point at an earlier row are left out.
+/// Reasons and notes of the numbers, except those that only refer to an earlier row.
 fn reasons(rows: &[Row]) -> Markup {
     html! {
         ul class="plain" {

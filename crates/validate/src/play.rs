@@ -1,4 +1,4 @@
-//! The scenarios that are held against published results, and what their runs gave.
+//! Runs the scenarios that are compared with published results.
 
 use std::collections::BTreeMap;
 
@@ -37,12 +37,16 @@ pub(super) fn names() -> impl Iterator<Item = &'static str> {
     SCENARIOS.iter().map(|(name, _)| *name)
 }
 
-/// What a run gave.
+/// The results of a run.
 #[derive(Clone, Debug)]
 pub(super) struct Played {
     pub(super) title: String,
     pub(super) setup: Setup,
-    /// The only pair of the scenario.
+    /// The two bodies of the scenario's pair, as indices into its bodies.
+    pub(super) bodies: [usize; 2],
+    /// The pair's coefficient of restitution.
+    pub(super) restitution: f64,
+    /// The pair's contact.
     pub(super) pair: PairSummary,
     /// One sample a step.
     pub(super) trace: Vec<Sample>,
@@ -51,7 +55,7 @@ pub(super) struct Played {
     pub(super) energy_lost: f64,
 }
 
-/// Two bodies at the start of a step.
+/// The two bodies at the start of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Sample {
     pub(super) t_s: f64,
@@ -68,8 +72,8 @@ impl Played {
         self.pair.last_touch_s - self.pair.first_touch_s + self.setup.step_s
     }
 
-    /// Length of the first unbroken run of steps with a normal force (s). What rounding leaves of one that the
-    /// limiter takes away is none.
+    /// Length of the first unbroken series of steps with a normal force (s). A force that the limiter removed except for
+    /// rounding does not count.
     pub(super) fn push_duration_s(&self) -> f64 {
         let least_n = 1e-9 * self.pair.peak_normal_force_n;
         let pushes = self.trace.iter().map(|sample| sample.normal_force_n > least_n);
@@ -81,7 +85,10 @@ impl Played {
 /// Runs all scenarios.
 ///
 /// # Errors
-/// A run that failed. A scenario that cannot be read is our own mistake, and panics.
+/// A run that failed.
+///
+/// # Panics
+/// A built-in scenario that cannot be read: a bug.
 pub(super) fn play_all() -> Result<BTreeMap<&'static str, Played>, String> {
     SCENARIOS.iter().map(|(name, text)| Ok((*name, play(name, text)?))).collect()
 }
@@ -92,13 +99,17 @@ fn play(name: &str, text: &str) -> Result<Played, String> {
         .unwrap_or_else(|e| panic!("the built-in {file_name}: {e}"));
     let mut simulation =
         Simulation::new(scenario.setup).map_err(|e| format!("error: {file_name}: {e}"))?;
+    let setup = simulation.setup();
+    let [named] = &setup.pairs[..] else { panic!("the built-in {file_name}: one pair is needed") };
+    let (bodies, material) = (named.bodies, named.material);
+    let restitution = setup.materials[material].material.restitution;
     let mut momentum = MomentumWatch::new(simulation.model(), simulation.states());
-    let along = line_of_centres(simulation.states());
+    let along = line_of_centres(bodies.map(|body| &simulation.states()[body]));
     let start_j = simulation.energy().kinetic_j;
     let mut trace = Vec::new();
     while !simulation.is_done() {
         let step = simulation.step().map_err(|e| format!("error: {file_name}: {e}"))?;
-        trace.push(sample(&step, along));
+        trace.push(sample(&step, bodies, along));
         momentum.watch(step.states_after);
     }
     let [pair] = simulation.pair_summaries() else {
@@ -106,6 +117,8 @@ fn play(name: &str, text: &str) -> Result<Played, String> {
     };
     Ok(Played {
         title: scenario.title,
+        bodies,
+        restitution,
         pair: pair.clone(),
         setup: simulation.setup().clone(),
         trace,
@@ -115,14 +128,13 @@ fn play(name: &str, text: &str) -> Result<Played, String> {
 }
 
 /// The direction from the first to the second body, of length 1.
-fn line_of_centres(states: &[BodyState]) -> Vec2 {
-    let [first, second, ..] = states else { unreachable!("a case has two bodies") };
+fn line_of_centres([first, second]: [&BodyState; 2]) -> Vec2 {
     let line = second.position_m - first.position_m;
     line * (1.0 / line.length())
 }
 
-fn sample(step: &StepRecord<'_>, along: Vec2) -> Sample {
-    let [first, second, ..] = step.states else { unreachable!("a case has two bodies") };
+fn sample(step: &StepRecord<'_>, bodies: [usize; 2], along: Vec2) -> Sample {
+    let [first, second] = bodies.map(|body| &step.states[body]);
     Sample {
         t_s: step.t_s,
         normal_force_n: step.contacts.iter().map(|c| c.normal_force_n).sum(),
@@ -130,7 +142,7 @@ fn sample(step: &StepRecord<'_>, along: Vec2) -> Sample {
     }
 }
 
-/// How far the momentum of all bodies together strays from what it was.
+/// The largest change of the momentum of all bodies together.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct MomentumWatch {
     /// Mass (kg) and yaw inertia (kg·m²); `None` for a fixed body.
@@ -145,7 +157,7 @@ pub(super) struct MomentumWatch {
 struct Momentum {
     linear: Vec2,
     angular: f64,
-    /// Σ|mv|: what a change is measured against.
+    /// Σ|mv|, the scale of a change.
     linear_scale: f64,
     /// Σ|x × mv| + |Iω|.
     angular_scale: f64,
@@ -156,9 +168,9 @@ impl MomentumWatch {
         let inertias = model.bodies().iter().map(|body| match body.mobility {
             Mobility::Fixed => None,
             Mobility::Free { mass_kg, yaw_inertia_kgm2 } => Some((mass_kg, yaw_inertia_kgm2)),
-            // Momentum of a body whose mass differs with direction is not m v.
+            // With a mass that differs with direction the momentum is not m v.
             Mobility::FullMatrix { .. } | Mobility::SurgeSway { .. } => {
-                panic!("the case's bodies have one mass in all directions")
+                panic!("the bodies of a case need one mass for all directions")
             }
         });
         let inertias: Vec<_> = inertias.collect();

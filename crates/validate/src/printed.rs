@@ -8,7 +8,7 @@ use super::published::{Tolerance, Uncertainty};
 use super::row::{Compared, Row, count};
 use fenderline_report::plot::{plain, significant};
 
-/// Numbers by subject, statements, what does not match, and the count.
+/// Numbers by subject, statements, mismatches, and the count.
 pub(super) fn tables(rows: &[Row]) -> String {
     let mut text = numbers(rows);
     text.push('\n');
@@ -56,7 +56,7 @@ fn is_number(row: &Row) -> bool {
 /// The name of the column of published values.
 const THEIRS: &str = "theirs";
 
-/// Longest lines of the columns of cases and of places: what is longer goes on in the next line (characters).
+/// Longest lines of the columns of cases and of places (characters); longer texts are wrapped.
 const CASE: usize = 31;
 const PLACE: usize = 16;
 
@@ -105,7 +105,7 @@ fn table_of_subject(rows: &[&Row]) -> String {
     text
 }
 
-/// Adds a row, with lines below it where its case or its place is long.
+/// Adds a row, with further lines if its case or its place is long.
 fn add_row(cells: &mut Vec<[String; 8]>, case: &str, [place, values @ ..]: [String; 7]) {
     let (mut case, mut place) =
         (wrapped(case, CASE).into_iter(), wrapped(&place, PLACE).into_iter());
@@ -155,7 +155,7 @@ fn aligned<const N: usize>(rows: &[[String; N]], right: &[usize]) -> String {
 /// Longest line of running text (characters).
 const LINE: usize = 100;
 
-/// Text in lines of at most so many characters, where its words allow.
+/// Wraps text into lines of a width, where its words allow it.
 fn wrapped(text: &str, most: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in text.split_whitespace() {
@@ -184,7 +184,7 @@ pub(super) fn with_unit(number: &str, unit: &str) -> String {
     }
 }
 
-/// Our value, rounded first, so that 0.99999999 has no digit more than 1.
+/// Our value, rounded first, so that 0.99999999 has as many digits as 1.
 pub(super) fn four_digits(value: f64) -> String {
     significant(format!("{value:.3e}").parse().unwrap_or(value), 4)
 }

@@ -1,16 +1,16 @@
-//! Published numbers and statements, as the files in `validation/` hold them.
+//! Published numbers and statements, from the files in `validation/`.
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::quantity::Quantity;
 
-/// A publication, and what is held against it.
+/// A publication, with the numbers and statements that are compared with it.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Source {
-    /// What it is about: the heading under which its rows stand.
+    /// Subject: the heading of its rows.
     pub(super) subject: String,
-    /// How sure its numbers are.
+    /// How certain its numbers are.
     pub(super) standing: Standing,
     /// Name in the table.
     pub(super) short: String,
@@ -20,17 +20,17 @@ pub(super) struct Source {
     pub(super) statements: Vec<Statement>,
 }
 
-/// How sure a number is that ours is held against.
+/// How certain a reference number is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Standing {
     /// Published, and taken from the publication.
     Published,
     /// Calculated by another program, from the same data.
     Computed,
-    /// By a formula or from a curve that was recalled, not read: agreement says that the formula is coded as
-    /// it was recalled.
+    /// By a formula or from a curve that was recalled, not read. Agreement only shows that the formula is coded as
+    /// recalled.
     Recalled,
-    /// What mechanics gives in closed form.
+    /// A closed form of mechanics.
     ClosedForm,
 }
 
@@ -38,7 +38,7 @@ impl Standing {
     const ALL: [Standing; 4] =
         [Standing::Published, Standing::Computed, Standing::Recalled, Standing::ClosedForm];
 
-    /// In a word or two, as the files have it.
+    /// Its name in the files.
     pub(super) fn text(self) -> &'static str {
         match self {
             Standing::Published => "published",
@@ -84,7 +84,7 @@ pub(super) struct Number {
     pub(super) note: String,
 }
 
-/// How far ours may be from theirs.
+/// The permitted difference from the published value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Tolerance {
     /// A share of the published value.
@@ -103,8 +103,8 @@ impl Tolerance {
     }
 }
 
-/// How far a reference may be from what it stands for, and how that is known. A tolerance must be below twice of it:
-/// a wider one would pass what the reference can tell apart.
+/// The uncertainty of a reference, and how it is known. A tolerance must be below twice the uncertainty: a wider one would
+/// pass differences that the reference resolves.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Uncertainty {
     /// In the terms of the row's tolerance: a share, or in its unit.
@@ -121,14 +121,14 @@ struct SharedUncertainty {
     from: String,
 }
 
-/// Something that a source says without a number of its own.
+/// A statement of a source without a number.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Statement {
     pub(super) case: String,
     pub(super) place: String,
     /// The source's words.
     pub(super) says: String,
-    /// The scenarios, in the order in which the rule is meant.
+    /// The scenarios, in the order of the rule.
     pub(super) runs: Vec<String>,
     pub(super) quantity: Quantity,
     pub(super) rule: Rule,
@@ -137,7 +137,7 @@ pub(super) struct Statement {
     pub(super) note: String,
 }
 
-/// What a statement says of a list of values.
+/// The rule that a statement makes for a list of values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Rule {
     /// Each is larger than the one before.
@@ -153,7 +153,7 @@ pub(super) enum Rule {
 }
 
 impl Rule {
-    /// Whether `values` are as the rule says.
+    /// Whether `values` satisfy the rule.
     pub(super) fn holds(self, values: &[f64]) -> bool {
         let all = |fits: fn(f64, f64) -> bool| values.windows(2).all(|two| fits(two[0], two[1]));
         match self {
@@ -169,10 +169,10 @@ impl Rule {
 }
 
 impl Source {
-    /// Reads the text of a file of published numbers: its sources, each with what is held against it.
+    /// Reads the text of a file of published numbers: its sources with their numbers and statements.
     ///
     /// # Errors
-    /// What is wrong with it, naming the case and the key.
+    /// The fault, with case and key.
     pub(super) fn parse(text: &str) -> Result<Vec<Source>, String> {
         let document = DeTable::parse(text).map_err(|e| e.to_string())?.into_inner();
         let file = Table { name: "file".to_owned(), table: &document };
@@ -267,7 +267,7 @@ fn uncertainty(
     Ok(Uncertainty { size, from })
 }
 
-/// The source that a case names; the only one of the file where it names none.
+/// The source that a case names; without a name, the only one of the file.
 fn cited<'s>(table: &Table<'_, '_>, sources: &'s mut [Source]) -> Result<&'s mut Source, String> {
     if sources.len() == 1 && !table.has("source") {
         return Ok(&mut sources[0]);
@@ -320,8 +320,8 @@ fn number(table: &Table<'_, '_>, shared: &[SharedUncertainty]) -> Result<Number,
     })
 }
 
-/// Where ours comes from, and its unit. The unit of a computed value is held against the value's own when
-/// the rows are made.
+/// The origin of our value, and its unit. The unit of a computed value is compared with the value's own when the rows are
+/// made.
 fn origin(table: &Table<'_, '_>) -> Result<(Origin, String), String> {
     let unit = table.text("unit")?;
     if table.has("computed") {
@@ -341,7 +341,7 @@ fn origin(table: &Table<'_, '_>) -> Result<(Origin, String), String> {
     Ok((Origin::Run { run: table.text("run")?, quantity, relative_to }, unit))
 }
 
-/// Whether a mismatch is known, and the note, which then must say why.
+/// Whether a mismatch is known, and the note, which must then give the reason.
 fn mismatch(table: &Table<'_, '_>) -> Result<(bool, String), String> {
     let known_mismatch = table.has("known_mismatch") && table.flag("known_mismatch")?;
     let note = table.text_or_empty("note")?;
@@ -406,7 +406,7 @@ impl<'t, 'i> Table<'t, 'i> {
         self.find(key).is_some()
     }
 
-    /// Refuses keys that are not in `known`, so that none is silently without effect.
+    /// Refuses keys that are not in `known`, so that no key is ignored.
     fn allow(&self, known: &[&str]) -> Result<(), String> {
         let unknown = self.table.keys().find(|key| !known.contains(&key.get_ref().as_ref()));
         unknown.map_or(Ok(()), |key| Err(self.error(&format!("unknown key {}", key.get_ref()))))
@@ -459,7 +459,7 @@ impl<'t, 'i> Table<'t, 'i> {
         Quantity::named(&name).ok_or_else(|| self.error(&format!("no quantity is called {name}")))
     }
 
-    /// The tables of an array of tables, each named by its case; none where the key is missing.
+    /// The tables of an array of tables, each named by its case; none if the key is missing.
     fn tables(&self, key: &str) -> Result<Vec<Table<'t, 'i>>, String> {
         if !self.has(key) {
             return Ok(Vec::new());
@@ -482,7 +482,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rules_hold_as_they_say() {
+    fn each_rule_accepts_and_refuses_the_right_values() {
         let table = [
             (Rule::Rises, &[1.0, 2.0, 3.0][..], true),
             (Rule::Rises, &[1.0, 1.0, 3.0], false),
@@ -501,7 +501,7 @@ mod tests {
     }
 
     #[test]
-    fn mistakes_in_a_file_name_case_and_key() {
+    fn errors_in_a_file_name_case_and_key() {
         let good = "subject = 'x'\n[[reference]]\nshort = 's'\ncitation = 'c'\n\
                     standing = 'published'\n[[number]]\ncase = 'depth'\nplace = 'p'\n\
                     run = 'r'\nquantity = 'peak_depth'\npublished = 1\nunit = 'm'\n\
@@ -536,7 +536,7 @@ mod tests {
     }
 
     #[test]
-    fn a_shared_uncertainty_serves_rows_in_their_own_terms() {
+    fn a_shared_uncertainty_is_converted_to_the_terms_of_each_row() {
         let file = |size: &str, row: &str| {
             format!(
                 "subject = 'x'\n[[reference]]\nshort = 's'\ncitation = 'c'\nstanding = 'published'\n\

@@ -1,4 +1,4 @@
-//! Ours beside theirs: the rows of the table.
+//! The rows of the table: our values beside the published ones.
 
 use std::collections::BTreeMap;
 
@@ -6,20 +6,20 @@ use super::computed::Values;
 use super::play::Played;
 use super::published::{Number, Origin, Rule, Source, Standing, Statement, Tolerance, Uncertainty};
 
-/// What the scenarios gave, by name.
+/// The runs of the scenarios, by name.
 pub(super) type Runs = BTreeMap<&'static str, Played>;
 
 /// One row.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Row {
     pub(super) case: String,
-    /// The heading under which it stands.
+    /// The heading of its section.
     pub(super) subject: String,
     /// Short name of the source.
     pub(super) source: String,
-    /// Of the source.
+    /// Standing of the source.
     pub(super) standing: Standing,
-    /// Where in the source.
+    /// Place in the source.
     pub(super) place: String,
     pub(super) unit: String,
     pub(super) compared: Compared,
@@ -35,15 +35,15 @@ pub(super) enum Compared {
     Number {
         published: f64,
         ours: f64,
-        /// Ours less theirs, in the terms of the tolerance.
+        /// Our value minus the published one, in the terms of the tolerance.
         error: f64,
         tolerance: Tolerance,
         reason: String,
-        /// Of the reference, in the terms of the tolerance.
+        /// Uncertainty of the reference, in the terms of the tolerance.
         uncertainty: Uncertainty,
         known_mismatch: bool,
     },
-    /// Something said in words.
+    /// A statement in words.
     Statement { says: String, rule: Rule, ours: Vec<f64>, known_mismatch: bool },
 }
 
@@ -53,7 +53,7 @@ impl Row {
         format!("{}, {}", self.source, self.place)
     }
 
-    /// Whether it is written down as one that does not match.
+    /// Whether it is listed as a known mismatch.
     pub(super) fn is_known_mismatch(&self) -> bool {
         match self.compared {
             Compared::Number { known_mismatch, .. }
@@ -61,25 +61,25 @@ impl Row {
         }
     }
 
-    /// What is wrong with the row, unless it is as it should be.
+    /// The fault of the row, if it has one.
     pub(super) fn complaint(&self) -> Option<String> {
         let what = match (&self.compared, self.is_ok, self.is_known_mismatch()) {
             (Compared::Number { .. }, false, false) => "out of tolerance",
             (Compared::Number { .. }, true, true) => {
-                "within tolerance, but is written down as a known mismatch"
+                "within tolerance, but listed as a known mismatch"
             }
             (Compared::Statement { .. }, false, false) => "does not hold",
-            (Compared::Statement { .. }, true, true) => {
-                "holds, but is written down as a known mismatch"
-            }
+            (Compared::Statement { .. }, true, true) => "holds, but listed as a known mismatch",
             _ => return None,
         };
         Some(format!("{} ({}): {what}", self.case, self.cited()))
     }
 }
 
-/// The rows of one source, numbers first. A run or a value that a file names and that there is not is our
-/// own mistake, and panics.
+/// The rows of one source, numbers first.
+///
+/// # Panics
+/// A file names a run or a value that does not exist: a bug.
 pub(super) fn evaluate(source: &Source, runs: &Runs, values: &Values) -> Vec<Row> {
     let numbers = source.numbers.iter().map(|number| number_row(source, number, runs, values));
     let statements =
@@ -162,8 +162,7 @@ fn statement_row(source: &Source, statement: &Statement, runs: &Runs) -> Row {
     }
 }
 
-/// How many rows of `rows` compare a number or, where not `of_numbers`, a statement; and how many of
-/// them are well.
+/// Counts the rows that compare numbers, or those that compare statements: how many are correct, and how many there are.
 pub(super) fn count(rows: &[Row], of_numbers: bool) -> (usize, usize) {
     let chosen =
         rows.iter().filter(|row| matches!(row.compared, Compared::Number { .. }) == of_numbers);

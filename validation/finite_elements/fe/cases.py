@@ -1,4 +1,4 @@
-"""What is done to each shape. Forces in units of the shear modulus times the height (times height squared for the
+"""The load cases of each shape. Forces are in units of the shear modulus times the height (times height squared for the
 cone), deflections over the height."""
 
 import time
@@ -11,12 +11,12 @@ from .press import Material, Section, follow
 from .self_contact import SelfContact
 
 # Stiffness of planes and of self-contact: pressure over depth, shear modulus over height. At a mean pressure of
-# half the shear modulus the rubber comes through by half a thousandth of the height.
+# half the shear modulus the penetration is half a thousandth of the height.
 PLANE = 1000.0
 SELF = 300.0
 # Bending stiffness of the skin that keeps surfaces from creasing, shear modulus times height cubed.
 SKIN = {"cylinder": 1e-5, "solid_d": 0.0, "hollow_d": 1e-4, "cone": 2e-4}
-# How far each is pressed, over its height.
+# Largest deflection of each, over its height.
 FARTHEST = {"cylinder": 0.5, "solid_d": 0.5, "hollow_d": 0.5, "cone": 0.4}
 STEP = 0.02
 # Height of the hollow D's floor.
@@ -43,7 +43,7 @@ class Pressed:
         self.elements = shape.elements
         points = shape.mesh.points
         self.plate = PlaneContact(points, shape.outer, [0, 0.5], [0, -1], rubber.FRICTION, PLANE)
-        # The other half of the bore is this one's mirror image.
+        # The other half of the bore is the mirror image of this one.
         mirror = PlaneContact(points, shape.bore, [0, 0], [0, 1], 0.0, PLANE)
         held, coat = shape.held_unknowns(), (np.vstack([shape.outer, shape.bore]), skin)
         self.section = Section(shape.mesh, held, [self.plate, mirror], material, skin=coat)
@@ -62,7 +62,7 @@ class Pressed:
         points = shape.mesh.points
         tilt = np.radians(tilt_deg)
         normal = np.array([np.sin(tilt), -np.cos(tilt)])
-        # Where the plate's middle is as it touches first.
+        # Position of the plate's middle at the first touch.
         reach = ((points[shape.outer.ravel()] - [0, 1]) @ normal).min()
         self.start, self.share = 1 - reach / np.cos(tilt), 1.0
         friction = rubber.FRICTION
@@ -110,7 +110,7 @@ class Pressed:
         return force[1], force[0], moment
 
     def through(self, deflections):
-        """Rows of deflection, reaction, lateral force and moment; the first deflection is where it is."""
+        """Rows of deflection, reaction, lateral force and moment; the first row is the present deflection."""
         return follow(self.section, self.place, deflections, lambda s, d: (d, *self.forces()))
 
 
@@ -119,7 +119,7 @@ def steps(start, end):
 
 
 def load(name, fineness, to=None, **how):
-    """Pressed once: rows from no deflection on, elements, seconds."""
+    """One compression: rows from zero deflection on, elements, seconds."""
     began = time.process_time()
     pressed = Pressed(name, fineness, **how)
     rows = pressed.through(steps(0.0, FARTHEST[name] if to is None else to))
@@ -127,7 +127,7 @@ def load(name, fineness, to=None, **how):
 
 
 def energy(rows):
-    """Work from the first row on, by the trapezium rule."""
+    """Work from the first row on, by the trapezoidal rule."""
     d = np.array([row[0] for row in rows])
     r = np.array([row[1] for row in rows])
     return np.concatenate([[0.0], np.cumsum(np.diff(d) * (r[1:] + r[:-1]) / 2)])

@@ -27,7 +27,7 @@ TITLES = {
     "hollow_d": "Hollow D",
     "cone": "Cone",
 }
-# Fenders made of the curves: shape, height [m], length [m] (the cone has none) and hardness.
+# Fenders made from the curves: shape, height [m], length [m] (the cone has none) and hardness.
 FENDERS = {
     "cylinder": (2.0, 4.0, 60),
     "solid_d": (0.3, 4.0, 60),
@@ -45,7 +45,7 @@ def curve(name, fineness=None):
 
 
 class Fender:
-    """A fender of a shape in SI units, with the laws that stand for it."""
+    """A fender of a shape in SI units, with the laws that represent it."""
 
     def __init__(self, name):
         self.name = name
@@ -53,9 +53,9 @@ class Fender:
         modulus = rubber.shear_modulus_pa(self.shore)
         share, reaction, energy = curve(name)
         self.deflection = share * self.height
-        # Width of the face: of a section its length, of the cone a panel's.
+        # Width of the face: the length of a section, the panel of the cone.
         self.width = self.length or 1.5 * self.height
-        # Of the whole fender: sections are per metre of length.
+        # For the whole fender; sections are per metre of length.
         extent = self.length if self.length else self.height
         self.reaction = reaction * modulus * self.height * extent
         self.energy = energy * modulus * self.height**2 * extent
@@ -87,7 +87,7 @@ def write_curves(fender):
 
 
 def program():
-    """The program: FENDERLINE, or what cargo builds."""
+    """The program: FENDERLINE, or the one that cargo builds."""
     if "FENDERLINE" in os.environ:
         return [os.environ["FENDERLINE"]]
     return ["cargo", "run", "--quiet", "--release", "--manifest-path", str(ROOT / "Cargo.toml"), "--package", "fenderline", "--"]
@@ -101,7 +101,7 @@ def run(*arguments):
 
 
 def fit(fender):
-    """The fender file made of the curve."""
+    """The fender file made from the curve."""
     path = write_curves(fender)
     out = HERE / "fenders" / f"{fender.name}.toml"
     out.parent.mkdir(exist_ok=True)
@@ -128,7 +128,7 @@ restitution = 0.1
 
 
 def law_of(law, fender, path):
-    """Keys of a fender for a law, and what the file of the scenario begins with."""
+    """Keys of a fender for a law, and the beginning of the scenario file."""
     if law == "linear face":
         return f'stiffness = "{fender.stiffness} N/m"\n', ""
     keys = f'type = "FE {fender.name.replace("_", " ")}"\nsize = "{fender.height} m, {fender.shore} Shore A"\n'
@@ -180,7 +180,7 @@ PLACES = (-98.0, -70.0, -42.0, -14.0, 14.0, 42.0, 70.0, 98.0)
 
 
 def berth(law, fender, path, speed, angle_deg):
-    """A ship of 87 800 t with a straight side onto eight fenders, turned by a little."""
+    """A ship of 87 800 t with a straight side onto eight fenders, at a small angle."""
     sine, cosine = np.sin(np.radians(angle_deg)), np.cos(np.radians(angle_deg))
     # The last fender's far end is touched first; the side's distance from the centre along the quay's normal.
     away = fender.height + SHIP["half_beam"] / cosine + (PLACES[-1] + fender.width / 2) * sine / cosine + 0.05
@@ -233,7 +233,7 @@ material = "concrete"
 
 
 def berth_reference(fender, speed, angle_deg, slices=41, step=0.005):
-    """The same ship on the finite-element curve in slices: forces square to her side, no friction."""
+    """The same ship on the finite-element curve in slices: forces normal to her side, no friction."""
     mass = SHIP["mass"] * (1 + SHIP["added"])
     inertia = SHIP["mass"] * SHIP["gyradius"] ** 2 * (1 + SHIP["yaw_added"])
     offsets = (np.arange(slices) + 0.5) / slices - 0.5
@@ -251,7 +251,7 @@ def berth_reference(fender, speed, angle_deg, slices=41, step=0.005):
         depth = np.maximum(side + fender.height, 0.0) * (np.abs(s) <= SHIP["half_length"])
         force = fender.at(depth) / slices
         whole = force.sum(axis=1)
-        # A slice's reaction is along the fender's axis; without friction her side takes it square.
+        # A slice's reaction is along the fender's axis; without friction the force is normal to her side.
         peaks[:, 0] = np.maximum(peaks[:, 0], whole)
         peaks[:, 1] = np.maximum(peaks[:, 1], depth.mean(axis=1))
         peaks[:, 2] = np.maximum(peaks[:, 2], fender.energy_at(depth).mean(axis=1))
@@ -268,7 +268,7 @@ LAWS = ("kS by overlap", "linear face", "fitted curve")
 
 
 def played(text):
-    """Peaks of the most loaded fender: force [N], deflection [m], energy [J] where the law tells it."""
+    """Peaks of the most loaded fender: force [N], deflection [m], energy [J] if the law has one."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "case.toml"
         path.write_text(text)
@@ -317,7 +317,7 @@ def laws_beside(case, reference, fender, scenario):
     for law in LAWS:
         force, deflection, energy = played(scenario(law))
         if energy is None:
-            # Of the overlap only the area counts: its mean depth over the fender's width.
+            # Only the area of the overlap counts: its mean depth over the fender's width.
             deflection = force / fender.stiffness
             energy = 0.5 * fender.stiffness * deflection**2
         errors = [one / other - 1 for one, other in zip((force, deflection, energy), reference)]

@@ -1,7 +1,7 @@
 """Contact of a rubber surface with a rigid plane: pressure by penalty, friction by Coulomb's law.
 
-The gap is looked at in Gauss points along the surface's edges and not at its nodes, so that the force grows
-smoothly while the contact widens; with nodes the reaction comes in steps, one for each node that touches.
+The gap is evaluated at Gauss points along the surface's edges, not at its nodes, so that the force grows
+smoothly while the contact widens. With nodes the reaction would grow in steps, one for each node that touches.
 """
 
 import numpy as np
@@ -13,12 +13,12 @@ SHAPE = np.stack([POINTS * (POINTS - 1) / 2, 1 - POINTS**2, POINTS * (POINTS + 1
 SLOPE = np.stack([POINTS - 0.5, -2 * POINTS, POINTS + 0.5])
 
 
-# Depth over which the pressure comes to its slope: a kink there would keep points coming in and out of touch.
+# Depth over which the pressure reaches its slope. With a kink points would alternate between contact and no contact.
 ONSET = 1e-3
 
 
 def soft_start(gap, penalty):
-    """Pressure and its slope over the depth: a parabola to begin with, then a straight line."""
+    """Pressure and its slope over the depth: first a parabola, then a straight line."""
     depth = np.maximum(-gap, 0.0)
     pressure = np.where(depth < ONSET, depth**2 / (2 * ONSET), depth - ONSET / 2)
     return penalty * pressure, penalty * np.minimum(depth / ONSET, 1.0)
@@ -28,8 +28,8 @@ class PlaneContact:
     """Edges of a mesh (rows of three nodes, the middle one second) against a rigid plane.
 
     `normal` points from the plane into the free space where the rubber is. Forces are per metre of length, or
-    of the whole ring where the section is axisymmetric (`x` is along the axis and `y` the radius, as FElupe
-    has it).
+    of the whole ring where the section is axisymmetric (`x` is along the axis and `y` the radius, as in
+    FElupe).
     """
 
     def __init__(self, points, edges, place, normal, friction, penalty, axisymmetric=False):
@@ -45,12 +45,12 @@ class PlaneContact:
         if axisymmetric:
             radius = np.einsum("ap,ea->ep", SHAPE, self.reference[:, :, 1])
             self.weight = self.weight * 2 * np.pi * radius
-        # Where along the plane each point would be without friction's spring; it follows as the point slides.
+        # Position of each point along the plane without the spring of friction; it follows when the point slides.
         self.stuck_at = np.full(self.weight.shape, np.nan)
         self.trial = self.stuck_at
 
     def evaluate(self, displacements):
-        """Force on the nodes and its derivative, at these displacements and the plane's place."""
+        """Force on the nodes and its derivative, at these displacements and this position of the plane."""
         at = np.einsum("ap,ead->epd", SHAPE, self.reference + displacements[self.edges])
         at = at - self.place
         gap = at @ self.normal
@@ -92,11 +92,11 @@ class PlaneContact:
         return residual, coo_matrix((matrix.ravel(), (rows, columns)), shape=(size, size)).tocsr()
 
     def accept(self):
-        """Keeps where points stick, at the end of a step that was solved."""
+        """Stores where points stick, at the end of a solved step."""
         self.stuck_at = self.trial
 
     def force_on_plane(self, displacements):
-        """The force on the plane, and the moment about its place (counter-clockwise)."""
+        """The force on the plane, and the moment about its position (counter-clockwise)."""
         at = np.einsum("ap,ead->epd", SHAPE, self.reference + displacements[self.edges])
         traction = -(self.pressure[..., None] * self.normal - self.shear[..., None] * self.tangent)
         each = self.weight[..., None] * traction

@@ -10,7 +10,7 @@ from scipy.sparse.linalg import splu
 from .skin import stiffness
 
 
-# Share of the largest force on a plane that may be left of the forces on free nodes after all corrections.
+# Largest residual force on free nodes after all corrections, as a share of the largest force on a plane.
 LEFT_BY_CHATTER = 1e-3
 
 
@@ -32,7 +32,7 @@ class Material:
 
 class Section:
     """A mesh of nine-node quadrilaterals with continuous pressure and volume ratio on their corners (Taylor and
-    Hood's element in the three-field form), what holds it and the planes that press it."""
+    Hood's element in the three-field form), its supports and the planes that compress it."""
 
     def __init__(self, mesh, held, contacts, material, axisymmetric=False, skin=None):
         region = fem.RegionBiQuadraticQuad(mesh)
@@ -64,7 +64,7 @@ class Section:
         return self.field[0].values
 
     def residual(self):
-        """Residual of all unknowns, with the matrices not yet made."""
+        """Residual of all unknowns, and the matrices of the contacts."""
         with np.errstate(invalid="ignore"):
             total = self.solid.assemble.vector(self.field).toarray().ravel()
         total = total + self.skin @ self.unknowns()
@@ -74,7 +74,7 @@ class Section:
         return total, [m for _, m in parts]
 
     def solve(self, tolerance=1e-5, most=30):
-        """Equilibrium where the planes and the held nodes are now."""
+        """Equilibrium with the planes and the held nodes at their present positions."""
         start = self.unknowns()
         values = start.copy()
         # Held nodes move along with the first correction, as a linear prediction.
@@ -111,7 +111,7 @@ class Section:
             )
             if norm < tolerance * scale:
                 return
-        # Points that keep coming in and out of touch leave a rest that no correction takes away.
+        # Points that alternate between contact and no contact leave a residual that no correction removes.
         if norm < LEFT_BY_CHATTER * scale:
             return
         raise NoEquilibrium(f"{norm / scale:.1e} after {most} iterations")
@@ -123,8 +123,8 @@ class Section:
 
 
 def follow(section, place, targets, record, smallest=1 / 256):
-    """Goes through the targets (numbers that `place(section, number)` turns into planes and held nodes) and keeps
-    what `record(section, number)` says at each; a step that fails is halved."""
+    """Solves for each target (a number that `place(section, number)` turns into positions of planes and held nodes) and
+    collects the results of `record(section, number)`. A step that fails is halved."""
     rows = []
     now = targets[0]
     for target in targets[1:]:

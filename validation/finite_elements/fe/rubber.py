@@ -1,4 +1,4 @@
-"""Rubber by its hardness."""
+"""Stiffness of rubber from its hardness."""
 
 # Gent, A.N., "On the relation between indentation hardness and Young's modulus", Rubber Chemistry and Technology
 # 31 (1958) 896, doi 10.5254/1.3542351, in the form in which it is commonly quoted: MPa by degrees of Shore A. Of the
@@ -15,7 +15,7 @@ def shear_modulus_pa(shore_a):
     return young_modulus_pa(shore_a) / 3
 
 
-# Bulk over shear modulus. Rubber has 1000 to 2000; the reaction hardly knows it.
+# Bulk over shear modulus. Rubber has 1000 to 2000; the reaction hardly depends on it.
 BULK_OVER_SHEAR = 1000.0
 
 # Rubber on steel or concrete, assumed.

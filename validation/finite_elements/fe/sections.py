@@ -1,4 +1,4 @@
-"""The shapes: meshes of nine-node quadrilaterals, what holds them and where planes may touch them.
+"""The shapes: meshes of nine-node quadrilaterals, their supports, and the edges that planes may touch.
 
 All have height 1 in the direction of compression; a fender of height H has H times the reaction per metre of
 length and H squared times the energy (the cone, a whole ring: H squared and H cubed).
@@ -21,12 +21,12 @@ def block(mapping, across, along):
 
 
 def joined(blocks):
-    """One mesh of several whose nodes agree where they meet."""
+    """One mesh from several whose nodes agree at their common edges."""
     return corners_first(fem.mesh.merge_duplicate_points(fem.mesh.concatenate(blocks), decimals=9))
 
 
 def corners_first(mesh):
-    """Nodes numbered so that corners come before all others: FElupe's dual mesh takes it so."""
+    """Numbers the nodes so that corners come first, as FElupe's dual mesh requires."""
     corners = np.unique(mesh.cells[:, :4])
     others = np.setdiff1d(np.unique(mesh.cells), corners)
     order = np.concatenate([corners, others])
@@ -87,7 +87,7 @@ class Shape:
     outer: np.ndarray
     bore: np.ndarray
     whole: bool
-    # Nodes that move with the panel, of the cone.
+    # Nodes of the cone that move with the panel.
     panel: np.ndarray | None = None
 
     @property
@@ -160,7 +160,7 @@ def mirrored(mesh):
     other = mesh.copy()
     points = other.points.copy()
     points[:, 0] = -points[:, 0]
-    # Turned the other way round, so that areas stay positive.
+    # In reverse order, so that areas stay positive.
     other.update(points=points, cells=other.cells[:, [1, 0, 3, 2, 4, 7, 6, 5, 8]])
     return joined([mesh, other])
 
@@ -227,12 +227,12 @@ def hollow_d(fineness, whole=False):
 
 
 def cone(fineness, base_radius=0.72, top_radius=0.42, thickness=0.25, flare=0.05):
-    """A cone fender as a ring about its axis: x along the axis, y the radius, as FElupe has it. Bonded to the
-    quay at x = 0 and to its panel at x = 1. The radii are those of the wall's middle; the dimensions are ours,
-    no maker's."""
+    """A cone fender as a ring about its axis: x along the axis, y the radius, as in FElupe. Bonded to the
+    quay at x = 0 and to its panel at x = 1. The radii are those of the wall's middle. The dimensions are ours,
+    not those of a maker."""
     slope = np.array([1.0, top_radius - base_radius])
     across = np.array([-slope[1], slope[0]]) / np.linalg.norm(slope)
-    # Walls end level with their plates: their extent in radius is the thickness over the slope's cosine.
+    # Walls end flush with their plates: their radial extent is the thickness over the cosine of the slope.
     extent = thickness / across[1]
 
     def mapping(a, b):

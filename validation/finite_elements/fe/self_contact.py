@@ -1,4 +1,4 @@
-"""Contact of a surface with itself, where a bore closes: no friction, pressure by penalty."""
+"""Contact of a surface with itself, when a bore closes: no friction, pressure by penalty."""
 
 import numpy as np
 from scipy.sparse import coo_matrix
@@ -9,8 +9,8 @@ from .plane_contact import SHAPE, SLOPE, WEIGHTS, soft_start
 class SelfContact:
     """Gauss points along the edges of a surface against the straight pieces between its nodes.
 
-    A point meets only pieces that are farther than `apart` along the undeformed surface, and only those that it
-    has come through by less than `deepest`.
+    A point touches only pieces that are farther than `apart` along the undeformed surface, and only if it penetrates
+    them by less than `deepest`.
     """
 
     def __init__(self, points, edges, penalty, apart=0.12, deepest=0.05, axisymmetric=False):
@@ -27,7 +27,7 @@ class SelfContact:
         self.pieces = np.vstack([self.edges[:, :2], self.edges[:, 1:]])
         here = np.einsum("ap,ead->epd", SHAPE, self.reference)
         middle = points[self.pieces].mean(axis=1)
-        # By straight distance: no surface here comes near itself undeformed.
+        # The straight distance: no surface here is near itself when undeformed.
         distance = np.linalg.norm(here[:, :, None] - middle[None, None], axis=3)
         self.may_meet = distance > apart
 

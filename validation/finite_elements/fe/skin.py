@@ -1,9 +1,9 @@
-"""A skin that bends hard enough to keep a compressed surface from creasing.
+"""A skin with a bending stiffness, which keeps a compressed surface from creasing.
 
 The free surface of a neo-Hookean solid folds into itself where it is compressed by more than about 35 %; the
-inside of a bore that is pressed flat comes there. The folds are small and take next to nothing of the reaction,
-but elements turn inside out in them. A skin with a bending stiffness and no other keeps them off: what it costs
-is told by the study of its stiffness.
+inside of a bore that is pressed flat reaches that. The folds are small and hardly change the reaction,
+but elements are inverted in them. A skin that resists only bending prevents them; the study of its stiffness
+shows its effect.
 """
 
 import numpy as np

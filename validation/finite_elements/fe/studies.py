@@ -1,4 +1,4 @@
-"""The studies with their meshes, and the files that hold what they gave (`results/`)."""
+"""The studies with their meshes, and the files with their results (`results/`)."""
 
 import csv
 import time
@@ -9,16 +9,16 @@ from .press import NoEquilibrium
 
 RESULTS = Path(__file__).resolve().parent.parent / "results"
 
-# Finenesses, coarse to fine, each twice the one before where two are compared.
+# Finenesses, coarse to fine; each is twice the one before if two are compared.
 MESHES = {"cylinder": (1, 2, 4), "solid_d": (1, 2), "hollow_d": (2, 4), "cone": (2,)}
-# Of the shapes under a tilted plate, which need the whole section.
+# For shapes under a tilted plate, which need the whole section.
 WHOLE = {"cylinder": 1, "solid_d": 1, "hollow_d": 2}
 TILTS_DEG = (0, 5, 10)
-# How far they are pressed: the bore of the cylinder closes askew beyond.
+# Their largest deflection; beyond it the bore of the cylinder closes at an angle.
 TILTED_TO = 0.4
-# Smallest share of the height at which reactions are held against each other.
+# Smallest deflection over height at which reactions are compared.
 NOT_BELOW = 0.2
-# Fineness of the small form, and how far its meshes may be from the stored fine ones: the cylinder differs by 2.2 % at
+# Fineness of the small form, and the permitted difference of its meshes from the stored fine ones: the cylinder differs by 2.2 % at
 # 40 %, where its bore begins to close, and by less than 1 % elsewhere.
 SMALL = {"cylinder": 2, "solid_d": 1}
 SMALL_TOLERANCE = 0.03
@@ -34,7 +34,7 @@ def write(name, header, rows):
 
 
 def read(name):
-    """Rows as dictionaries, numbers where they are."""
+    """Rows as dictionaries, with numbers as numbers."""
     def cell(text):
         try:
             return float(text)
@@ -50,7 +50,7 @@ def told(what, began):
 
 
 def whole():
-    """All studies. One of a tilted plate that finds no equilibrium is told and left out."""
+    """All studies. A tilted plate without an equilibrium is reported and left out."""
     began = time.process_time()
     flat_plates(began)
     tilted_plates(began)
@@ -88,7 +88,7 @@ def tilted_plates(began):
 
 
 def small():
-    """Coarse meshes against the stored fine ones: 0 where they agree."""
+    """Compares coarse meshes with the stored fine ones: 0 if they agree."""
     stored = read("pressed.csv")
     failed = 0
     for name, fineness in SMALL.items():

@@ -135,7 +135,7 @@ TABLES = {
 
 
 def write_chapter():
-    """Puts the tables between their marks, and prints them."""
+    """Writes the tables between their marks, and prints them."""
     text = laws.CHAPTER.read_text()
     for name, make in TABLES.items():
         begin = BEGIN.format(name)

@@ -1,4 +1,4 @@
-"""Rigid bodies in the plane, with another added mass in surge than in sway."""
+"""Rigid bodies in the plane, with different added masses in surge and sway."""
 
 import math
 
@@ -7,7 +7,7 @@ from .quantities import si
 
 
 class Body:
-    """A rigid body in the plane; `momentum` and `spin` are what forces change."""
+    """A rigid body in the plane. Forces change its `momentum` and `spin`."""
 
     def __init__(self, name, table):
         self.name = name
@@ -35,7 +35,7 @@ class Body:
             self.set_velocity()
 
     def turn_axes(self):
-        """What hangs on the heading: its cosine and sine, and the inverse mass matrix in earth-fixed axes."""
+        """Updates all that depends on the heading: cosine and sine, and the inverse mass matrix in earth-fixed axes."""
         c, s = self.cos, self.sin = math.cos(self.heading), math.sin(self.heading)
         if not self.fixed:
             a, b = 1.0 / self.surge_mass, 1.0 / self.sway_mass

@@ -1,8 +1,8 @@
-"""A contact as one step sees it, and what it remembers from its first touch to its end."""
+"""A contact in one step, and its memory from the first touch to the end."""
 
 
 class Touch:
-    """A contact as it is at the start of a step."""
+    """A contact at the start of a step."""
 
     __slots__ = (
         "one two nx ny px py depth area force stored tilt material memory v_n v_t law normal shear "
@@ -10,7 +10,7 @@ class Touch:
     )
 
     def grip(self):
-        """Levers of n and t about both bodies, speeds, and how far a unit of N changes V_n."""
+        """Levers of n and t about both bodies, speeds, and the change of V_n by a unit of N."""
         one, two, nx, ny = self.one, self.two, self.nx, self.ny
         ax, ay = self.px - one.x, self.py - one.y
         bx, by = self.px - two.x, self.py - two.y
@@ -32,8 +32,8 @@ class Touch:
         )
 
     def column(self, h):
-        """What coordinate descent needs: bodies, n with its levers, how a newton for `h` seconds moves either body, and
-        how far it slows V_n."""
+        """The data of coordinate descent: bodies, n with its levers, the change of each body's velocity by one newton for `h`
+        seconds, and the resulting change of V_n."""
         one, two, nx, ny = self.one, self.two, self.nx, self.ny
         return (
             one, two, nx, ny, self.an, self.bn,
@@ -60,7 +60,7 @@ class Touch:
 
 
 class Memory:
-    """Of a contact, from its first touch to its end."""
+    """The memory of a contact, from the first touch to the end."""
 
     def __init__(self):
         self.new = True
@@ -73,6 +73,6 @@ class Memory:
         self.area = 0.0
         self.taken_j = 0.0
         self.boxes = None
-        # Of a fender's unloading law.
+        # For a fender's unloading law.
         self.tops = []
 

@@ -1,9 +1,9 @@
-"""Fenders: the hull's own boundary, cut to the fender's zone, bears a pressure.
+"""Fenders: a pressure on the hull's boundary within the fender's zone.
 
 The force on a face is the gradient of an energy. With x from the face inwards and d(s) the depth of the hull behind
-the face at s: the paper's foundation stores k/2 integral d^2 ds, so that the boundary bears k x; a fender of reaction
-R over mean deflection S/w bears R/w all over. (The engine integrates over the fender's own sides instead, and never
-asks for the hull's shape.)
+the face at s: the paper's foundation stores k/2 integral d^2 ds, so that the pressure is k x; for a fender of reaction
+R at mean deflection S/w it is R/w. (The engine integrates over the fender's own sides instead, without the hull's
+shape.)
 """
 
 import math
@@ -14,7 +14,7 @@ from .unloading import unloading_of
 
 
 class Fender:
-    """A face on `host` that the outlines of bodies press."""
+    """A face on `host` that the outlines of bodies compress."""
 
     def __init__(self, name, table, bodies, materials, families):
         self.name, self.host = name, bodies[table["on"]]
@@ -82,7 +82,7 @@ class Fender:
         if table.get("velocity_factor", True):
             self.by_time = factors("velocity")
             if self.by_time and self.by_time[-1][0] < 1000.0:
-                # Who lies on her fenders compresses them for ever.
+                # A ship that rests on her fenders compresses them without end.
                 self.by_time.append((1000.0, 1.0))
         return points[-1][0], (height, reaction)
 
@@ -91,7 +91,7 @@ class Fender:
         return self.constant * between(self.by_time, time) * between(self.by_angle, tilt)
 
     def touches(self, hull):
-        """The contact with a hull, with its memory; an empty list, and no memory, where it does not touch."""
+        """The contact with a hull, with its memory. Without contact an empty list, and the memory is dropped."""
         boundary = self.boundary_of(hull)
         if boundary is None:
             self.memories.pop(hull.name, None)
@@ -111,7 +111,7 @@ class Fender:
         return [touch]
 
     def boundary_of(self, hull):
-        """Integrals over the hull's boundary within the zone, in the face's frame, or None where there is none."""
+        """Integrals over the hull's boundary within the zone, in the face's frame; None without overlap."""
         host = self.host
         half, far = 0.5 * self.width, 2.0 * self.projection
         fx, fy = host.to_earth(self.face)
@@ -164,7 +164,7 @@ class Fender:
         size = math.hypot(gx, gs)
         ux, us = gx / size, gs / size
         stop = each * (sums.x * ux + sums.s * us)
-        # Of the force's line the point that is nearest to the overlap's centroid.
+        # The point on the line of the force that is nearest to the centroid of the overlap.
         mid_x, mid_s = sums.moment_x / sums.area, sums.moment_s / sums.area
         off = (torque - (mid_x * gs - mid_s * gx)) / size
         at_x, at_s = mid_x + off * us, mid_s - off * ux

@@ -7,7 +7,7 @@ export interface KeyAction {
   /** As `KeyboardEvent.key`. */
   key: string;
   text: string;
-  /** Held, it goes on. */
+  /** Repeats while the key is held. */
   repeats?: boolean;
   run(): void;
 }
@@ -18,13 +18,13 @@ export interface Group {
   root: HTMLElement;
   tick(frame: Frame, hello: Hello): void;
   claims(hello: Hello): void;
-  /** What the bar shows while this page holds the helm. */
+  /** The part of the bar that is visible while this page holds the helm. */
   held?: HTMLElement;
   draw?(now_ms: number): void;
   keys: KeyAction[];
 }
 
-/** Takes and gives back one helm, and says who has it: laid over the controls until it is taken. */
+/** Takes and gives back one helm and shows its holder. It covers the controls until the helm is taken. */
 export class ClaimBar {
   private readonly who = h("span", { class: "who" });
   private readonly release: HTMLButtonElement;
@@ -58,7 +58,7 @@ export class ClaimBar {
     const mine = live.mine(this.control);
     const claim = live.holder(this.control);
     setClass(this.root, "hidden", mine);
-    // A page may command what nobody is at, without taking it: then there is nothing to give back.
+    // A page may command a free helm without taking it: then there is nothing to give back.
     setClass(this.release, "hidden", !mine || !claim?.holder || !claim.connected);
     setText(
       this.who,

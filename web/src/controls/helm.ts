@@ -8,7 +8,7 @@ import { KNOT_MPS, fixed, heading, percent, sided, toDegrees, toKnots, toRadians
 import { ClaimBar, type Group, type KeyAction } from "./group";
 
 const RUDDER_STEPS_DEG = [5, 10, 20, 35];
-/** A key pressed within this time after another counts on from its value. */
+/** A key pressed within this time after another continues from its value. */
 const KEY_HELD_MS = 500;
 /** The telegraph's detents as shares of full. */
 const AHEAD = [
@@ -182,7 +182,7 @@ export class Helm implements Group {
     };
   }
 
-  /** Switches one keeper off. Hand steering switches both off, so the other is ordered again. */
+  /** Disengages one of the two pilots. Hand steering disengages both, so the other is ordered again. */
   private toHands(off: "course" | "speed"): void {
     const vessel = this.info.name;
     const [course, speed] = [this.now?.course_rad ?? null, this.now?.speed_order_mps ?? null];
@@ -353,7 +353,7 @@ export class Helm implements Group {
   }
 
   private keyboard(): KeyAction[] {
-    // A held key repeats faster than ticks come: it counts on from what it last ordered.
+    // A held key repeats faster than ticks arrive: it continues from its last order.
     let asked = { degrees: 0, until_ms: 0 };
     const stepRudder = (degrees: number) => () => {
       const stop = Math.round(toDegrees(this.info.rudder_stop_rad ?? 0));

@@ -1,4 +1,4 @@
-/** The instructor's hold on time: pause, step, pace, the timeline with its branches. */
+/** The instructor's control of time: pause, step, pace, the timeline with its branches. */
 import type { Page } from "../page";
 import type { Frame, Hello, RunState } from "../protocol";
 import { button, choices, h, setAttribute, setClass, setText } from "../ui/dom";
@@ -37,10 +37,14 @@ export class Run implements Group {
   private shownLanes = "";
   private dragging = false;
 
-  constructor(private readonly page: Page) {
+  constructor(
+    private readonly page: Page,
+    hello: Hello,
+  ) {
+    const [least, most] = hello.limits.pace;
     this.pace = choices(
       "Pace",
-      PACES.map((p) => ({
+      PACES.filter((p) => p >= least && p <= most).map((p) => ({
         value: p,
         label: `${{ 0.25: "¼", 0.5: "½" }[p] ?? p}×`,
         name: `Pace ${p}`,
@@ -140,7 +144,7 @@ export class Run implements Group {
 
   private showLanes(run: RunState, step_s: number): void {
     const end = Math.max(1, ...run.branches.map((b) => b.ends_tick));
-    // While it runs the end moves with every tick: once a second is enough for the picture.
+    // The end moves with every tick: redraw once a second.
     const key = JSON.stringify([
       run.branch,
       run.branches.map((b) => [b.id, b.from_tick, Math.floor(b.ends_tick * step_s)]),

@@ -1,6 +1,16 @@
-/** The tugmaster's own helm: of a tug that is a force, or of one that is a vessel with azimuth units. */
+/** The tugmaster's helm: of a vector tug, or of a tug that is a vessel with azimuth units. */
 import type { Page } from "../page";
-import type { Action, Frame, Hello, TugInfo, TugNow, VesselInfo, VesselNow } from "../protocol";
+import { limits } from "../orders";
+import type {
+  Action,
+  Frame,
+  Hello,
+  Pair,
+  TugInfo,
+  TugNow,
+  VesselInfo,
+  VesselNow,
+} from "../protocol";
 import { button, choices, h, setAttribute, setClass, setText } from "../ui/dom";
 import { Ring } from "../ui/ring";
 import { Slider } from "../ui/slider";
@@ -10,7 +20,13 @@ import { VesselTug } from "./tugs";
 
 const POWERS = [0, 25, 50, 75, 100];
 
-/** A tug that is a force: push or pull, how hard, and in which direction. */
+/** The server's limits of a share, in percent, and the powers within them. */
+function inPercent([least, most]: Pair): { least: number; most: number; powers: number[] } {
+  const within = (p: number) => p >= least * 100 && p <= most * 100;
+  return { least: least * 100, most: most * 100, powers: POWERS.filter(within) };
+}
+
+/** A vector tug: push or pull, with force and direction. */
 export class VectorHelm implements Group {
   readonly name = "Tug";
   readonly root: HTMLElement;
@@ -23,6 +39,7 @@ export class VectorHelm implements Group {
   private readonly powers;
   private readonly state = h("output", { class: "big", "aria-label": "Force on the ship" });
   private readonly ordered = h("span", { class: "ordered" });
+  private readonly range;
   private percent = 25;
   private order: TugNow["order"] = "stop";
   /** The order was given in words, and no frame has its direction yet. */
@@ -33,7 +50,9 @@ export class VectorHelm implements Group {
     private readonly page: Page,
     private readonly info: TugInfo,
     private readonly index: number,
+    hello: Hello,
   ) {
+    this.range = inPercent(hello.limits.tug_power);
     this.claim = new ClaimBar(page, { tug: info.name }, spoken(info.name));
     this.held = this.claim.held;
     this.ring = new Ring(`Direction of ${info.name}'s force on the ship`, "ship", () => {
@@ -51,20 +70,20 @@ export class VectorHelm implements Group {
     );
     this.powers = choices(
       "Power",
-      POWERS.map((p) => ({ value: p, label: `${p} %` })),
+      this.range.powers.map((p) => ({ value: p, label: `${p} %` })),
       (p) => this.setPower(p),
     );
     this.power = new Slider({
       label: "Power order",
-      least: 0,
-      most: 100,
+      least: this.range.least,
+      most: this.range.most,
       step: 5,
       say: (p) => `${p} % of ${tonnes(info.bollard_pull_n)}`,
       order: (p) => {
         this.percent = p;
         this.send(true);
       },
-      marks: POWERS.map((p) => ({ at: p, text: String(p) })),
+      marks: this.range.powers.map((p) => ({ at: p, text: String(p) })),
     });
     this.root = h(
       "div",
@@ -124,7 +143,7 @@ export class VectorHelm implements Group {
   }
 
   private setPower(percent: number, held = false): void {
-    this.percent = Math.min(100, Math.max(0, percent));
+    this.percent = Math.min(this.range.most, Math.max(this.range.least, percent));
     this.send(held);
   }
 
@@ -151,7 +170,7 @@ export class VectorHelm implements Group {
       this.now.order_n !== now.order_n ||
       this.now.order_direction_rad !== now.order_direction_rad;
     this.now = now;
-    // What is ordered may come from the pilot or from a rewind.
+    // The order may come from the pilot or from a rewind.
     if (changed) {
       this.order = now.order;
       this.inWords = false;
@@ -188,7 +207,7 @@ export class VectorHelm implements Group {
   }
 }
 
-/** A tug that is a vessel: her azimuth units, together or each for itself. */
+/** A tug that is a vessel: her azimuth units, together or separately. */
 export class AzimuthHelm implements Group {
   readonly name = "Tug";
   readonly root: HTMLElement;
@@ -209,6 +228,7 @@ export class AzimuthHelm implements Group {
     private readonly index: number,
     hello: Hello,
   ) {
+    const range = inPercent(limits(hello, "azimuth", "power"));
     this.claim = new ClaimBar(page, { vessel: info.name }, spoken(info.name));
     this.held = this.claim.held;
     this.togetherButton = button(
@@ -224,7 +244,9 @@ export class AzimuthHelm implements Group {
     });
     this.powers = choices(
       "Power of both",
-      POWERS.slice(1).map((p) => ({ value: p, label: `${p} %`, name: `Both units ${p} %` })),
+      range.powers
+        .filter((p) => p > 0)
+        .map((p) => ({ value: p, label: `${p} %`, name: `Both units ${p} %` })),
       (p) => this.all((i) => this.send(i, p / 100, null, false)),
     );
     this.units = info.azimuths.map((unit, i) => ({
@@ -236,17 +258,17 @@ export class AzimuthHelm implements Group {
       }),
       power: new Slider({
         label: `Power of the ${unit.name} unit`,
-        least: 0,
-        most: 100,
+        least: range.least,
+        most: range.most,
         step: 5,
         say: (p) => `${p} %`,
         order: (p) => this.each(i, (unit) => this.send(unit, p / 100, null, true)),
-        marks: POWERS.map((p) => ({ at: p, text: String(p) })),
+        marks: range.powers.map((p) => ({ at: p, text: String(p) })),
       }),
       figure: h("span", { class: "ordered" }),
     }));
     const ship = hello.vessels[page.live.ship()];
-    // Her own pilot can take her to the ship's side and push there; an order to a unit takes it off.
+    // Her own pilot can take her to the ship's side and push there; an order to a unit disengages it.
     if (ship && ship !== info) this.work = new VesselTug(page, info, index, hello);
     this.root = h(
       "div",
@@ -290,7 +312,7 @@ export class AzimuthHelm implements Group {
       ),
     );
     const turn = (by: number) => () => this.units[0]?.ring.nudge(by);
-    // A key that is held repeats faster than ticks come: it counts on from what it last asked for.
+    // A held key repeats faster than ticks arrive: it continues from its last order.
     let asked = { powers: [] as number[], until_ms: 0 };
     const power = (by: number) => () => {
       const from =
@@ -298,7 +320,9 @@ export class AzimuthHelm implements Group {
           ? asked.powers
           : (this.now?.azimuths.map((unit) => unit.power_order) ?? []);
       asked = {
-        powers: from.map((share) => Math.min(1, Math.max(0, share + by))),
+        powers: from.map((share) =>
+          Math.min(range.most / 100, Math.max(range.least / 100, share + by)),
+        ),
         until_ms: performance.now() + 500,
       };
       asked.powers.forEach((share, i) => this.send(i, share, null, true));
@@ -395,7 +419,7 @@ export class AzimuthHelm implements Group {
 export function tugHelm(page: Page, hello: Hello, name: string): Group | null {
   const tug = hello.tugs.findIndex((t) => t.name === name);
   const info = hello.tugs[tug];
-  if (info) return new VectorHelm(page, info, tug);
+  if (info) return new VectorHelm(page, info, tug, hello);
   const vessel = hello.vessels.findIndex((v) => v.name === name);
   const own = hello.vessels[vessel];
   return own ? new AzimuthHelm(page, own, vessel, hello) : null;

@@ -6,6 +6,7 @@ import type {
   Frame,
   Hello,
   Lead,
+  Pair,
   Place,
   TugInfo,
   TugNow,
@@ -16,8 +17,10 @@ import { button, choices, h, setAttribute, setClass, setText } from "../ui/dom";
 import { spoken, tonnes } from "../units";
 import type { Group, KeyAction } from "./group";
 
-const POWERS = [25, 50, 75, 100];
-/** What was ordered here is shown until frames can have it: for this many ticks, and at least this long. */
+/** The powers that have a button, in percent: those within the server's limits of a share. */
+const powersWithin = ([least, most]: Pair) =>
+  [25, 50, 75, 100].filter((p) => p >= least * 100 && p <= most * 100);
+/** An order from this page is displayed until frames can have it: for this number of ticks, and at least this long. */
 const ANSWERED = { ticks: 2, ms: 500 };
 /** A force below this is shown as none [N]. */
 const NO_FORCE_N = 1e3;
@@ -28,7 +31,7 @@ const LEADS: Record<Lead, { label: string; text: string; next: Lead }> = {
   aft: { label: "aft", text: "aft", next: "square" },
 };
 
-/** Which way a tug leads; a press changes it. */
+/** The direction in which a tug leads; a press changes it. */
 class LeadButton {
   value: Lead = "square";
   readonly root: HTMLButtonElement;
@@ -53,16 +56,16 @@ class LeadButton {
   }
 }
 
-/** What a card shows of its tug now. */
+/** The state of a tug on its card. */
 interface CardNow {
-  /** `null`: she is steered by hand. */
+  /** `null`: hand steering. */
   order: TugWord | null;
   power: number;
   place: Place | null;
   text: string;
 }
 
-/** One tug: what she is ordered, with what power, how she leads and where she works. */
+/** One tug: order, power, direction and position. */
 export abstract class TugCard {
   readonly root: HTMLElement;
   private readonly head = h("div", { class: "card-head" });
@@ -74,7 +77,7 @@ export abstract class TugCard {
   private percent = 25;
   private ordered: TugWord | null = null;
   private shownPower = NaN;
-  /** Somebody chose a place here that no order has had yet. */
+  /** A position was chosen here that no order has had yet. */
   private chosen = false;
   private sent = { tick: Infinity, at_ms: 0 };
   /** The word of the third button: a tug without a line stands off instead of pulling. */
@@ -85,12 +88,13 @@ export abstract class TugCard {
     readonly name: string,
     private readonly control: Control,
     canPull: boolean,
+    powers: number[],
     places: Place[],
   ) {
     this.third = canPull ? "pull" : "stand_off";
     this.powers = choices(
       `Power of ${name}`,
-      POWERS.map((p) => ({ value: p, label: String(p), name: `${name} ${p} %` })),
+      powers.map((p) => ({ value: p, label: String(p), name: `${name} ${p} %` })),
       (p) => this.power(p),
     );
     this.powers.show(this.percent);
@@ -139,7 +143,7 @@ export abstract class TugCard {
 
   protected abstract now(frame: Frame): CardNow | null;
 
-  /** Gives an order. A second press finds what the first one ordered, before any frame has it. */
+  /** Gives an order. A second press continues from the first one before any frame has it. */
   private say(order: TugWord): void {
     this.ordered = order;
     this.chosen = false;
@@ -233,8 +237,9 @@ class VectorTug extends TugCard {
     page: Page,
     info: TugInfo,
     private readonly index: number,
+    hello: Hello,
   ) {
-    super(page, info.name, { tug: info.name }, true, []);
+    super(page, info.name, { tug: info.name }, true, powersWithin(hello.limits.tug_power), []);
   }
 
   protected now(frame: Frame): CardNow | null {
@@ -260,7 +265,9 @@ export class VesselTug extends TugCard {
     private readonly index: number,
     hello: Hello,
   ) {
-    super(page, info.name, { vessel: info.name }, info.has_towline, hello.places);
+    const { limits, places } = hello;
+    const powers = powersWithin(limits.tug_power);
+    super(page, info.name, { vessel: info.name }, info.has_towline, powers, places);
   }
 
   protected now(frame: Frame): CardNow | null {
@@ -303,7 +310,7 @@ export class Tugs implements Group {
   constructor(page: Page, hello: Hello) {
     const own = hello.vessels[page.live.ship()];
     this.cards = [
-      ...hello.tugs.map((info, i) => new VectorTug(page, info, i)),
+      ...hello.tugs.map((info, i) => new VectorTug(page, info, i, hello)),
       ...hello.vessels.flatMap((info, i) =>
         info.is_tug && own && info.azimuths.length > 0 ? [new VesselTug(page, info, i, hello)] : [],
       ),
@@ -329,7 +336,7 @@ export class Tugs implements Group {
               run: () => this.cards[this.selected]?.away(),
             },
             { key: "o", text: "The tug stops", run: () => this.cards[this.selected]?.stop() },
-            ...POWERS.map((p, i) => ({
+            ...powersWithin(hello.limits.tug_power).map((p, i) => ({
               key: String(i + 1),
               text: `The tug's power ${p} %`,
               run: () => this.cards[this.selected]?.power(p),

@@ -1,4 +1,4 @@
-/** Marks that the plan and the conning display are drawn with. */
+/** Drawing primitives of the plan and the conning display. */
 import type { Pair } from "../protocol";
 
 export const FONT = "system-ui, 'DejaVu Sans', sans-serif";
@@ -27,7 +27,7 @@ export function stroke(
   to.setLineDash([]);
 }
 
-/** An arrow with a filled head; nothing where it is shorter than a pixel. */
+/** An arrow with a filled head; nothing if it is shorter than a pixel. */
 export function arrow(
   to: CanvasRenderingContext2D,
   from: Pair,
@@ -52,7 +52,7 @@ export function arrow(
   to.fill();
 }
 
-/** A label is moved onto the canvas from no farther off its edge than this. */
+/** A label that is off the canvas by no more than this is moved onto it. */
 const EDGE_PX = 60;
 
 export interface LabelStyle {
@@ -63,7 +63,7 @@ export interface LabelStyle {
   align?: "left" | "center" | "right";
 }
 
-/** A text on its own ground, so that it reads over anything. `within`: kept on the canvas while its place is about there. */
+/** A text with its own background. `within`: it is kept on the canvas while its point is on it or close to it. */
 export function label(
   to: CanvasRenderingContext2D,
   text: string,

@@ -1,4 +1,4 @@
-/** Everything on the plan that belongs to the scene: earth, hulls, fenders, lines, tugs, forces, the way ahead. */
+/** Draws the scene of the plan: grid, hulls, fenders, lines, tugs, forces, the predicted path. */
 import {
   type Camera,
   add,
@@ -26,9 +26,9 @@ export interface Scene {
   live: Live;
 }
 
-/** Arrows of forces: a meganewton is so long [px]. */
+/** Length of a force arrow per meganewton [px]. */
 const PX_PER_MN = 70;
-/** Arrows of lateral speed: a metre a second is so long [px]. */
+/** Length of a lateral-speed arrow per metre a second [px]. */
 const PX_PER_MPS = 220;
 
 const clamp = (x: number, low: number, high: number) => Math.min(high, Math.max(low, x));
@@ -74,7 +74,7 @@ export function drawLand(scene: Scene): void {
 
 type PathPoint = [t_s: number, north: number, east: number, heading: number];
 
-/** What is still ahead of the way that was predicted, and the hull that goes it. */
+/** The part of the predicted path that is still ahead, and the hull of that ship. */
 function way({
   hello,
   live,
@@ -95,7 +95,7 @@ function minutes(path: PathPoint[], from_s: number): { minute: number; point: Pa
   return found;
 }
 
-/** Where she goes if nothing is ordered: the swept outline, her centre's way, and her hull at every minute. */
+/** The predicted path without further orders: the swept area, the track of the centre, the hull at every minute. */
 export function drawPrediction(scene: Scene): void {
   const { to, camera, colours } = scene;
   const ahead = way(scene);
@@ -108,7 +108,7 @@ export function drawPrediction(scene: Scene): void {
       else to.lineTo(...place);
     });
   to.save();
-  // All hulls are one shape of one winding: their union is filled, and evenly.
+  // All hulls are one path of one winding, so that their union is filled evenly.
   to.beginPath();
   for (const point of path) {
     trace(point);
@@ -130,7 +130,7 @@ export function drawPrediction(scene: Scene): void {
   to.restore();
 }
 
-/** Her centre's way and its minutes: over the hulls, so that it can be read while she still lies on it. */
+/** The track of the centre with its minutes. It is drawn over the hulls, so that it can be read under the ship. */
 export function drawMinutes(scene: Scene): void {
   const { to, camera, colours } = scene;
   const ahead = way(scene);
@@ -149,7 +149,7 @@ export function drawMinutes(scene: Scene): void {
     to.arc(at[0], at[1], 3, 0, 2 * Math.PI);
     to.fillStyle = colours.path;
     to.fill();
-    // Figures that would lie on one another say nothing.
+    // Labels that would overlap are left out.
     if (last && length(minus(at, last)) < 22) continue;
     last = at;
     label(to, `${minute} min`, [at[0] + 28, at[1]], {
@@ -177,7 +177,7 @@ export function drawHulls(scene: Scene): void {
     to.lineWidth = i === ownBody ? 2.5 : 1.5;
     to.stroke();
     if (!vessel) return;
-    // Her centre line, on beyond the bow by a third of her length: where she points.
+    // Her centre line, extended beyond the bow.
     const half = vessel.length_m / 2;
     stroke(
       to,
@@ -250,7 +250,7 @@ export function drawFenders({ to, camera, colours, hello, frame, bodies }: Scene
   });
 }
 
-/** Forces at contacts: a disc where it sticks, a ring with a cross stroke where it slips. */
+/** Contact forces: a disc for a contact that sticks, a ring with a cross stroke for one that slips. */
 export function drawContacts({ to, camera, colours, frame }: Scene): void {
   for (const contact of frame.contacts) {
     const size = length(contact.force_n);
@@ -319,7 +319,7 @@ export function drawLines({ to, camera, colours, hello, frame, bodies }: Scene):
   });
 }
 
-/** Tugs that are forces, drawn where they work; of those that are vessels the hull is drawn as any other. */
+/** Vector tugs, at the place of their force. Tugs that are vessels are drawn with the other hulls. */
 export function drawVectorTugs({ to, camera, colours, hello, frame, bodies }: Scene): void {
   hello.tugs.forEach((info, i) => {
     const now = frame.tugs[i];
@@ -331,7 +331,7 @@ export function drawVectorTugs({ to, camera, colours, hello, frame, bodies }: Sc
     const works = now.force_n > 1e3 || now.order !== "stop";
     const toward = works ? now.direction_rad : (-side * Math.PI) / 2;
     const half = info.length_m / 2;
-    // Pushing she stands off by her own half length, pulling at the end of her line, else a little off the side.
+    // Distance from the side: half her length while she pushes, her line while she pulls, else a little.
     const off = pulls ? 45 + half : -(half + (works ? 0.5 : 14));
     const centre = add(at, turned(toward, [off, 0]));
     const heading = ship[2] + toward;
@@ -398,7 +398,7 @@ export function drawVectorTugs({ to, camera, colours, hello, frame, bodies }: Sc
   });
 }
 
-/** Lateral speed at bow and stern as arrows with figures, and the distances to the berth there. */
+/** Lateral speed at bow and stern as arrows with values, and the distances to the berth. */
 export function drawBowAndStern({ to, camera, colours, hello, frame, bodies, live }: Scene): void {
   const index = live.ship();
   const [info, now] = [hello.vessels[index], frame.vessels[index]];
@@ -450,7 +450,7 @@ export function drawBowAndStern({ to, camera, colours, hello, frame, bodies, liv
   }
 }
 
-/** The berth's line that distances are to: between its ends, at the faces of its fenders. */
+/** The line of the berth, along the faces of its fenders. Distances are to this line. */
 export function drawBerth({ to, camera, colours, hello, bodies }: Scene): void {
   const on = hello.berth && bodies[hello.berth.body];
   if (!hello.berth || !on) return;
@@ -463,7 +463,7 @@ export function drawBerth({ to, camera, colours, hello, bodies }: Scene): void {
   );
 }
 
-/** Earth places that a first look shows: the ship, the fenders that she is near, her tugs and where her lines go. */
+/** Points that the first view includes: the ship, the fenders near her, her tugs and the ends of her lines. */
 export function firstLook(
   hello: Hello,
   bodies: BodyNow[],
@@ -485,14 +485,14 @@ export function firstLook(
         return [];
       return hello.bodies[body]?.outline.map((at) => onEarth(tug, at)) ?? [];
     });
-  // Tugs that are forces lie about a length of theirs off the side that they work at.
+  // Vector tugs are drawn about one tug length off the side.
   const alongside = hello.tugs.map((t) =>
     onEarth(now, add(t.push_at_m, [0, Math.sign(t.push_at_m[1]) * (t.length_m + 14)])),
   );
   const moored = hello.lines.flatMap((l, i): Pair[] =>
     "place_m" in l.end && frame?.lines[i]?.state === "fast" ? [l.end.place_m] : [],
   );
-  // Another ship that she comes alongside of is looked at whole.
+  // Another ship as berth is included whole.
   const other = hello.berth && !hello.bodies[hello.berth.body]?.fixed ? hello.berth.body : -1;
   const mother = bodies[other];
   const hull = mother ? (hello.bodies[other]?.outline ?? []).map((at) => onEarth(mother, at)) : [];

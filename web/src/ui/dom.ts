@@ -1,4 +1,4 @@
-/** Elements in one expression. */
+/** Builds and updates elements of the document. */
 
 type Listeners = {
   [K in keyof HTMLElementEventMap as `on${K}`]?: (event: HTMLElementEventMap[K]) => void;
@@ -17,7 +17,7 @@ export function h<K extends keyof HTMLElementTagNameMap>(
 ): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
-    // By its property, which a content security policy allows where it forbids the attribute.
+    // The property, because the content security policy forbids the attribute.
     if (name === "style") element.style.cssText = String(value);
     else if (typeof value === "function")
       element.addEventListener(name.slice(2), value as EventListener);
@@ -31,7 +31,7 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** Sets a text only where it differs: the document is laid out no more than need be. */
+/** Sets a text only if it differs, so that the layout is not computed needlessly. */
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
@@ -48,7 +48,7 @@ export function setStyle(element: HTMLElement, name: string, value: string): voi
   if (element.style.getPropertyValue(name) !== value) element.style.setProperty(name, value);
 }
 
-/** A button to be touched with a gloved finger. `name`: what a screen reader says where the label is a sign. */
+/** A button that is large enough for a gloved finger. `name`: for screen readers, if the label is a symbol. */
 export function button(
   label: string,
   press: () => void,
@@ -62,10 +62,10 @@ export function button(
   );
 }
 
-/** For so long a button that asks once more waits for its answer. */
+/** How long a button with confirmation waits for the second press. */
 const SURE_MS = 6000;
 
-/** A button whose press cannot be taken back: it asks once more before it does anything. */
+/** A button with confirmation: it acts at the second press. */
 export function sureButton(
   label: string,
   question: string,
@@ -94,7 +94,7 @@ export function sureButton(
   return own;
 }
 
-/** Buttons of which one is chosen. */
+/** A group of buttons, of which one is pressed. */
 export function choices<T extends string | number>(
   label: string,
   items: { value: T; label: string; name?: string }[],
@@ -118,7 +118,7 @@ export function choices<T extends string | number>(
   };
 }
 
-/** A canvas that keeps its pixels as sharp as the screen; `paint` draws in CSS pixels. */
+/** A canvas with the resolution of the screen; `paint` draws in CSS pixels. */
 export function canvas(label: string): {
   root: HTMLCanvasElement;
   begin(): { to: CanvasRenderingContext2D; width: number; height: number } | null;

@@ -1,4 +1,4 @@
-/** A ring to set a direction with: touched or dragged anywhere on it, or by the arrow keys, five degrees at a time. */
+/** A ring that sets a direction, by touch, by dragging, or by the arrow keys in steps of five degrees. */
 import { FONT, arrow, polygon, stroke } from "../draw/marks";
 import { palette } from "../palette";
 import type { Pair } from "../protocol";
@@ -13,7 +13,7 @@ export class Ring {
   private order_rad = 0;
   private enabled = true;
 
-  /** `about`: what is in its middle, and so what 0 is: the bow of the ship served, of the tug herself, or north. */
+  /** `about`: what its zero is: the bow of the ship, the bow of the tug herself, or north. */
   constructor(
     label: string,
     private readonly about: "ship" | "tug" | "north",
@@ -55,7 +55,7 @@ export class Ring {
     });
   }
 
-  /** Turns by steps of five degrees, to starboard where positive. */
+  /** Turns by steps of five degrees, positive to starboard. */
   nudge(by: number): void {
     this.set(this.order_rad + toRadians(by * STEP_DEG));
   }
@@ -71,7 +71,7 @@ export class Ring {
     this.turn(next);
   }
 
-  /** Shows an order that came from elsewhere. */
+  /** Shows an order that another page or the server gave. */
   follow(rad: number): void {
     this.order_rad = wrapped(rad);
   }
@@ -130,7 +130,7 @@ export class Ring {
       to.globalAlpha = 1;
     }
     if (share > 0.005) arrow(to, [x, y], on(actual_rad, Math.max(18, r * share)), colours.force, 6);
-    // The knob: what is ordered.
+    // The knob: the order.
     const knob = on(this.order_rad, r - 4);
     to.beginPath();
     to.arc(knob[0], knob[1], 13, 0, 2 * Math.PI);

@@ -1,4 +1,4 @@
-/** A slider with two pointers: the thumb is what is ordered, the bar below it what is. */
+/** A slider with two pointers: the thumb is the order, the bar below it the actual value. */
 import { h, setAttribute, setStyle } from "./dom";
 
 export interface SliderOptions {
@@ -6,11 +6,11 @@ export interface SliderOptions {
   least: number;
   most: number;
   step: number;
-  /** How a value is said. */
+  /** The text of a value. */
   say(value: number): string;
-  /** While dragged, and at its end. */
+  /** Called while it is dragged, and at the end. */
   order(value: number): void;
-  /** The scale's marks: where, and what is written there. */
+  /** Marks of the scale: value and text. */
   marks: { at: number; text: string; side?: "port" | "starboard" }[];
 }
 

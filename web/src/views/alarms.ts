@@ -1,6 +1,5 @@
 /**
- * Alarms as the server holds them: what stands, what waits to be acknowledged, and what happened before; sound only
- * where asked for.
+ * The server's alarms: active ones, those that wait to be acknowledged, and past events; with sound if switched on.
  */
 import type { Page } from "../page";
 import type { Alarm, Frame, Hello, Role } from "../protocol";
@@ -73,7 +72,7 @@ export class Alarms implements View {
     while (this.log.children.length > KEPT_EVENTS) this.log.lastChild?.remove();
   }
 
-  /** As the server will have it: pilot and instructor any, a tugmaster what is about his tug, an observer none. */
+  /** The server's rule: pilot and instructor any, a tugmaster those of the own tug, an observer none. */
   private mayAcknowledge(alarm: Alarm): boolean {
     if (this.role.name === "tugmaster") return ` ${alarm.key} `.includes(` ${this.role.tug} `);
     return this.role.name !== "observer";
@@ -113,7 +112,7 @@ export class Alarms implements View {
     );
   }
 
-  /** Says to the server that one was seen, or all of them. */
+  /** Acknowledges one alarm, or all of them. */
   private acknowledge(key: string | null): void {
     for (const [each, { alarm }] of this.standing) {
       const asked = key === null ? this.mayAcknowledge(alarm) : key === each;

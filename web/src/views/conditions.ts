@@ -1,6 +1,6 @@
 /** The instructor's weather and faults. */
 import type { Page } from "../page";
-import type { Fault, Frame, Hello } from "../protocol";
+import type { Fault, Frame, Hello, Pair } from "../protocol";
 import { button, h, setAttribute, setText } from "../ui/dom";
 import { Ring } from "../ui/ring";
 import { KNOT_MPS, fixed, heading, toKnots } from "../units";
@@ -13,7 +13,7 @@ const FAULTS: { fault: Fault; text: string }[] = [
   { fault: "blackout", text: "Blackout" },
 ];
 
-/** A flow of air or water: set as a whole, by "Set", so that a half-turned ring blows nobody away. */
+/** A flow of air or water. "Set" sends speed and direction together, so that a half-turned ring changes nothing yet. */
 class Flow {
   private readonly speed = h("output", { class: "wanted" });
   private readonly now = h("p", { class: "note" });
@@ -26,7 +26,7 @@ class Flow {
     private readonly name: "Wind" | "Current",
     private readonly verb: string,
     private readonly step_kn: number,
-    most_kn: number,
+    [least_mps, most_mps]: Pair,
     apply: (mps: number, rad: number) => Promise<boolean>,
   ) {
     const show = () =>
@@ -39,7 +39,10 @@ class Flow {
       show();
     });
     const change = (by: number) => () => {
-      this.kn = Math.min(most_kn, Math.max(0, this.kn + by));
+      // Whole steps within the limits of the server.
+      const least = Math.ceil(toKnots(least_mps) / step_kn) * step_kn;
+      const most = Math.floor(toKnots(most_mps) / step_kn) * step_kn;
+      this.kn = Math.min(most, Math.max(least, this.kn + by));
       this.touched = true;
       show();
     };
@@ -79,7 +82,7 @@ class Flow {
   }
 
   draw(mps: number, rad: number, full_mps: number): void {
-    // The knob is where it is from or goes to; the arrow goes with the flow.
+    // The knob is the direction of the order; the arrow points with the flow.
     this.ring.draw(this.name === "Wind" ? rad + Math.PI : rad, Math.min(1, mps / full_mps));
   }
 }
@@ -97,10 +100,10 @@ export class Conditions implements View {
   readonly root: HTMLElement;
 
   constructor(page: Page, hello: Hello) {
-    this.wind = new Flow("Wind", "from", 1, 80, (speed_mps, from_rad) =>
+    this.wind = new Flow("Wind", "from", 1, hello.limits.wind_mps, (speed_mps, from_rad) =>
       page.order({ do: "wind", speed_mps, from_rad }),
     );
-    this.current = new Flow("Current", "to", 0.1, 6, (speed_mps, to_rad) =>
+    this.current = new Flow("Current", "to", 0.1, hello.limits.current_mps, (speed_mps, to_rad) =>
       page.order({ do: "current", speed_mps, to_rad }),
     );
     const faults = hello.vessels.map((vessel, index) => {

@@ -16,7 +16,7 @@ import {
 } from "../units";
 import type { View } from "./view";
 
-/** The display is laid out on a sheet of at least this size, of the shape of what there is, and scaled to it. */
+/** Least size of the sheet on which the display is laid out. The sheet has the shape of the canvas and is scaled to it. */
 const LEAST = { width: 400, height: 400 };
 
 export class Conning implements View {
@@ -64,7 +64,7 @@ export class Conning implements View {
 }
 
 class Sheet {
-  /** Where the ship's picture is, from her bow to her stern. */
+  /** The ship's picture, from bow to stern. */
   readonly bow = 142;
   readonly stern: number;
 
@@ -81,7 +81,7 @@ class Sheet {
     return this.width / 2;
   }
 
-  /** Where the columns at the sides are: near the ship where the sheet is broad. */
+  /** Position of the side columns: near the ship on a broad sheet. */
   column(side: -1 | 1): number {
     return this.middle + side * Math.min(this.width / 2 - 52, 260);
   }
@@ -118,7 +118,7 @@ class Sheet {
     );
   }
 
-  /** A pointer at an order: a hollow triangle whose tip is at a place. */
+  /** The pointer of an order: a hollow triangle with its tip at a point. */
   pointer(tip: Pair, from: "above" | "left"): void {
     const [x, y] = tip;
     polygon(
@@ -185,7 +185,7 @@ function drawTurn(sheet: Sheet, body: BodyNow): void {
   const { colours, to, middle } = sheet;
   const rot = rateOfTurn(body[5]);
   const [half, top] = [Math.min(sheet.width / 2 - 74, 240), 84];
-  // Fine near nought, where berthing goes on: the scale goes by the root.
+  // A square-root scale, fine near zero, where rates are while berthing.
   const place = (value: number) =>
     middle + Math.sign(value) * Math.sqrt(Math.min(1, Math.abs(value) / 60)) * half;
   sheet.box(middle - half, top, half * 2, 16);
@@ -199,7 +199,7 @@ function drawTurn(sheet: Sheet, body: BodyNow): void {
   sheet.text("°/min", middle + half + 16, top + 26, 13, colours.dim, "left");
 }
 
-/** Her outline seen from above with speeds along it and at its ends, and her thrusters. */
+/** The ship's outline from above, with her speeds ahead and at the ends, and her thrusters. */
 function drawShip(sheet: Sheet, info: VesselInfo, now: VesselNow): void {
   const { colours, to, middle: x, bow, stern } = sheet;
   const half = 27;
@@ -227,7 +227,7 @@ function drawShip(sheet: Sheet, info: VesselInfo, now: VesselNow): void {
     const long = Math.min(34, Math.abs(speed) * 110);
     if (Math.abs(speed) >= 0.005)
       arrow(to, [x + side * (half + 2), y], [x + side * (half + 8 + long), y], colours.path, 5);
-    // The figure on the side that she goes to, over her arrow.
+    // The value is on the side to which she moves, over the arrow.
     sheet.text(
       `${fixed(Math.abs(speed), 2)} m/s`,
       x + side * 69,

@@ -75,9 +75,14 @@ export class Docking implements View {
   private approach_mps = 0;
   private readonly changes: HTMLButtonElement[];
 
-  constructor(private readonly page: Page) {
+  constructor(
+    private readonly page: Page,
+    hello: Hello,
+  ) {
+    const [least, most] = hello.limits.approach_limit_mps;
     const change = (by: number) => () => {
-      const speed_mps = Math.round((this.approach_mps + by) * 100) / 100;
+      const wanted_mps = Math.round((this.approach_mps + by) * 100) / 100;
+      const speed_mps = Math.min(most, Math.max(least, wanted_mps));
       void this.page.order({ do: "approach_limit", speed_mps });
     };
     const [lower, higher] = [
@@ -140,7 +145,7 @@ export class Docking implements View {
     this.bow.show(berth.bow, berth.bow_lamp, berth.bow_m, berth.bow_mps);
     this.stern.show(berth.stern, berth.stern_lamp, berth.stern_m, berth.stern_mps);
     this.showLimit(frame.approach_mps, berth.limit_mps);
-    // As she lies when one looks at the quay over her side: starboard side to, her bow is to the left.
+    // As seen from the ship facing the quay: starboard side to, the bow is on the left.
     const starboardTo = dot(turned(body[2] - quay[2], [0, 1]), hello.berth.facing) < 0;
     setClass(this.ends, "starboard-to", starboardTo);
     const degrees = Math.abs(toDegrees(berth.angle_rad));

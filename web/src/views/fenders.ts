@@ -5,7 +5,7 @@ import { h, setAttribute, setClass, setStyle, setText } from "../ui/dom";
 import { energy, fixed, force, percent, spoken } from "../units";
 import type { View } from "./view";
 
-/** The full width of a bar over the rating. */
+/** Share of the rating at the full width of a bar. */
 const BAR_SHARE = 1.25;
 
 class Bar {

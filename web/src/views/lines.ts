@@ -1,4 +1,4 @@
-/** The lines: tension against working and breaking load; the winches, for who holds the ship. */
+/** The lines: tension against working and breaking load, and the winches. */
 import { loadColour, palette } from "../palette";
 import type { Order } from "../orders";
 import type { Page } from "../page";
@@ -7,8 +7,6 @@ import { choices, h, setAttribute, setClass, setStyle, setText, sureButton } fro
 import { fixed, percent, spoken, tonnes } from "../units";
 import type { View } from "./view";
 
-/** Rate of a manual winch order: a usual speed for warping under load [m/s]. */
-const WINCH_MPS = 0.15;
 const STATES: Record<LineNow["state"], string> = {
   ashore: "not yet fast",
   fast: "fast",
@@ -18,8 +16,8 @@ const STATES: Record<LineNow["state"], string> = {
 
 type Winch = LineNow["winch"];
 
-function winchOrder(order: Winch, line: string): Order {
-  return order === "hold" ? { do: order, line } : { do: order, line, rate_mps: WINCH_MPS };
+function winchOrder(order: Winch, line: string, rate_mps: number): Order {
+  return order === "hold" ? { do: order, line } : { do: order, line, rate_mps };
 }
 
 class Row {
@@ -55,7 +53,7 @@ class Row {
         { value: "hold", label: "Hold", name: `Hold ${info.name}` },
         { value: "pay_out", label: "Pay out", name: `Pay out ${info.name}` },
       ],
-      (order) => void page.order(winchOrder(order, info.name)),
+      (order) => void page.order(winchOrder(order, info.name, info.winch_mps ?? 0)),
     );
     this.letGo = sureButton(
       "Let go",
@@ -68,7 +66,7 @@ class Row {
       {},
       h("div", { class: "row-head" }, h("b", {}, spoken(info.name)), this.state, this.figures),
       this.bar,
-      h("div", { class: "winch" }, info.has_winch && this.winch.root, this.letGo),
+      h("div", { class: "winch" }, info.winch_mps !== null && this.winch.root, this.letGo),
     );
   }
 
@@ -95,7 +93,7 @@ class Row {
   }
 }
 
-/** Pilot and instructor work every line, a tugmaster those that end on his tug. */
+/** Pilot and instructor may use every line, a tugmaster those of the own tug. */
 function mayWork(info: LineInfo, { role, vessels }: Hello): boolean {
   if (role.name !== "tugmaster") return role.name !== "observer";
   const body = vessels.find((v) => v.name === role.tug)?.body;

@@ -1,4 +1,4 @@
-/** The plan: an electronic chart of the harbour about the ship. */
+/** The plan: an electronic chart of the harbour around the ship. */
 import * as scene from "../draw/scene";
 import { FONT, arrow, label, stroke } from "../draw/marks";
 import { type Camera, add, fitted, minus, roundLength, toEarth, zoomed } from "../geometry";
@@ -19,7 +19,7 @@ export class Plan implements View {
   private camera: Camera = { centre: [0, 0], pixels_per_m: 1, up_rad: 0, width: 1, height: 1 };
   private looked = false;
   private follows = true;
-  /** Of the ship from the screen's centre while she is followed, in her last place [m]. */
+  /** Position of the followed ship when the camera was last moved with her [m]. */
   private lastShip: Pair | null = null;
   private up: Up = "north";
   private readonly pointers = new Map<number, Pair>();
@@ -88,7 +88,7 @@ export class Plan implements View {
   private setUp(up: Up): void {
     this.up = up;
     setText(this.upButton, UP_NAMES[up]);
-    // The ship stays in the middle of what she was in the middle of.
+    // Turns about the ship if she is followed.
     this.turn();
     const ship = this.shipNow(performance.now());
     if (ship && this.follows) this.camera.centre = [ship[0], ship[1]];
@@ -107,7 +107,7 @@ export class Plan implements View {
     return (info && this.live.bodies(now_ms)[info.body]) ?? null;
   }
 
-  /** Turns the camera as the choice says. */
+  /** Turns the camera to the chosen bearing. */
   private turn(now_ms = performance.now()): void {
     const { hello } = this.live;
     if (this.up === "north") this.camera.up_rad = 0;
@@ -150,7 +150,7 @@ export class Plan implements View {
     if (this.prediction) scene.drawMinutes(all);
     scene.drawBowAndStern(all);
     drawScale(to, this.camera, colours);
-    // Read by tests: what is drawn on a canvas cannot be.
+    // For tests, which cannot read a canvas.
     const { centre, pixels_per_m } = this.camera;
     setAttribute(
       this.surface.root,
@@ -175,7 +175,7 @@ export class Plan implements View {
       this.setUp("berth");
     this.turn();
     this.camera = fitted(this.camera, places, [58, 64, 74]);
-    // Followed, she keeps her place on the screen rather than its middle, so that berth and ship both stay in view.
+    // A followed ship keeps her place on the screen, not its centre, so that the berth stays in view too.
     const ship = this.shipNow(performance.now());
     this.lastShip = ship ? [ship[0], ship[1]] : null;
   }
@@ -214,7 +214,7 @@ export class Plan implements View {
         this.camera.centre,
         minus(toEarth(this.camera, before), toEarth(this.camera, now)),
       );
-      // She runs out of sight only when she is dragged there: following goes on with the new offset.
+      // Dragging changes the offset; the ship is still followed.
     });
     for (const end of ["pointerup", "pointercancel"] as const) {
       surface.addEventListener(end, (event) => this.pointers.delete(event.pointerId));
@@ -230,7 +230,7 @@ export class Plan implements View {
   }
 }
 
-/** The figures in the plan's corner. */
+/** The values in the plan's corner. */
 class Readout {
   private readonly cells = new Map<string, HTMLElement>();
   readonly root = h("dl", { class: "readout", "aria-label": "Motion of the ship" });
@@ -300,7 +300,7 @@ function drawScale(to: CanvasRenderingContext2D, camera: Camera, colours: Palett
   });
 }
 
-/** North, wind and current about one small rose, in the corner where the quay seldom is. */
+/** North, wind and current around one small rose, in the corner that the quay seldom covers. */
 function drawRose(
   to: CanvasRenderingContext2D,
   camera: Camera,

@@ -1,4 +1,4 @@
-/** The instructor's view of the session: who is there and holds what, the links to hand out, scenarios, saving. */
+/** The instructor's view of the session: clients and their controls, links to hand out, scenarios, saving. */
 import type { Page } from "../page";
 import type { Control, Frame, Hello, Role } from "../protocol";
 import { button, h, setClass, setText, sureButton } from "../ui/dom";
@@ -87,7 +87,7 @@ export class Session implements View {
       await navigator.clipboard.writeText(url);
       this.page.say("Copied.");
     } catch {
-      // Without a secure context there is no clipboard: the link is shown to be copied by hand.
+      // There is no clipboard without a secure context: the link is shown to be copied by hand.
       window.prompt("Copy this link:", url);
     }
   }
@@ -131,7 +131,7 @@ export class Session implements View {
             {},
             holder === null
               ? "nobody"
-              : `${holder}${connected ? "" : " — gone, controls stay as they were"}`,
+              : `${holder}${connected ? "" : " — left; the orders stay as they are"}`,
           ),
         );
         setClass(row, "caution", holder !== null && !connected);

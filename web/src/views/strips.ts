@@ -1,4 +1,4 @@
-/** Strip charts of the last minutes. uPlot is fetched when they are first looked at. */
+/** Strip charts of the last minutes. uPlot is loaded when they are first shown. */
 import type uPlot from "uplot";
 import type { History, Sample } from "../history";
 import { palette } from "../palette";
@@ -91,7 +91,7 @@ export class Strips implements View {
     const { samples } = this.history;
     const till = samples.at(-1)?.t_s ?? 0;
     const shown = samples.filter((s) => s.t_s >= till - this.minutes * 60);
-    // Minutes before now: what happened when is read backwards.
+    // The time axis counts minutes before now.
     const times = shown.map((s) => (s.t_s - till) / 60);
     STRIPS.forEach((strip, i) => {
       const chart = this.charts[i];

@@ -3,74 +3,60 @@
 use clap::ValueEnum;
 use fenderline_sim::hydro::vessels::Vessel;
 
-use crate::cli::ManoeuvreName;
+use crate::cli::{Manoeuvre, ManoeuvreChoice};
 use crate::failure::Failure;
 
-/// Every single manoeuvre, in the order in which they are printed.
-const EACH: [ManoeuvreName; 5] = [
-    ManoeuvreName::Turning,
-    ManoeuvreName::Zigzag,
-    ManoeuvreName::CrashStop,
-    ManoeuvreName::Crabbing,
-    ManoeuvreName::BollardPull,
-];
-
-impl ManoeuvreName {
-    /// As the command line has it.
+impl Manoeuvre {
+    /// Its name on the command line.
     pub(super) fn text(self) -> String {
-        text_of(self)
+        self.to_possible_value().expect("no name is hidden").get_name().to_owned()
     }
 
     /// Whether it needs a propeller.
     fn needs_propeller(self) -> bool {
-        self != ManoeuvreName::Crabbing
+        self != Manoeuvre::Crabbing
     }
 
-    /// Whether it begins on a straight course at a speed.
+    /// Whether it begins on a straight course at a given speed.
     pub(super) fn has_approach(self) -> bool {
         matches!(
             self,
-            ManoeuvreName::Turning
-                | ManoeuvreName::Zigzag
-                | ManoeuvreName::CrashStop
-                | ManoeuvreName::BollardPull
+            Manoeuvre::Turning | Manoeuvre::Zigzag | Manoeuvre::CrashStop | Manoeuvre::BollardPull
         )
     }
 
     /// Whether a rudder angle is ordered in it.
     pub(super) fn has_rudder(self) -> bool {
-        matches!(self, ManoeuvreName::Turning | ManoeuvreName::Zigzag)
+        matches!(self, Manoeuvre::Turning | Manoeuvre::Zigzag)
     }
 }
 
-fn text_of(value: impl ValueEnum) -> String {
-    value.to_possible_value().expect("no name is hidden").get_name().to_owned()
-}
-
-/// The manoeuvres that a name asks for, of a vessel whose speed of approach may be ordered.
+/// The manoeuvres of a choice. `has_speed`: the user gives a speed of approach.
 ///
 /// # Errors
-/// A manoeuvre that the vessel has no propeller or no speed of approach for.
+/// A manoeuvre for which the vessel has no propeller or no speed of approach.
 pub(super) fn chosen(
-    name: ManoeuvreName,
+    choice: ManoeuvreChoice,
     vessel: &Vessel,
     has_speed: bool,
-) -> Result<Vec<ManoeuvreName>, Failure> {
+) -> Result<Vec<Manoeuvre>, Failure> {
     let has_propeller = vessel.ship.propulsion.is_some();
     let has_speed = has_speed || vessel.approach_mps.is_some();
-    let can = |manoeuvre: ManoeuvreName| {
+    let can = |manoeuvre: Manoeuvre| {
         (has_propeller || !manoeuvre.needs_propeller()) && (has_speed || !manoeuvre.has_approach())
     };
-    if name == ManoeuvreName::All {
-        return Ok(EACH.into_iter().filter(|manoeuvre| can(*manoeuvre)).collect());
-    }
-    if can(name) {
-        return Ok(vec![name]);
+    match choice {
+        ManoeuvreChoice::All => {
+            let each = Manoeuvre::value_variants().iter().copied();
+            return Ok(each.filter(|manoeuvre| can(*manoeuvre)).collect());
+        }
+        ManoeuvreChoice::One(manoeuvre) if can(manoeuvre) => return Ok(vec![manoeuvre]),
+        ManoeuvreChoice::One(_) => {}
     }
     let why = if has_propeller {
-        "no speed of approach is known of her: give --speed"
+        "she has no speed of approach in the data: give --speed"
     } else {
-        "no propeller and no rudder are known of her; crabbing is what she can do"
+        "she has no propeller and no rudder in the data; crabbing is the only manoeuvre"
     };
     Err(Failure::input(format_args!("error: {}: {why}", vessel.origin.title)))
 }

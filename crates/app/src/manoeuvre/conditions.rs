@@ -1,17 +1,17 @@
-//! What the manoeuvres are carried out in, and what the user ordered.
+//! The conditions of the manoeuvres: the water, and the user's options.
 
 use fenderline_sim::constants::{KNOT_MPS, STANDARD_GRAVITY_MPS2};
 use fenderline_sim::hydro::Water;
 use fenderline_sim::hydro::vessels::Vessel;
 
 use super::depth::Shallow;
-use crate::cli::{ManoeuvreArgs, ManoeuvreName};
+use crate::cli::{Manoeuvre, ManoeuvreArgs};
 use crate::failure::Failure;
 
-/// Froude number beyond which no displacement ship goes, and no coefficient here was measured.
+/// Largest Froude number. No displacement ship is faster, and no coefficient here was measured above it.
 const LARGEST_FROUDE: f64 = 0.5;
 
-/// What she sails in.
+/// The water.
 pub(super) struct Sea {
     /// Its density.
     pub(super) water: Water,
@@ -27,7 +27,7 @@ impl Sea {
     }
 }
 
-/// What the user ordered, checked; the vessel's own where nothing is.
+/// The user's options, checked; the vessel's own values if none are given.
 pub(super) struct Conditions {
     /// Speed of approach (m/s).
     pub(super) speed_mps: f64,
@@ -37,7 +37,7 @@ pub(super) struct Conditions {
     pub(super) rudder_deg: Option<f64>,
     /// Push of the crabbing ordered by the user (N).
     pub(super) push_n: Option<f64>,
-    /// The water that the user asks about, where it is not deep.
+    /// Shallow water, if the user asks for it.
     pub(super) shallow: Option<Shallow>,
 }
 
@@ -49,19 +49,19 @@ impl Conditions {
     pub(super) fn checked(
         args: &ManoeuvreArgs,
         vessel: &Vessel,
-        chosen: &[ManoeuvreName],
+        chosen: &[Manoeuvre],
     ) -> Result<Conditions, Failure> {
-        let taken = |option: &str, is_given: bool, takes: fn(ManoeuvreName) -> bool| {
+        let taken = |option: &str, is_given: bool, takes: fn(Manoeuvre) -> bool| {
             if !is_given || chosen.iter().any(|manoeuvre| takes(*manoeuvre)) {
                 return Ok(());
             }
             Err(Failure::input(format_args!("error: {option} has no effect on this manoeuvre")))
         };
-        taken("--rudder", args.rudder.is_some(), ManoeuvreName::has_rudder)?;
-        taken("--speed", args.speed.is_some(), ManoeuvreName::has_approach)?;
-        taken("--push", args.push.is_some(), |m| m == ManoeuvreName::Crabbing)?;
+        taken("--rudder", args.rudder.is_some(), Manoeuvre::has_rudder)?;
+        taken("--speed", args.speed.is_some(), Manoeuvre::has_approach)?;
+        taken("--push", args.push.is_some(), |m| m == Manoeuvre::Crabbing)?;
         let stop_deg = vessel.steering.stop.to_degrees();
-        // The stop is kept in radians: its own angle must not be refused for the last bit.
+        // The stop is stored in radians: an order of exactly the stop must not be refused for its last bit.
         if let Some(rudder_deg) = args.rudder.filter(|rudder_deg| *rudder_deg > stop_deg + 1e-9) {
             return Err(Failure::input(format_args!(
                 "error: --rudder {rudder_deg}: the rudder of {} stops at {stop_deg:.0}°",
@@ -70,12 +70,12 @@ impl Conditions {
         }
         let shallow = args.depth.map(|depth| Shallow::checked(depth, vessel)).transpose()?;
         let ordered_mps = args.speed.map(|speed_kn| speed_kn * KNOT_MPS);
-        // Without either nothing that was chosen has an approach.
+        // Without either, no chosen manoeuvre has an approach.
         let speed_mps = ordered_mps.or(vessel.approach_mps).unwrap_or(0.0);
         let froude = speed_mps / (STANDARD_GRAVITY_MPS2 * vessel.ship.particulars.length_m).sqrt();
         if froude > LARGEST_FROUDE {
             return Err(Failure::input(format_args!(
-                "error: --speed: a Froude number of {froude:.2}; nothing here is known above {LARGEST_FROUDE}"
+                "error: --speed: a Froude number of {froude:.2}; the data are valid up to {LARGEST_FROUDE}"
             )));
         }
         Ok(Conditions {

@@ -1,4 +1,4 @@
-//! Crabbing: how fast a steady side force drives the ship across, and what comes with it.
+//! Crabbing: the motion of the ship under a steady side force.
 
 use fenderline_sim::constants::{KNOT_MPS, STANDARD_GRAVITY_MPS2};
 use fenderline_sim::hydro::manoeuvres::{ManoeuvreError, crabbing};
@@ -6,10 +6,9 @@ use fenderline_sim::hydro::{Force, Model3};
 
 use super::section::{Row, Section, Unit};
 
-/// Froude number of the speed across at which cross-flow drag alone balances the push, where the user orders
-/// none: 1.1 knots for 320 m.
+/// Sets the push if the user gives none: cross-flow drag alone balances it at this Froude number, 1.1 knots for 320 m.
 const FROUDE: f64 = 0.01;
-/// Time for which she is pushed, over the time constant of that balance.
+/// Duration of the push over the time constant of that balance.
 const DURATION: f64 = 40.0;
 /// Steps within one time constant.
 const STEPS: f64 = 200.0;
@@ -33,8 +32,8 @@ pub(super) fn crabbing_section(
         Row::new("push", "push", Unit::Kilonewtons, vec![push_n / 1e3]),
         Row::new("sway", "speed across", Unit::Knots, vec![crab.sway_mps / KNOT_MPS]),
         Row::new("rise", "time to 90 % of it", Unit::Seconds, vec![crab.rise_s]),
-        Row::new("surge", "speed ahead that comes with it", Unit::Knots, vec![turned.1]),
-        Row::new("rate", "rate of turn that comes with it, rL/v", Unit::One, vec![turned.0]),
+        Row::new("surge", "resulting speed ahead", Unit::Knots, vec![turned.1]),
+        Row::new("rate", "resulting rate of turn rL/v", Unit::One, vec![turned.0]),
     ];
     Ok(Section {
         manoeuvre: name.to_owned(),
@@ -46,7 +45,7 @@ pub(super) fn crabbing_section(
     })
 }
 
-/// ½ρLTC_D v² at v = 0.01√(gL) (N): the push where the user orders none.
+/// ½ρLTC_D v² at v = 0.01√(gL) (N): the push if the user gives none.
 pub(super) fn usual_push_n(model: &Model3) -> f64 {
     let length_m = model.ship().particulars.length_m;
     let speed_squared = FROUDE * FROUDE * STANDARD_GRAVITY_MPS2 * length_m;

@@ -1,4 +1,4 @@
-//! Water that is not deep, and what is to be said of it.
+//! Shallow water, and the notices about it.
 
 use fenderline_sim::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_sim::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
@@ -9,22 +9,22 @@ use crate::cli::WaterDepth;
 use crate::failure::Failure;
 use fenderline_report::plot::{fixed, plain};
 
-/// Froude number of depth from which the waves that a ship makes change what the corrections know of; recalled.
+/// Depth Froude number above which the ship's own waves matter, which the corrections leave out; recalled.
 const SLOW_FROUDE: f64 = 0.6;
 
-/// A depth of water that a vessel floats in.
+/// The water depth of a vessel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Shallow {
     pub(super) depth_m: f64,
-    /// Over her draught.
+    /// Depth over her draught.
     pub(super) ratio: f64,
 }
 
 impl Shallow {
-    /// Where she floats there.
+    /// Checks that she floats.
     ///
     /// # Errors
-    /// Water that is no deeper than her draught.
+    /// A depth that does not exceed her draught.
     pub(super) fn checked(depth: WaterDepth, vessel: &Vessel) -> Result<Shallow, Failure> {
         let draught_m = vessel.ship.particulars.draught_m;
         let depth_m = match depth {
@@ -42,12 +42,12 @@ impl Shallow {
         Ok(Shallow { depth_m, ratio: depth_m / draught_m })
     }
 
-    /// The vessel there.
+    /// The vessel with her shallow-water corrections.
     pub(super) fn vessel(&self, deep: &Vessel) -> Vessel {
         Vessel { ship: deep.ship.at_depth(self.depth_m), ..deep.clone() }
     }
 
-    /// Where the corrections are not made for this.
+    /// Notices where the corrections are outside their range.
     pub(super) fn notices(&self, vessel: &Vessel, speed_mps: f64) -> Vec<String> {
         let mut all = Vec::new();
         let ratio = plain(self.ratio, 4);
@@ -75,7 +75,7 @@ impl Shallow {
     }
 }
 
-/// What a manoeuvre gave there, with what it gives in deep water in further columns.
+/// The measures in shallow water, with those in deep water in further columns.
 pub(super) fn beside(there: Section, deep: Section) -> Section {
     let mut merged = there;
     merged.columns.extend(deep.columns.iter().map(|column| format!("{column}, deep")));

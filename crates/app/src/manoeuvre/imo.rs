@@ -1,4 +1,4 @@
-//! What IMO asks: resolution MSC.137(76), Standards for ship manoeuvrability, annex, section 5.3 (read on a page
+//! IMO's limits: resolution MSC.137(76), Standards for ship manoeuvrability, annex, section 5.3 (read on a page
 //! that reproduces it, imorules.com, not in IMO's own print).
 //!
 //! They are for ships of 100 m and more, and chemical tankers and gas carriers of any length, at full load
@@ -11,7 +11,7 @@ use fenderline_contact::number::bounded;
 pub(super) const ADVANCE: f64 = 4.5;
 /// Tactical diameter with the rudder hard over (ship lengths).
 pub(super) const TACTICAL_DIAMETER: f64 = 5.0;
-/// Way until the heading has changed by 10° with 10° of rudder (ship lengths).
+/// Distance until the heading has changed by 10° with 10° of rudder (ship lengths).
 pub(super) const INITIAL_TURNING: f64 = 2.5;
 /// First overshoot of the 20°/20° zig-zag (°).
 pub(super) const FIRST_OVERSHOOT_20_DEG: f64 = 25.0;

@@ -9,7 +9,7 @@ use super::section::{Row, Section};
 use fenderline_results::{accuracy_json, source_json};
 use fenderline_validate::errors_of;
 
-/// The whole, with a line's end.
+/// The whole document, with a final line feed.
 pub(super) fn text(
     name: &str,
     vessel: &Vessel,

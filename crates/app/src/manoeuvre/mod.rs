@@ -1,8 +1,7 @@
 //! `fenderline manoeuvre`: standard manoeuvres of a vessel of the data, with the measures of ITTC and IMO.
 //!
-//! `catalogue` has the manoeuvres, `conditions` what the user ordered, `depth` water that is not deep, `trials` carries them
-//! through, `imo` knows what
-//! MSC.137(76) asks, `section` is what comes out; `printed`, `json` and `track` show it.
+//! `catalogue` has the manoeuvres, `conditions` the user's options, `depth` shallow water, `imo` the limits of MSC.137(76).
+//! `trials` carries the manoeuvres out; `section` has their measures; `printed`, `json` and `track` write them.
 
 mod catalogue;
 mod conditions;
@@ -20,7 +19,7 @@ use std::path::Path;
 use fenderline_sim::hydro::Model3;
 use fenderline_sim::hydro::vessels::Vessel;
 
-use crate::cli::{ManoeuvreArgs, ManoeuvreName};
+use crate::cli::{Manoeuvre, ManoeuvreArgs};
 use crate::failure::Failure;
 use crate::terminal::{say, say_json};
 use crate::vessels::{found, library};
@@ -31,8 +30,8 @@ use section::Section;
 /// Carries out the manoeuvres that `args` asks for and prints their measures.
 ///
 /// # Errors
-/// A vessel that is not known, a manoeuvre or an option that she cannot have, a manoeuvre that does not end, files that cannot be
-/// written.
+/// An unknown vessel, a manoeuvre or an option that does not apply to her, a manoeuvre that does not end, files that cannot
+/// be written.
 pub(crate) fn manoeuvre(args: &ManoeuvreArgs) -> Result<(), Failure> {
     let library = library(&args.file)?;
     let vessel = found(&library, &args.vessel)?.trial();
@@ -40,7 +39,7 @@ pub(crate) fn manoeuvre(args: &ManoeuvreArgs) -> Result<(), Failure> {
     let chosen = catalogue::chosen(args.manoeuvre, &vessel, args.speed.is_some())?;
     let conditions = Conditions::checked(args, &vessel, &chosen)?;
     let sections = sections(&vessel, &chosen, &sea, &conditions)?;
-    // The tracks first: what is printed is then the last thing that can fail.
+    // The tracks first, so that printing is the last thing that can fail.
     let written = args.out.as_deref().map(|folder| write(folder, &sections)).transpose()?;
     if args.json {
         say_json(&json::text(&args.vessel, &vessel, &sea, &conditions, &sections))?;
@@ -55,10 +54,10 @@ pub(crate) fn manoeuvre(args: &ManoeuvreArgs) -> Result<(), Failure> {
     }
 }
 
-/// Every manoeuvre, in shallow water beside deep water where the user asks about it.
+/// All chosen manoeuvres; in shallow water beside deep water if the user asks for it.
 fn sections(
     vessel: &Vessel,
-    chosen: &[ManoeuvreName],
+    chosen: &[Manoeuvre],
     sea: &Sea,
     conditions: &Conditions,
 ) -> Result<Vec<Section>, Failure> {
@@ -73,7 +72,7 @@ fn sections(
     let Some(shallow) = &conditions.shallow else {
         return carried_out(vessel, &deep, conditions);
     };
-    // She is pushed as hard in either water.
+    // The push is the same in both.
     let push_n = conditions.push_n.unwrap_or_else(|| crabbing::usual_push_n(&deep));
     let conditions = Conditions { push_n: Some(push_n), ..*conditions };
     let there = shallow.vessel(vessel);

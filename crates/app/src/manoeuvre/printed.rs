@@ -7,7 +7,7 @@ use fenderline_sim::hydro::vessels::Vessel;
 
 use super::conditions::{Conditions, Sea};
 use super::section::{Row, Section, Unit};
-use crate::cli::ManoeuvreName;
+use crate::cli::{Manoeuvre, ManoeuvreChoice};
 use crate::vessels::accuracy_text;
 use fenderline_report::plot::{fixed, plain, significant};
 
@@ -15,13 +15,13 @@ use fenderline_report::plot::{fixed, plain, significant};
 const NAMES: usize = 38;
 /// Width of a column of values (characters).
 const VALUES: usize = 20;
-/// What stands between two columns at least (characters).
+/// Least distance of two columns (characters).
 const GAP: usize = 2;
 
 /// Vessel, measures and sources.
 pub(super) fn text(
-    asked: ManoeuvreName,
-    chosen: &[ManoeuvreName],
+    asked: ManoeuvreChoice,
+    chosen: &[Manoeuvre],
     vessel: &Vessel,
     sea: &Sea,
     conditions: &Conditions,
@@ -32,13 +32,13 @@ pub(super) fn text(
         text.push('\n');
         text.push_str(&table(section, vessel.ship.particulars.length_m));
     }
-    if asked == ManoeuvreName::All && vessel.ship.propulsion.is_none() {
+    if asked == ManoeuvreChoice::All && vessel.ship.propulsion.is_none() {
         text.push_str(
             "\nNo propeller and no rudder are known of her: the other manoeuvres are left out.\n",
         );
-    } else if asked == ManoeuvreName::All && chosen.len() == 1 {
+    } else if asked == ManoeuvreChoice::All && chosen.len() == 1 {
         text.push_str(
-            "\nNo speed of approach is known of her: the other manoeuvres need --speed.\n",
+            "\nShe has no speed of approach in the data: the other manoeuvres need --speed.\n",
         );
     }
     if sections.iter().flat_map(|section| &section.rows).any(|row| row.imo_limit.is_some()) {
@@ -61,12 +61,7 @@ pub(super) fn text(
     text
 }
 
-fn heading(
-    chosen: &[ManoeuvreName],
-    vessel: &Vessel,
-    sea: &Sea,
-    conditions: &Conditions,
-) -> String {
+fn heading(chosen: &[Manoeuvre], vessel: &Vessel, sea: &Sea, conditions: &Conditions) -> String {
     let hull = &vessel.ship.particulars;
     let mut text = format!(
         "{}: L {} m, B {} m, T {} m, Cb {}\n{} of {} kg/m³",
@@ -97,7 +92,7 @@ fn heading(
     text
 }
 
-/// What she sails in, in words.
+/// The water in words.
 fn water(conditions: &Conditions) -> String {
     match &conditions.shallow {
         None => "deep still water".to_owned(),
@@ -138,7 +133,7 @@ fn table(section: &Section, length_m: f64) -> String {
 
 /// A value with its unit; lengths of the ship in metres too.
 fn cell(value: f64, unit: Unit, length_m: f64) -> String {
-    // What rounds to nothing has no sign.
+    // A value that rounds to zero has no sign.
     let shown = |value: f64, decimals: usize| {
         let text = fixed(value, decimals);
         let is_zero = !text.bytes().any(|b| b.is_ascii_digit() && b != b'0');
@@ -160,7 +155,7 @@ fn cell(value: f64, unit: Unit, length_m: f64) -> String {
     }
 }
 
-/// What IMO asks and whether it is so.
+/// IMO's limit, and whether it is met.
 fn limit(row: &Row) -> String {
     let (Some(limit), Some(is_within)) = (row.imo_limit, row.is_within()) else {
         return String::new();

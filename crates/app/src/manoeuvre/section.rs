@@ -1,18 +1,18 @@
-//! What a manoeuvre gave, ready to be shown.
+//! The results of a manoeuvre, ready to be printed.
 
 use fenderline_sim::hydro::manoeuvres::Moment;
 
 /// The measures of one manoeuvre.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Section {
-    /// As the command line has it.
+    /// Its name on the command line.
     pub(super) manoeuvre: String,
-    /// With its conditions.
+    /// Title with the conditions.
     pub(super) title: String,
-    /// One a run: `starboard`, `port`.
+    /// One column per run: `starboard`, `port`.
     pub(super) columns: Vec<String>,
     pub(super) rows: Vec<Row>,
-    /// What the reader must know to believe the numbers.
+    /// Assumptions that the reader must know.
     pub(super) notes: Vec<&'static str>,
     pub(super) tracks: Vec<Track>,
 }
@@ -20,18 +20,18 @@ pub(super) struct Section {
 /// One measure of every run.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Row {
-    /// In JSON.
+    /// Its key in JSON.
     pub(super) key: &'static str,
-    /// In print.
+    /// Its name in the table.
     pub(super) label: &'static str,
     pub(super) unit: Unit,
-    /// One a column, in the unit.
+    /// One value per column, in the unit.
     pub(super) values: Vec<f64>,
-    /// The most that IMO allows.
+    /// IMO's limit.
     pub(super) imo_limit: Option<f64>,
 }
 
-/// What a measure is counted in.
+/// The unit of a measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unit {
     /// Ship's lengths.
@@ -50,10 +50,10 @@ pub(super) enum Unit {
     One,
 }
 
-/// Where a ship went.
+/// The track of a ship.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Track {
-    /// Of the file, without its ending.
+    /// Name of the file, without its ending.
     pub(super) name: String,
     pub(super) moments: Vec<Moment>,
 }
@@ -64,12 +64,12 @@ impl Row {
         Row { key, label, unit, values, imo_limit: None }
     }
 
-    /// With a limit, where there is one.
+    /// A measure with a limit, if there is one.
     pub(super) fn limited(self, imo_limit: Option<f64>) -> Row {
         Row { imo_limit, ..self }
     }
 
-    /// Whether every run keeps the limit; `None` without one.
+    /// Whether every run is within the limit; `None` without one.
     pub(super) fn is_within(&self) -> Option<bool> {
         self.imo_limit.map(|limit| self.values.iter().all(|value| value.abs() <= limit))
     }

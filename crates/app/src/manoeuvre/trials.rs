@@ -12,10 +12,10 @@ use super::conditions::{Conditions, Sea};
 use super::crabbing::crabbing_section;
 use super::imo;
 use super::section::{Row, Section, Track, Unit};
-use crate::cli::ManoeuvreName;
+use crate::cli::Manoeuvre;
 use crate::failure::Failure;
 
-/// A step's length over the time in which the ship sails her own: 0.08 s for KVLCC2. Half of it moves no
+/// Time step over the time in which the ship sails her own length: 0.08 s for KVLCC2. Half of it changes no
 /// measure by a thousandth (`crates/sim/tests/hydro_manoeuvres.rs`).
 const STEP: f64 = 0.002;
 /// Revolutions astern over those of the approach: telegraph full astern.
@@ -24,12 +24,12 @@ const ASTERN: f64 = -0.7;
 /// own length: half a minute for KVLCC2.
 const REVERSAL: f64 = 30.0 / (320.0 / (15.5 * KNOT_MPS));
 
-/// Carries a manoeuvre out to whichever sides it has.
+/// Carries out a manoeuvre, to both sides if it has sides.
 ///
 /// # Errors
 /// A manoeuvre that does not end; a speed that the propeller cannot hold.
 pub(super) fn carry_out(
-    manoeuvre: ManoeuvreName,
+    manoeuvre: Manoeuvre,
     vessel: &Vessel,
     model: &Model3,
     sea: &Sea,
@@ -45,12 +45,11 @@ pub(super) fn carry_out(
     };
     let one = |section: Result<Section, ManoeuvreError>| section.map(|section| vec![section]);
     let sections = match manoeuvre {
-        ManoeuvreName::Turning => one(trial.turning()),
-        ManoeuvreName::Zigzag => trial.zig_zags(),
-        ManoeuvreName::CrashStop => one(trial.crash_stop()),
-        ManoeuvreName::Crabbing => one(crabbing_section(&trial.name, model, conditions.push_n)),
-        ManoeuvreName::BollardPull => one(trial.bollard_pull()),
-        ManoeuvreName::All => unreachable!("all is no manoeuvre of its own"),
+        Manoeuvre::Turning => one(trial.turning()),
+        Manoeuvre::Zigzag => trial.zig_zags(),
+        Manoeuvre::CrashStop => one(trial.crash_stop()),
+        Manoeuvre::Crabbing => one(crabbing_section(&trial.name, model, conditions.push_n)),
+        Manoeuvre::BollardPull => one(trial.bollard_pull()),
     };
     sections.map_err(|error| match error {
         ManoeuvreError::NoBalance { .. } => {
@@ -83,7 +82,7 @@ impl Trial<'_> {
         Approach::at(model, speed_mps, self.vessel.steering, step_s)
     }
 
-    /// A limit, where IMO's limits hold.
+    /// A limit, if IMO's limits apply.
     fn limit(&self, limit: f64) -> Option<f64> {
         self.has_limits.then_some(limit)
     }
@@ -178,7 +177,7 @@ impl Trial<'_> {
         let ways = runs.iter().map(|run| run.initial_turning_m / self.length_m).collect();
         let times = runs.iter().map(|run| run.second_execute_s).collect();
         let rows = vec![
-            Row::new("initial_turning", "way to the second execute", Unit::Lengths, ways)
+            Row::new("initial_turning", "distance to the second execute", Unit::Lengths, ways)
                 .limited(initial),
             Row::new("second_execute", "time to the second execute", Unit::Seconds, times),
             Row::new(
@@ -201,7 +200,7 @@ impl Trial<'_> {
             title: format!("Zig-zag {angle_deg}°/{angle_deg}°, by the side of the first execute"),
             columns: SIDES.map(|(side, _)| side.to_owned()).to_vec(),
             rows,
-            notes: vec!["Executes fall on whole steps; constant revolutions."],
+            notes: vec!["Executes are at whole steps; constant revolutions."],
             tracks,
         })
     }
@@ -222,7 +221,7 @@ impl Trial<'_> {
         }
     }
 
-    /// With the resistance of the tests, and with the ship's own friction where theirs is a model's.
+    /// With the resistance of the tests; and with the ship's own friction, if the tests' is that of a model.
     fn crash_stop(&self) -> Result<Section, ManoeuvreError> {
         let mut models = vec![("ahead", *self.model)];
         let speed_mps = self.conditions.speed_mps;
@@ -273,8 +272,8 @@ impl Trial<'_> {
         ];
         let mut notes = vec![
             "The shaft changes evenly, in 30 s for a ship of 320 m at 15.5 knots: assumed.",
-            "It does so whatever torque it takes: a diesel may need longer.",
-            "A propeller astern does not swing the ship in this model, as real ones do.",
+            "The torque for that is not limited: a diesel may need longer.",
+            "In this model a propeller astern does not turn the ship; real ones do.",
         ];
         notes.push(match (models.len(), self.has_limits) {
             (2, _) => {
@@ -317,7 +316,7 @@ impl Trial<'_> {
                 Row::new("revolutions", "revolutions", Unit::PerMinute, revolutions),
                 Row::new("pull", "pull on the line", Unit::Kilonewtons, pulls_kn),
             ],
-            notes: vec!["Whether the engine can turn the propeller so at rest is not asked."],
+            notes: vec!["Whether the engine has the torque for this at rest is not checked."],
             tracks: Vec::new(),
         })
     }

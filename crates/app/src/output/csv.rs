@@ -42,7 +42,7 @@ impl<R> CsvTable<R> {
                             return Err(not_finite(self.writer.get_ref(), column.name, value));
                         }
                         // Debug is the shortest form that reads back to the same bits, with an
-                        // exponent where the digits would run away.
+                        // exponent for very large and very small numbers.
                         let _ = write!(self.field, "{value:?}");
                     }
                 }
@@ -66,7 +66,7 @@ impl<R> CsvTable<R> {
             .map_err(|e| OutputError::new(self.writer.get_ref().path(), e))
     }
 
-    /// Brings the file to the disk, still under its `.part` name.
+    /// Syncs the file to the disk, still under its `.part` name.
     pub(super) fn finish(self) -> Result<Sealed, OutputError> {
         let path = self.writer.get_ref().path().to_owned();
         let file = self.writer.into_inner().map_err(|e| OutputError::new(&path, e.error()))?;

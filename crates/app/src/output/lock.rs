@@ -1,4 +1,4 @@
-//! A file that one run at a time holds.
+//! A lock file, held by one run at a time.
 
 use std::fs::{self, File, TryLockError};
 use std::io;
@@ -8,15 +8,14 @@ use fenderline_scenario::{irregular, without_following};
 
 use super::OutputError;
 
-/// How often a lock file is opened anew that its holder took away in the meantime. Each time another run came to
-/// its end between two of our calls: who loses so often is told that another run is at work, which is so.
+/// How often a lock file is reopened after its holder removed it between two of our calls. After that many runs that ended
+/// just then, another run is reported.
 const TRIES: u32 = 100;
 
-/// An open and locked file. The lock goes when the program does, however that ends; the file goes with it where
-/// that is safe.
+/// An open and locked file. The lock ends with the program, however it ends. The file is removed too, if that is safe.
 ///
-/// A lock holds a file, not its name. So after it was had, the name is asked whether it is still that file's: else
-/// two runs could hold the lock of one name, one on a file that was renamed or removed.
+/// A lock belongs to a file, not to its name. After locking, the name is therefore compared with the file. Otherwise two
+/// runs could hold the lock of one name, one of them on a file that was renamed or removed.
 #[derive(Debug)]
 pub(super) struct Lock {
     file: File,
@@ -24,11 +23,10 @@ pub(super) struct Lock {
 }
 
 impl Lock {
-    /// Opens and locks `path`, which is made where need be; never waits. `busy` tells what it means that another
-    /// holds it.
+    /// Opens and locks `path`, which is created if needed. Never waits. `busy` is the message if another program holds it.
     ///
     /// # Errors
-    /// Bad input: another holds it; it is no regular file; it cannot be opened; the file system has no locks.
+    /// Bad input: another program holds it; it is not a regular file; it cannot be opened; the file system has no locks.
     pub(super) fn take(path: &Path, busy: &str) -> Result<Lock, OutputError> {
         for _ in 0..TRIES {
             admit(path)?;
@@ -49,7 +47,7 @@ impl Lock {
                 Err(TryLockError::WouldBlock) => return Err(OutputError::refused(path, busy)),
                 Err(TryLockError::Error(e)) => {
                     let why = format!(
-                        "no run can be sure to be alone here, as this file system has no locks: {e}"
+                        "this file system has no locks, so that another run could write here too: {e}"
                     );
                     return Err(OutputError::refused(path, why));
                 }
@@ -77,7 +75,7 @@ impl Lock {
         (held.dev(), held.ino()) == (named.dev(), named.ino())
     }
 
-    /// Elsewhere a lock's file is never taken away, so that nothing comes between a name and its file.
+    /// On other systems lock files are never removed, so that the name stays that of the file.
     #[cfg(not(unix))]
     pub(super) fn is_in_place(&self) -> bool {
         self.path.exists()
@@ -86,19 +84,19 @@ impl Lock {
 
 impl Drop for Lock {
     fn drop(&mut self) {
-        // Before the lock is let go, so that it is ours that is removed. Who waits with the old file open finds
-        // out that the name is no longer its.
+        // Before unlocking, so that our own file is removed. A program that has the old file open finds that the name has
+        // changed.
         if cfg!(unix) && self.is_in_place() {
-            // Nothing better can be done with an error: a lock file that nobody holds keeps nobody out.
+            // An error is ignored: a lock file that nobody holds does no harm.
             let _ = fs::remove_file(&self.path);
         }
     }
 }
 
-/// Refuses to write where something lies that no run leaves: it would be followed, waited for or lost.
+/// Refuses a path that holds anything but a regular file: a link would be followed, a pipe waited for, a folder lost.
 ///
 /// # Errors
-/// Bad input: what lies under the name is no regular file.
+/// Bad input: the path does not hold a regular file.
 pub(super) fn admit(path: &Path) -> Result<(), OutputError> {
     match fs::symlink_metadata(path) {
         Ok(there) => match irregular(there.file_type()) {
@@ -111,6 +109,6 @@ pub(super) fn admit(path: &Path) -> Result<(), OutputError> {
 }
 
 fn not_ours(path: &Path, what: &str) -> OutputError {
-    let why = format!("it is {what}, which fenderline did not write and does not replace");
+    let why = format!("it is {what}, which fenderline does not replace");
     OutputError::refused(path, why)
 }

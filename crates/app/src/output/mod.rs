@@ -1,9 +1,8 @@
 //! Result files: tables of bodies, contacts, fenders, vessels, tugs, lines and energy, the summary, the
 //! report.
 //!
-//! A file has its final name only when the whole run is done and everything is on the disk; until
-//! then it is called `NAME.part`. `summary.json` gets its name last of all: where it is, all of the
-//! results are there.
+//! Files get their final names only when the whole run is done and everything is on the disk; until
+//! then they are called `NAME.part`. `summary.json` gets its name last: if it exists, the results are complete.
 
 mod csv;
 mod files;
@@ -22,7 +21,7 @@ pub(crate) use part_file::{Folder, Sealed};
 pub(crate) use tables::Tables;
 pub(crate) use whole_file::{make_folder, write_whole};
 
-/// Names of all files that a run may leave, the summary first; an earlier run's are removed at the start.
+/// Names of all files that a run may write, the summary first. Those of an earlier run are removed at the start.
 fn result_files() -> Vec<String> {
     let tables = fenderline_results::reference();
     let tables = tables.iter().flat_map(|table| {
@@ -58,7 +57,7 @@ impl Format {
 pub(crate) struct OutputError {
     file: PathBuf,
     cause: String,
-    /// The place itself cannot be used, as its user named it: bad input and no failed case.
+    /// The path that the user gave cannot be used: bad input, not a failed case.
     is_refused: bool,
 }
 
@@ -68,12 +67,12 @@ impl OutputError {
         OutputError { file: file.to_owned(), cause: cause.to_string(), is_refused: false }
     }
 
-    /// A place that cannot be used: bad input.
+    /// A path that cannot be used: bad input.
     fn refused(file: &Path, cause: impl fmt::Display) -> OutputError {
         OutputError { is_refused: true, ..OutputError::new(file, cause) }
     }
 
-    /// Whether the place cannot be used, which is bad input.
+    /// Whether the path cannot be used, which is bad input.
     pub(crate) fn is_refused(&self) -> bool {
         self.is_refused
     }
@@ -87,8 +86,8 @@ impl fmt::Display for OutputError {
 
 impl core::error::Error for OutputError {}
 
-/// Brings all files of a run to the disk and then gives them their final names, the summary last;
-/// `files` are the tables. Where anything fails, none keeps its final name.
+/// Syncs all files of a run to the disk and then gives them their final names, the summary last;
+/// `files` are the tables. If anything fails, none keeps its final name.
 ///
 /// # Errors
 /// The first file that could not be written or renamed.

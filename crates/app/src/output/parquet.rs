@@ -4,7 +4,7 @@ use core::fmt::Write as _;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use fenderline_results::{Column, Names, Value};
+use fenderline_results::{Column, List, Names, Value};
 use parquet::basic::Compression;
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int32Type};
 use parquet::errors::ParquetError;
@@ -24,50 +24,89 @@ const ROWS_PER_GROUP: usize = 1 << 16;
 pub(super) struct ParquetTable<R> {
     writer: SerializedFileWriter<PartFile>,
     path: PathBuf,
-    columns: Vec<Column<R>>,
-    /// Values of the current row group, one store a column.
-    stores: Vec<Store>,
+    columns: Vec<Filled<R>>,
     names: Names,
     rows: usize,
 }
 
-/// Values of one column.
-enum Store {
-    Float(Vec<f64>),
-    Text(Vec<ByteArray>),
-    Flag(Vec<bool>),
-    Count(Vec<i32>),
+/// A column, and its values in the current row group.
+struct Filled<R> {
+    name: &'static str,
+    values: Filling<R>,
 }
 
-impl Store {
-    fn for_value<R>(value: &Value<R>) -> Store {
+/// The source of a column's values, and the values of the current row group.
+enum Filling<R> {
+    Float(fn(&R) -> f64, Vec<f64>),
+    Known(fn(&R) -> Option<f64>, Vec<f64>),
+    Name(List, fn(&R) -> Option<usize>, Vec<ByteArray>),
+    Word(fn(&R) -> &'static str, Vec<ByteArray>),
+    Flag(fn(&R) -> bool, Vec<bool>),
+    Count(fn(&R) -> u32, Vec<i32>),
+}
+
+impl<R> Filling<R> {
+    fn of(value: Value<R>) -> Filling<R> {
         match value {
-            Value::Float(_) | Value::Known(_) => Store::Float(Vec::new()),
-            Value::Name(..) | Value::Word(_) => Store::Text(Vec::new()),
-            Value::Flag(_) => Store::Flag(Vec::new()),
-            Value::Count(_) => Store::Count(Vec::new()),
+            Value::Float(number) => Filling::Float(number, Vec::new()),
+            Value::Known(number) => Filling::Known(number, Vec::new()),
+            Value::Name(list, index) => Filling::Name(list, index, Vec::new()),
+            Value::Word(word) => Filling::Word(word, Vec::new()),
+            Value::Flag(flag) => Filling::Flag(flag, Vec::new()),
+            Value::Count(count) => Filling::Count(count, Vec::new()),
         }
     }
 
     /// Type in the language of parquet's schemas.
     fn schema_type(&self) -> (&'static str, &'static str) {
         match self {
-            Store::Float(_) => ("DOUBLE", ""),
-            Store::Text(_) => ("BYTE_ARRAY", " (STRING)"),
-            Store::Flag(_) => ("BOOLEAN", ""),
-            Store::Count(_) => ("INT32", ""),
+            Filling::Float(..) | Filling::Known(..) => ("DOUBLE", ""),
+            Filling::Name(..) | Filling::Word(..) => ("BYTE_ARRAY", " (STRING)"),
+            Filling::Flag(..) => ("BOOLEAN", ""),
+            Filling::Count(..) => ("INT32", ""),
         }
+    }
+
+    /// Adds the value of a row.
+    ///
+    /// # Errors
+    /// The number, if it is not finite.
+    fn push(&mut self, row: &R, names: &Names) -> Result<(), f64> {
+        match self {
+            Filling::Float(number, values) => values.push(finite(number(row))?),
+            Filling::Known(number, values) => {
+                values.push(number(row).map_or(Ok(f64::NAN), finite)?);
+            }
+            Filling::Name(list, index, values) => {
+                values.push(ByteArray::from(names.get(*list, index(row))));
+            }
+            Filling::Word(word, values) => values.push(ByteArray::from(word(row))),
+            Filling::Flag(flag, values) => values.push(flag(row)),
+            Filling::Count(count, values) => {
+                // Patches are numbered from 0; a pair never has 2³¹ of them.
+                values.push(i32::try_from(count(row)).unwrap_or(i32::MAX));
+            }
+        }
+        Ok(())
     }
 
     /// Writes the values as one column chunk and forgets them.
     fn write(&mut self, column: SerializedColumnWriter<'_>) -> Result<(), ParquetError> {
         match self {
-            Store::Float(values) => write_chunk::<DoubleType>(column, values),
-            Store::Text(values) => write_chunk::<ByteArrayType>(column, values),
-            Store::Flag(values) => write_chunk::<BoolType>(column, values),
-            Store::Count(values) => write_chunk::<Int32Type>(column, values),
+            Filling::Float(_, values) | Filling::Known(_, values) => {
+                write_chunk::<DoubleType>(column, values)
+            }
+            Filling::Name(_, _, values) | Filling::Word(_, values) => {
+                write_chunk::<ByteArrayType>(column, values)
+            }
+            Filling::Flag(_, values) => write_chunk::<BoolType>(column, values),
+            Filling::Count(_, values) => write_chunk::<Int32Type>(column, values),
         }
     }
+}
+
+fn finite(value: f64) -> Result<f64, f64> {
+    if value.is_finite() { Ok(value) } else { Err(value) }
 }
 
 fn write_chunk<T: DataType>(
@@ -90,49 +129,35 @@ impl<R> ParquetTable<R> {
         facts: &[(&str, String)],
     ) -> Result<ParquetTable<R>, OutputError> {
         let path = file.path().to_owned();
-        let stores: Vec<Store> = columns.iter().map(|c| Store::for_value(&c.value)).collect();
+        let metadata = metadata(&columns, facts);
+        let columns: Vec<Filled<R>> = columns
+            .into_iter()
+            .map(|column| Filled { name: column.name, values: Filling::of(column.value) })
+            .collect();
         let mut schema = format!("message {name} {{");
-        for (column, store) in columns.iter().zip(&stores) {
-            let (physical, logical) = store.schema_type();
+        for column in &columns {
+            let (physical, logical) = column.values.schema_type();
             let _ = write!(schema, " REQUIRED {physical} {}{logical};", column.name);
         }
         schema.push_str(" }");
         let properties = WriterProperties::builder()
             .set_compression(Compression::SNAPPY)
             .set_created_by(format!("fenderline {}", env!("CARGO_PKG_VERSION")))
-            .set_key_value_metadata(Some(metadata(&columns, facts)))
+            .set_key_value_metadata(Some(metadata))
             .build();
         let writer = parse_message_type(&schema)
             .and_then(|schema| {
                 SerializedFileWriter::new(file, Arc::new(schema), Arc::new(properties))
             })
             .map_err(|e| OutputError::new(&path, e))?;
-        Ok(ParquetTable { writer, path, columns, stores, names: names.clone(), rows: 0 })
+        Ok(ParquetTable { writer, path, columns, names: names.clone(), rows: 0 })
     }
 
     /// Adds a row.
     pub(super) fn push(&mut self, row: &R) -> Result<(), OutputError> {
-        for (column, store) in self.columns.iter().zip(&mut self.stores) {
-            match (&column.value, store) {
-                (Value::Float(_) | Value::Known(_), Store::Float(values)) => {
-                    let value = column.value.number(row);
-                    if let Some(value) = value.filter(|value| !value.is_finite()) {
-                        return Err(not_finite(self.writer.inner(), column.name, value));
-                    }
-                    values.push(value.unwrap_or(f64::NAN));
-                }
-                (Value::Name(list, index), Store::Text(values)) => {
-                    values.push(ByteArray::from(self.names.get(*list, index(row))));
-                }
-                (Value::Word(word), Store::Text(values)) => {
-                    values.push(ByteArray::from(word(row)));
-                }
-                (Value::Flag(flag), Store::Flag(values)) => values.push(flag(row)),
-                (Value::Count(count), Store::Count(values)) => {
-                    // Patches are numbered from 0; a pair never has 2³¹ of them.
-                    values.push(i32::try_from(count(row)).unwrap_or(i32::MAX));
-                }
-                _ => unreachable!("every store was made for its column"),
+        for column in &mut self.columns {
+            if let Err(value) = column.values.push(row, &self.names) {
+                return Err(not_finite(self.writer.inner(), column.name, value));
             }
         }
         self.rows += 1;
@@ -143,9 +168,9 @@ impl<R> ParquetTable<R> {
         self.rows = 0;
         let written = (|| {
             let mut group = self.writer.next_row_group()?;
-            for store in &mut self.stores {
-                let column = group.next_column()?;
-                store.write(column.expect("as many columns as stores"))?;
+            for column in &mut self.columns {
+                let writer = group.next_column()?;
+                column.values.write(writer.expect("the schema has every column"))?;
             }
             group.close()?;
             Ok::<(), ParquetError>(())
@@ -153,7 +178,7 @@ impl<R> ParquetTable<R> {
         written.map_err(|e| OutputError::new(&self.path, e))
     }
 
-    /// Writes what is held and the footer, and brings the file to the disk, still under its
+    /// Writes the last row group and the footer, and syncs the file to the disk, still under its
     /// `.part` name.
     pub(super) fn finish(mut self) -> Result<Sealed, OutputError> {
         if self.rows > 0 {

@@ -1,4 +1,4 @@
-//! Files that appear complete or not at all.
+//! Files that are complete or absent.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
@@ -10,15 +10,15 @@ use fenderline_scenario::without_following;
 use super::lock::{Lock, admit};
 use super::{OutputError, SUMMARY, result_files};
 
-/// The file whose lock keeps a second run out of a folder: it is never renamed.
+/// The file whose lock keeps a second run out of the folder. It is never renamed.
 const LOCK: &str = ".fenderline.lock";
 
-/// A file under its `.part` name; removed when it is dropped before it is whole.
+/// A file under its `.part` name; removed if it is dropped before it is complete.
 pub(super) struct PartFile {
     file: BufWriter<File>,
     part: PathBuf,
     is_whole: bool,
-    /// The folder is ours until the last of its files is done with.
+    /// Keeps the folder locked until the last of its files is finished.
     lock: Arc<Lock>,
 }
 
@@ -37,7 +37,7 @@ impl PartFile {
         self.file.write_all(bytes).map_err(|e| OutputError::new(&self.part, e))
     }
 
-    /// Brings the content to the disk. The file keeps its `.part` name until [`Folder::publish`].
+    /// Syncs the content to the disk. The file keeps its `.part` name until [`Folder::publish`].
     pub(super) fn seal(mut self) -> Result<Sealed, OutputError> {
         let synced = self.file.flush().and_then(|()| self.file.get_ref().sync_all());
         synced.map_err(|e| OutputError::new(&self.part, e))?;
@@ -60,14 +60,13 @@ impl Write for PartFile {
 impl Drop for PartFile {
     fn drop(&mut self) {
         if !self.is_whole {
-            // Nothing better can be done with an error here: the `.part` name already says it.
+            // An error is ignored: the `.part` name marks the file as incomplete.
             let _ = fs::remove_file(&self.part);
         }
     }
 }
 
-/// A file that is whole on the disk under its `.part` name; removed when it is dropped before it
-/// is published.
+/// A complete file on the disk under its `.part` name; removed if it is dropped before it is published.
 pub(crate) struct Sealed {
     part: PathBuf,
     is_published: bool,
@@ -91,19 +90,18 @@ impl Drop for Sealed {
 /// The folder of a run's results, held by one run at a time.
 pub(crate) struct Folder {
     path: PathBuf,
-    /// Open from the start, so that a folder that cannot be made durable is found out before the run.
+    /// Open from the start, so that a folder that cannot be synced is found before the run.
     handle: Handle,
     /// Held from start to end, by the folder and by each of its files.
     lock: Arc<Lock>,
 }
 
 impl Folder {
-    /// Opens the folder, which it creates where need be, and removes the results of an earlier
-    /// run from it: those files only that a run writes. Nothing is removed where one of these names holds what no
-    /// run writes, such as a link or a pipe.
+    /// Opens the folder, creates it if needed, and removes the results of an earlier run: only files that a run
+    /// writes. Nothing is removed if one of these names holds anything but a regular file, such as a link or a pipe.
     ///
     /// # Errors
-    /// Bad input: a folder that cannot be created or written, in which another run is at work, or that holds something
+    /// Bad input: a folder that cannot be created or written, that another run is writing to, or that holds something
     /// else under the name of a result.
     pub(crate) fn open(path: &Path) -> Result<Folder, OutputError> {
         let refused = |e: io::Error| OutputError::refused(path, e);
@@ -114,7 +112,7 @@ impl Folder {
         let names: Vec<[PathBuf; 2]> =
             names.iter().map(|name| [path.join(name), path.join(part_name(name))]).collect();
         names.iter().flatten().try_for_each(|name| admit(name))?;
-        // The mark of completeness is the first to go, before anything that it vouches for.
+        // The summary is removed first, because it marks the other files as complete.
         remove(&path.join(SUMMARY))?;
         handle.sync().map_err(refused)?;
         names.iter().flatten().try_for_each(|name| remove(name))?;
@@ -124,7 +122,7 @@ impl Folder {
     /// Starts `name`, under its `.part` name.
     pub(super) fn create(&self, name: &str) -> Result<PartFile, OutputError> {
         let part = self.path.join(part_name(name));
-        // What lay there was removed: what is there now is another program's, and is not written into.
+        // The old file was removed: a file that is there now belongs to another program and is not written to.
         let file = without_following()
             .write(true)
             .create_new(true)
@@ -133,8 +131,8 @@ impl Folder {
         Ok(PartFile::new(file, part, Arc::clone(&self.lock)))
     }
 
-    /// Writes the summary and gives all files their final names, the summary last. Where anything fails, the
-    /// system's promise that the names last included, none keeps its final name.
+    /// Writes the summary and gives all files their final names, the summary last. If anything fails, including the sync
+    /// of the folder, none keeps its final name.
     pub(super) fn publish(
         self,
         files: impl IntoIterator<Item = Sealed>,
@@ -167,7 +165,7 @@ impl Folder {
     }
 }
 
-/// Files that have their final names; dropped before all have, they are removed again, the last first.
+/// Files that have their final names. If it is dropped before all have, they are removed again, the last first.
 struct Published<'a> {
     targets: Vec<PathBuf>,
     handle: &'a Handle,
@@ -188,7 +186,7 @@ impl Drop for Published<'_> {
         if self.targets.is_empty() {
             return;
         }
-        // Nothing better can be done with a second error. The summary goes first, as it vouches for the others.
+        // A second error is ignored. The summary is removed first, because it marks the others as complete.
         for target in self.targets.iter().rev() {
             let _ = fs::remove_file(target);
         }
@@ -210,7 +208,7 @@ fn remove(path: &Path) -> Result<(), OutputError> {
     }
 }
 
-/// An open folder, whose names can be made to last through a power cut where the system can do that for a folder.
+/// An open folder, which can be synced so that its file names survive a power cut, if the system supports that.
 struct Handle {
     #[cfg(unix)]
     folder: File,
@@ -230,7 +228,7 @@ impl Handle {
     fn sync(&self) -> io::Result<()> {
         #[cfg(unix)]
         match self.folder.sync_all() {
-            // A file system that knows no such thing for folders.
+            // A file system that cannot sync folders.
             Err(e) if e.kind() != io::ErrorKind::InvalidInput => return Err(e),
             _ => {}
         }

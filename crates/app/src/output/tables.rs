@@ -7,15 +7,15 @@ use super::files::Files;
 use super::part_file::{Folder, Sealed};
 use super::{Format, OutputError, REPORT, SUMMARY};
 
-/// All tables of a run; those of fenders, vessels, tugs and lines only where the set-up has any.
+/// All tables of a run; those of fenders, vessels, tugs and lines only if the set-up has any.
 pub(crate) struct Tables<'a> {
     tables: fenderline_results::Tables<Files<'a>>,
     format: Format,
 }
 
 impl<'a> Tables<'a> {
-    /// Starts the files in `folder`, and the ledger with what there is at the `start`. `facts` are
-    /// keys and values for the metadata, where the format has any.
+    /// Starts the files in `folder`, and the ledger with the energies at the `start`. `facts` are
+    /// keys and values for the metadata, if the format has metadata.
     ///
     /// # Errors
     /// A file that cannot be created or written.
@@ -38,7 +38,7 @@ impl<'a> Tables<'a> {
         self.tables.write(step)
     }
 
-    /// The files that there will be, the report and the summary included.
+    /// The files of the run, with the report and the summary.
     pub(crate) fn files(&self) -> Vec<WrittenFile> {
         let whole = |name: &str| WrittenFile { name: name.to_owned(), rows: None };
         let table = |(name, rows): (&str, u64)| {
@@ -50,7 +50,7 @@ impl<'a> Tables<'a> {
         files
     }
 
-    /// Brings all tables to the disk, still under their `.part` names.
+    /// Syncs all tables to the disk, still under their `.part` names.
     ///
     /// # Errors
     /// A file that cannot be written.

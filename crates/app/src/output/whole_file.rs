@@ -1,4 +1,4 @@
-//! One file that appears whole or not at all.
+//! One file that is complete or absent.
 
 use std::fs;
 use std::io::Write as _;
@@ -7,16 +7,16 @@ use std::path::Path;
 use super::OutputError;
 use super::lock::{Lock, admit};
 
-/// Writes `bytes` to `path`. Until it is whole and on the disk it is called `NAME.part`, which one program at a time
+/// Writes `bytes` to `path`. Until the file is complete on the disk it is called `NAME.part`, which one program at a time
 /// may write.
 ///
 /// # Errors
-/// Bad input where the place cannot be used: it holds no regular file, or another program is writing it. A file
+/// Bad input: the path holds something other than a regular file, or another program is writing it. A failed case: a file
 /// that cannot be written or renamed.
 pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
     admit(path)?;
     let part = path.with_added_extension("part");
-    // Dropped on the way out: removed where it is not renamed.
+    // Removed when it is dropped, unless it was renamed.
     let lock = Lock::take(&part, "another program is writing it")?;
     let mut file = lock.file();
     let written = file
@@ -27,7 +27,7 @@ pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), OutputError> 
     written.map_err(|e| OutputError::new(path, e))
 }
 
-/// Makes a folder for files, where there is none.
+/// Creates a folder for files, if it is missing.
 ///
 /// # Errors
 /// Bad input: it cannot be made.

@@ -1,8 +1,8 @@
-//! A provider with the processes that it started: they end with it, and not before or after.
+//! A provider and the processes that it started, which are all ended together.
 //!
-//! On Unix it is the leader of a process group of its own. Ctrl-C at the terminal so does not reach it: the run decides
-//! when it ends. What leaves the group by `setsid` is no longer its, and is left alone. Elsewhere only the provider
-//! itself is ended.
+//! On Unix a provider leads a process group of its own. Ctrl-C at the terminal therefore does not reach it: the run decides
+//! when it ends. A process that leaves the group by `setsid` is left alone. On other systems only the provider itself is
+//! ended.
 
 use std::io;
 use std::process::{Child, Command};
@@ -12,8 +12,8 @@ use std::sync::Mutex;
 #[cfg(unix)]
 use rustix::process::{Pid, Signal, WaitId, WaitIdOptions, kill_process_group, waitid};
 
-/// The groups that are there, so that a program that ends at once ends them too. One stays in it only as long as its
-/// leader was not waited for: until then no other process or group can have its number.
+/// The running groups, so that a program that ends at once ends them too. A group is removed before its leader is waited
+/// for: until then no other process or group can have its number.
 #[cfg(unix)]
 static GROUPS: Mutex<Vec<Pid>> = Mutex::new(Vec::new());
 
@@ -29,7 +29,7 @@ impl Group {
         #[cfg(unix)]
         {
             use std::os::unix::process::CommandExt as _;
-            // Nobody ends all groups between its start and its entry.
+            // The lock prevents that all groups are ended between its start and its entry.
             let mut groups = lock();
             let child = command.process_group(0).spawn()?;
             let leader = Pid::from_child(&child);
@@ -40,20 +40,20 @@ impl Group {
         Ok((command.spawn()?, Group {}))
     }
 
-    /// Whether the leader has ended; it is not waited for, so that its number stays its own.
+    /// Whether the leader has ended. It is not waited for, so that its number is not reused.
     pub(super) fn has_leader_ended(&self, child: &mut Child) -> bool {
         #[cfg(unix)]
         {
             let _ = child;
             let how = WaitIdOptions::EXITED | WaitIdOptions::NOHANG | WaitIdOptions::NOWAIT;
-            // An error says that it was waited for.
+            // An error means that it was waited for.
             !matches!(waitid(WaitId::Pid(self.leader), how), Ok(None))
         }
         #[cfg(not(unix))]
         matches!(child.try_wait(), Ok(Some(_)) | Err(_))
     }
 
-    /// Ends all of the group that are still there; nothing where that was done.
+    /// Ends all processes of the group; nothing if that was done before.
     pub(super) fn end(&self) {
         #[cfg(unix)]
         {
@@ -65,7 +65,7 @@ impl Group {
     }
 }
 
-/// Ends the processes of all providers, where the program ends without coming to its end.
+/// Ends the processes of all providers when the program ends early.
 #[cfg(unix)]
 pub(crate) fn end_all() {
     lock().drain(..).for_each(end);
@@ -73,12 +73,12 @@ pub(crate) fn end_all() {
 
 #[cfg(unix)]
 fn end(leader: Pid) {
-    // An error says that nobody is left.
+    // An error means that no process is left.
     let _ = kill_process_group(leader, Signal::KILL);
 }
 
 #[cfg(unix)]
 fn lock() -> std::sync::MutexGuard<'static, Vec<Pid>> {
-    // A list of numbers is whole whatever its last user did.
+    // A list of numbers is valid even after a panic of its last user.
     GROUPS.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
 }

@@ -1,5 +1,4 @@
-//! Other programs that put forces on bodies: one process a provider, one line of JSON a question and an
-//! answer.
+//! Providers: other programs that apply forces to bodies. Each is a process that answers one line of JSON with another.
 
 mod group;
 mod process;
@@ -51,8 +50,8 @@ impl Providers {
         Ok(Providers { all, wrenches, events: Vec::new() })
     }
 
-    /// Asks every provider for the step to come and hands the sums to the simulation; what happened is
-    /// added to `notices`.
+    /// Queries every provider for the next step and gives the sums of the forces to the simulation. Events are added to
+    /// `notices`.
     pub(crate) fn ask(&mut self, simulation: &mut Simulation, notices: &mut ProviderNotices) {
         if self.all.is_empty() {
             return;

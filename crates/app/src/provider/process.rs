@@ -1,4 +1,4 @@
-//! A provider in a process of its own, spoken to over its standard input and output.
+//! The process of one provider. The program writes to its standard input and reads its standard output.
 
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::process::{Child, ChildStdin, ChildStdout, Command, ExitStatus, Stdio};
@@ -13,23 +13,22 @@ use super::protocol;
 /// Longest line that a provider may write (bytes).
 const LONGEST_LINE: u64 = 64 * 1024;
 
-/// Questions that may wait for their answers: as many as any pipe holds, so that one that does not read
-/// cannot block the run.
+/// Most questions without answer. Any pipe holds so many, so that a provider that does not read cannot block the run.
 const UNANSWERED: u64 = 8;
-/// Timeouts in a row after which nobody waits for a provider, until it answers something.
+/// Timeouts in a row after which the run no longer waits for a provider, until it answers again.
 const PATIENCE: u32 = 3;
 
 /// A running provider.
 pub(super) struct Process {
     child: Child,
-    /// It and what it started.
+    /// The provider and the processes that it started.
     group: Group,
     /// `None` once it has closed its input.
     input: Option<ChildStdin>,
     lines: Receiver<String>,
     timeout: Duration,
     asked: u64,
-    /// The first question that is not answered yet.
+    /// The oldest question without answer.
     unanswered: u64,
     timeouts: u32,
 }
@@ -49,7 +48,7 @@ impl Process {
         let (mut child, group) = Group::start(&mut command)?;
         let output = child.stdout.take().ok_or_else(|| std::io::Error::other("no output"))?;
         let input = child.stdin.take();
-        // A provider that talks without being asked fills the channel and then waits itself.
+        // A provider that writes without being asked fills the channel and then has to wait.
         let (send, lines) = sync_channel(64);
         std::thread::spawn(move || listen(output, &send));
         let timeout = Duration::from_secs_f64(timeout_s);
@@ -69,7 +68,7 @@ impl Process {
         }
     }
 
-    /// Why it does not answer any more.
+    /// Why it no longer answers.
     fn epitaph(&mut self) -> String {
         match self.ended() {
             Some(status) => format!("it ended: {status}"),
@@ -77,12 +76,12 @@ impl Process {
         }
     }
 
-    /// How it ended; a process closes its output a moment before that, so that it is given half a second.
+    /// Its exit status. A process closes its output a moment before it ends, so that it gets half a second.
     fn ended(&mut self) -> Option<ExitStatus> {
         let until = Instant::now() + Duration::from_millis(500);
         loop {
             if self.group.has_leader_ended(&mut self.child) {
-                // Before it is waited for: until then its number is its own.
+                // Before it is waited for: after that its number may be reused.
                 self.group.end();
                 return self.child.wait().ok();
             }
@@ -108,13 +107,13 @@ impl ForceProvider for Process {
             let left = until.saturating_duration_since(Instant::now());
             match self.lines.recv_timeout(left) {
                 Ok(line) => {
-                    // A line that is no answer is passed over.
+                    // A line that is not an answer is skipped.
                     let Some((n, wrench)) = protocol::answer(&line, request) else { continue };
                     if is_asked && n.saturating_add(1) == self.asked {
                         (self.unanswered, self.timeouts) = (self.asked, 0);
                         return ForceReply::Wrench(wrench);
                     }
-                    // It came too late for its own step; who answers again is waited for again.
+                    // Too late for its step. The run waits again for a provider that answers again.
                     self.unanswered = self.unanswered.max(n.saturating_add(1)).min(self.asked);
                     if self.timeouts >= PATIENCE {
                         self.timeouts = 0;
@@ -133,7 +132,7 @@ impl ForceProvider for Process {
 
 impl Drop for Process {
     fn drop(&mut self) {
-        // A provider that reads to the end of its input ends by itself; one that does not is ended.
+        // A provider that reads its input to the end ends by itself; another one is ended.
         self.input = None;
         if self.ended().is_some() {
             return;
@@ -144,7 +143,8 @@ impl Drop for Process {
     }
 }
 
-/// Hands on the provider's lines until it ends or nobody listens; an overlong line is cut, and so no answer.
+/// Passes the provider's lines on until it ends or the channel is closed. A line that is too long is cut, and is then not
+/// an answer.
 fn listen(output: ChildStdout, send: &SyncSender<String>) {
     let mut reader = BufReader::new(output);
     let mut line = Vec::new();

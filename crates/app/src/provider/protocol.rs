@@ -1,13 +1,13 @@
-//! What is said between the program and a provider, one line of JSON each:
+//! The messages between program and provider, one line of JSON each:
 //!
-//! | who | line |
+//! | sender | line |
 //! |---|---|
 //! | program, once | `{"fenderline": 1, "body": "ship", "step_s": 0.1}` |
 //! | program, each step | `{"n": 0, "t_s": 0.0, "step_s": 0.1, "x_m": …, "y_m": …, "heading_rad": …, "u_mps": …, "v_mps": …, "r_radps": …}` |
 //! | provider, each step | `{"n": 0, "force_n": [north, east], "moment_nm": …}` or `{"n": 0, "body_force_n": [forward, starboard], "moment_nm": …}` |
 //!
-//! `n` counts the questions; an answer repeats it, so that one that comes too late is known. u and v are
-//! in the body's axes, moments are about its centre of gravity, positive to starboard.
+//! `n` counts the questions. An answer repeats it, so that a late answer is recognised. u and v are
+//! in the body's axes; moments are about its centre of gravity, positive to starboard.
 
 use fenderline_contact::{Rotation, Vec2, Wrench, vec2};
 use fenderline_sim::external::ForceRequest;
@@ -37,7 +37,7 @@ pub(super) fn question(n: u64, question: &ForceRequest) -> String {
     .to_string()
 }
 
-/// The number and the wrench of an answer; `None` for a line that is none.
+/// The number and the wrench of an answer; `None` for any other line.
 pub(super) fn answer(line: &str, asked: &ForceRequest) -> Option<(u64, Wrench)> {
     let value: Value = serde_json::from_str(line).ok()?;
     let n = value["n"].as_u64()?;

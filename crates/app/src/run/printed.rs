@@ -10,13 +10,12 @@ use fenderline_report::plot::{counted, shortened};
 use fenderline_report::words::interrupted_text;
 use fenderline_results::{Outcome, WrittenFile, integrator_text, method_text};
 
-/// Pairs printed at most.
+/// Most pairs in the table.
 const ROWS: usize = 20;
-/// Longest name of a pair or a fender; the rest is cut (characters).
+/// Longest name of a pair or a fender (characters); longer ones are cut.
 pub(super) const NAME_WIDTH: usize = 48;
 
-/// Title and how it was run, one line a pair with the largest force first, one a fender with the most
-/// used first, and where the files are.
+/// Title and method; one line per pair, the largest force first; one per fender, the most used first; and the files.
 pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile]) -> String {
     let setup = outcome.setup;
     let mut text = format!(
@@ -39,6 +38,10 @@ pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile
         pairs.truncate(ROWS);
         text.push_str(&table(outcome, &pairs));
         text.push_str("approach: positive closing; final: positive separating\n");
+        let by_fender = pairs.iter().filter(|pair| pair.peak_depth_fender.is_some()).count();
+        if by_fender > 0 && by_fender < pairs.len() {
+            text.push_str("peak depth: of a contact through a fender, the fender's deflection\n");
+        }
         if more > 0 {
             let more = counted(more as u64, "more pair", "more pairs");
             let _ = writeln!(text, "and {more}, in summary.json");
@@ -47,6 +50,8 @@ pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile
     text.push_str(&super::fenders::table(outcome));
     text.push_str(&super::fenders::berthing(outcome));
     text.push_str(&super::world::lines(outcome));
+    text.push('\n');
+    text.push_str(&super::verdict::lines(outcome));
     text.push('\n');
     let names: Vec<String> = files.iter().map(described).collect();
     let _ = writeln!(text, "in {}: {}", folder.display(), names.join(", "));
@@ -73,8 +78,14 @@ fn table(outcome: &Outcome<'_>, pairs: &[&PairSummary]) -> String {
     let longest = names.iter().map(|name| name.chars().count()).max().unwrap_or(0);
     let width = longest.max("contact".len());
     let mut text = String::new();
+    // A contact through a fender has no penetration but the fender's deflection.
+    let depth = if pairs.iter().all(|pair| pair.peak_depth_fender.is_some()) {
+        "deflection"
+    } else {
+        "peak depth"
+    };
     let heads = [
-        ("contact", "first touch", "peak force", "peak depth", "impulse", "approach", "final"),
+        ("contact", "first touch", "peak force", depth, "impulse", "approach", "final"),
         ("", "s", "kN", "mm", "kN s", "m/s", "m/s"),
     ];
     for (name, touch, force, depth, impulse, approach, last) in heads {
@@ -99,24 +110,24 @@ fn table(outcome: &Outcome<'_>, pairs: &[&PairSummary]) -> String {
     text
 }
 
-/// An impulse: decimals only where they say something.
+/// An impulse, with a decimal only if it is small.
 fn impulse(impulse_kns: f64) -> String {
     let decimals = if impulse_kns.abs() < 100.0 { 1 } else { 0 };
     decimal(impulse_kns, decimals)
 }
 
-/// A speed to a tenth of a millimetre a second; one that rounds to zero has no sign.
+/// A speed to a tenth of a millimetre per second. A speed that rounds to zero has no sign.
 fn speed(speed_mps: f64) -> String {
     let text = decimal(speed_mps, 4);
     if text == "-0.0000" { "0.0000".to_owned() } else { text }
 }
 
-/// User's text without what could rewrite the terminal, so that columns keep their width.
+/// A user's text without control characters, so that columns keep their width.
 pub(super) fn one_line(text: &str) -> String {
     printable_line(text).into_owned()
 }
 
-/// A number to some decimals, and by powers of ten where the digits would run away.
+/// A number with some decimals; very large ones with a power of ten.
 pub(super) fn decimal(value: f64, decimals: usize) -> String {
     if value.abs() >= 1e12 { format!("{value:.3e}") } else { format!("{value:.decimals$}") }
 }

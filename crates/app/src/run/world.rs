@@ -1,5 +1,4 @@
-//! Vessels, tugs, lines and providers in the summary that `run` prints: short, and in capitals what somebody
-//! has to look at.
+//! Vessels, tugs, lines and providers in the summary that `run` prints. Findings that need attention are in capitals.
 
 use core::fmt::Write as _;
 
@@ -8,10 +7,10 @@ use fenderline_report::plot::{shortened, times};
 use fenderline_results::Outcome;
 use fenderline_results::{LineTotals, LineVerdict};
 
-/// Lines of text about one kind of thing at most.
+/// Most lines of text per kind.
 const ROWS: usize = 12;
 
-/// Empty where the scenario has none of them.
+/// Empty if the scenario has none of them.
 pub(super) fn lines(outcome: &Outcome<'_>) -> String {
     let mut text = String::new();
     moorings(outcome, &mut text);
@@ -19,7 +18,7 @@ pub(super) fn lines(outcome: &Outcome<'_>) -> String {
     if text.is_empty() { text } else { format!("\n{text}") }
 }
 
-/// One line of text a mooring line, the most used first.
+/// One line of text per mooring line, the most used first.
 fn moorings(outcome: &Outcome<'_>, text: &mut String) {
     let names = outcome.setup.world.lines.iter().map(|line| line.line.name.as_str());
     let mut lines: Vec<(&str, &LineTotals)> = names.zip(&outcome.world.lines).collect();
@@ -27,7 +26,7 @@ fn moorings(outcome: &Outcome<'_>, text: &mut String) {
         return;
     }
     let share = |line: &LineTotals| line.share_of_break_load().unwrap_or(0.0);
-    // Stable: equals stay in the order of the scenario.
+    // A stable sort: equal ones stay in the order of the scenario.
     lines.sort_by(|a, b| share(b.1).total_cmp(&share(a.1)));
     let shown = &lines[..lines.len().min(ROWS)];
     let name_of = |name: &str| shortened(&one_line(name), NAME_WIDTH);
@@ -60,13 +59,6 @@ fn moorings(outcome: &Outcome<'_>, text: &mut String) {
 
 fn warnings(outcome: &Outcome<'_>, text: &mut String) {
     let (setup, world) = (outcome.setup, outcome.world);
-    let body = |index: usize| one_line(&setup.bodies[index].name);
-    for (vessel, totals) in setup.world.vessels.iter().zip(&world.vessels).take(ROWS) {
-        if totals.aground.s() > 0.0 {
-            let _ =
-                writeln!(text, "AGROUND: {} for {:.1} s", body(vessel.body), totals.aground.s());
-        }
-    }
     for (tug, totals) in setup.world.tugs.iter().zip(&world.tugs).take(ROWS) {
         if totals.limited.s() > 0.0 {
             let _ = writeln!(
@@ -81,7 +73,7 @@ fn warnings(outcome: &Outcome<'_>, text: &mut String) {
         let what = match *key {
             "provider_held" => "did not answer in time; its last force was held",
             "provider_dropped" => "was silent for too long; its force was DROPPED",
-            "provider_refused" => "gave a force that cannot be; it was REFUSED",
+            "provider_refused" => "gave a force that is not finite or too large; it was REFUSED",
             "provider_died" => "ENDED before the run did",
             _ => "answered again",
         };

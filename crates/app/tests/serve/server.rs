@@ -1,13 +1,18 @@
 //! The program as a server of its own for each test, on a free port.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+#[path = "../support/limited.rs"]
+pub(crate) mod limited;
+
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::{BufRead as _, BufReader, Read as _};
+use std::io::Read as _;
 use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::atomic::{AtomicU32, Ordering};
+
+use limited::Lines;
 
 static NEXT: AtomicU32 = AtomicU32::new(0);
 
@@ -68,11 +73,11 @@ impl Server {
         command.arg("--sessions").arg(folder.join("sessions"));
         let mut child =
             command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts");
-        let mut lines = BufReader::new(child.stdout.take().expect("piped")).lines();
+        let lines = Lines::of(child.stdout.take().expect("piped"));
         let mut links = BTreeMap::new();
         let (mut port, mut recording, mut nmea) = (0, PathBuf::new(), None);
         while recording.as_os_str().is_empty() {
-            let Some(Ok(line)) = lines.next() else {
+            let Some(line) = lines.next() else {
                 let mut why = String::new();
                 let _ = child.stderr.take().expect("piped").read_to_string(&mut why);
                 panic!("no links: {why}");
@@ -87,13 +92,12 @@ impl Server {
                 links.insert(role.trim().to_owned(), format!("/{path}"));
             }
         }
-        // What it says later is read by nobody, and must not stop it.
+        // Its later messages are read and dropped, so that it does not wait for a reader.
         let mut errors = child.stderr.take().expect("piped");
         std::thread::spawn(move || {
             let mut said = String::new();
             let _ = errors.read_to_string(&mut said);
         });
-        std::thread::spawn(move || lines.for_each(drop));
         Server { child, folder, recording, links, port, nmea }
     }
 
@@ -126,7 +130,7 @@ impl Server {
         let id = self.child.id().to_string();
         let told = Command::new("kill").args(["-INT", &id]).status().expect("kill");
         assert!(told.success());
-        assert_eq!(self.child.wait().expect("it ends").code(), Some(0));
+        assert_eq!(limited::end_of(&mut self.child).code(), Some(0));
         self.kill()
     }
 
@@ -168,14 +172,14 @@ pub(crate) fn replay(session: &Path) -> String {
 
 /// What `fenderline replay` says of a session, and its exit code.
 pub(crate) fn replayed(session: &Path) -> (Option<i32>, String) {
-    let output = program().arg("replay").arg(session).output().expect("it runs");
+    let output = limited::output(program().arg("replay").arg(session));
     let text = [output.stdout, output.stderr].concat();
     (output.status.code(), String::from_utf8_lossy(&text).into_owned())
 }
 
 /// What it says when it does not start.
 pub(crate) fn refused(options: &[&str]) -> String {
-    let output = program().arg("serve").arg(scenario()).args(options).output().expect("it runs");
+    let output = limited::output(program().arg("serve").arg(scenario()).args(options));
     assert_eq!(output.status.code(), Some(2));
     String::from_utf8_lossy(&output.stderr).into_owned()
 }

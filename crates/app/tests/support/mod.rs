@@ -1,6 +1,8 @@
 //! A folder of its own for each test, with a scenario in it, and the program run in it.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+pub(crate) mod limited;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
@@ -224,7 +226,7 @@ impl Workplace {
 }
 
 fn finished(command: &mut Command) -> Run {
-    let output = command.output().expect("the program starts");
+    let output = limited::output(command);
     Run {
         code: output.status.code().unwrap_or(-1),
         stdout: String::from_utf8_lossy(&output.stdout).into_owned(),

@@ -13,7 +13,7 @@ use crate::law::damper::{Answered, Growth, damper};
 use crate::law::friction::Slide;
 use crate::law::normal::{factor, normal_force};
 use crate::levers::Levers;
-use crate::mass::{InverseMatrix, Seen};
+use crate::mass::{InverseMatrix, Response};
 use crate::material::Material;
 use crate::memory::PatchMemory;
 use crate::model::Model;
@@ -53,13 +53,13 @@ pub(crate) struct Start<'w> {
 impl Start<'_> {
     /// A floating body's part of the inverse effective mass at a contact along n, with these levers of n and t.
     #[inline(always)]
-    fn seen(&self, rank: u32, n: Vec2, levers: Levers) -> Seen {
+    fn response(&self, rank: u32, n: Vec2, levers: Levers) -> Response {
         let body = &self.scene.model.ranked[rank as usize];
         if body.is_alike {
             // The same bits as by the matrix, and less work.
-            Seen::alike(body.lightest_inverse_mass, body.inverse_of_turning, levers)
+            Response::isotropic(body.lightest_inverse_mass, body.inverse_of_turning, levers)
         } else {
-            Seen::of(&self.inverses[rank as usize], n, levers)
+            Response::of(&self.inverses[rank as usize], n, levers)
         }
     }
 
@@ -71,13 +71,14 @@ impl Start<'_> {
         n: Vec2,
         levers_a: Levers,
         levers_b: Levers,
-    ) -> (Seen, [bool; 2]) {
+    ) -> (Response, [bool; 2]) {
         let floats = [a, b].map(|rank| !self.scene.model.ranked[rank as usize].is_fixed());
-        let (seen_of_a, seen_of_b) = (self.seen(a, n, levers_a), self.seen(b, n, levers_b));
+        let (response_a, response_b) =
+            (self.response(a, n, levers_a), self.response(b, n, levers_b));
         let seen = match floats {
-            [true, false] => seen_of_a,
-            [false, true] => seen_of_b,
-            _ => Seen::both(seen_of_a, seen_of_b),
+            [true, false] => response_a,
+            [false, true] => response_b,
+            _ => Response::both(response_a, response_b),
         };
         (seen, floats)
     }
@@ -130,8 +131,8 @@ pub(crate) fn assemble(
     constraint.set_kinematics([a, b], movers, &touch);
     let Touch { normal, levers_a, levers_b, .. } = touch;
     match movers {
-        Movers::A => constraint.set_masses(start.seen(a, normal, levers_a), [true, false]),
-        Movers::B => constraint.set_masses(start.seen(b, normal, levers_b), [false, true]),
+        Movers::A => constraint.set_masses(start.response(a, normal, levers_a), [true, false]),
+        Movers::B => constraint.set_masses(start.response(b, normal, levers_b), [false, true]),
         Movers::Both => {
             let (seen, floats) = start.seen_of_both([a, b], normal, levers_a, levers_b);
             constraint.set_masses(seen, floats);

@@ -5,7 +5,7 @@
 
 use crate::law::friction::{ShearSpring, ShearStart, Slide};
 use crate::levers::Levers;
-use crate::mass::{InverseMatrix, Seen};
+use crate::mass::{InverseMatrix, Response};
 use crate::material::Material;
 use crate::number::{greater, lesser};
 use crate::report::Friction;
@@ -32,7 +32,7 @@ pub(crate) struct Constraint {
     levers_a: Levers,
     levers_b: Levers,
     /// n·K n, t·K n and t·K t: the inverse of the effective mass (1/kg).
-    pub(crate) inverse_mass: Seen,
+    pub(crate) inverse_mass: Response,
     /// κ: how long its forces act on the velocities in this sub-step (s).
     pub(crate) kick_s: f64,
     /// V_n at the start of the sub-step (m/s).
@@ -180,9 +180,9 @@ impl Constraint {
         let mut constraint = Constraint::default();
         let floats = [a.1, b.1].map(InverseMatrix::floats);
         constraint.set_kinematics([a.0, b.0], Movers::of(floats), touch);
-        let seen_of_a = Seen::of(a.1, touch.normal, touch.levers_a);
-        let seen_of_b = Seen::of(b.1, touch.normal, touch.levers_b);
-        constraint.set_masses(Seen::both(seen_of_a, seen_of_b), floats);
+        let response_a = Response::of(a.1, touch.normal, touch.levers_a);
+        let response_b = Response::of(b.1, touch.normal, touch.levers_b);
+        constraint.set_masses(Response::both(response_a, response_b), floats);
         constraint.set_laws(touch, laws, forces);
         constraint
     }
@@ -199,7 +199,7 @@ impl Constraint {
 
     /// Sets the effective mass, and which of A and B float.
     #[inline(always)]
-    pub(crate) fn set_masses(&mut self, inverse_mass: Seen, [a_floats, b_floats]: [bool; 2]) {
+    pub(crate) fn set_masses(&mut self, inverse_mass: Response, [a_floats, b_floats]: [bool; 2]) {
         (self.a_floats, self.b_floats) = (a_floats, b_floats);
         self.inverse_mass = inverse_mass;
     }
@@ -270,8 +270,8 @@ impl Constraint {
         impulse: Vec2,
         moment: f64,
     ) -> Velocity {
-        if self.inverse_mass.is_alike {
-            (impulse * self.inverse_mass.linear, moment * self.inverse_mass.turning)
+        if self.inverse_mass.is_isotropic {
+            (impulse * self.inverse_mass.linear, moment * self.inverse_mass.inverse_inertia)
         } else {
             inverses[rank as usize].response(impulse, moment)
         }

@@ -1,4 +1,4 @@
-//! The axis along which two convex polygons are furthest apart, or least sunk into one another.
+//! The axis of greatest separation, or least penetration, of two convex polygons.
 
 use super::convex::ConvexPolygon;
 use super::ring::{after, before};
@@ -19,7 +19,7 @@ pub(crate) struct BestAxis {
     pub(crate) normal: Vec2,
 }
 
-/// Searches the edges of both polygons with one turn of the callipers each: O(n + m).
+/// Searches the edges of both polygons by rotating callipers: O(n + m).
 /// `b_m` are the second polygon's closed vertices in the first one's frame.
 pub(crate) fn best_axis(a: &ConvexPolygon, b_m: &[Vec2]) -> BestAxis {
     let from_a = best_edge(a.closed(), b_m);
@@ -45,7 +45,7 @@ fn best_edge(p: &[Vec2], q: &[Vec2]) -> EdgeGap {
     for edge in 0..p.len() - 1 {
         let along = p[edge + 1] - p[edge];
         let deepest = match support {
-            None => deepest_of_all(p[edge], along, q),
+            None => deepest_by_search(p[edge], along, q),
             Some(j) => climb(p[edge], along, q, j),
         };
         support = Some(deepest);
@@ -58,13 +58,13 @@ fn best_edge(p: &[Vec2], q: &[Vec2]) -> EdgeGap {
     best
 }
 
-fn deepest_of_all(start: Vec2, along: Vec2, q: &[Vec2]) -> usize {
+fn deepest_by_search(start: Vec2, along: Vec2, q: &[Vec2]) -> usize {
     let depth = |j: usize| along.cross(q[j] - start);
     (1..q.len() - 1).fold(0, |deepest, j| if depth(j) > depth(deepest) { j } else { deepest })
 }
 
-/// From vertex `j` uphill to the deepest vertex. As the edge turns in the positive sense, so does
-/// its deepest vertex, so that a whole turn of edges costs one turn of vertices.
+/// From vertex `j` uphill to the deepest vertex. The deepest vertex turns in the same sense as the
+/// edge, so that one turn of the edges costs one turn of the vertices.
 fn climb(start: Vec2, along: Vec2, q: &[Vec2], mut j: usize) -> usize {
     let count = q.len() - 1;
     let depth = |j: usize| along.cross(q[j] - start);

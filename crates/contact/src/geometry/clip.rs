@@ -1,4 +1,4 @@
-//! The overlap of two convex polygons, warm or cold.
+//! The overlap of two convex polygons: warm, from the last step's result, or cold.
 
 use alloc::vec::Vec;
 
@@ -12,18 +12,17 @@ use super::warm;
 use crate::number::lesser;
 use crate::vec2::{Pose, Vec2};
 
-/// What the last step found, to start from in this one. It decides how fast the answer comes, not
-/// what it is.
-// The words stay words: a tag of one byte would be copied apart from them, and read before it is written.
+/// What the last step found, where this one starts. It changes the speed of the clip, never its result.
+// A tag of a whole word: a one-byte tag would be copied apart from the rest.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(u32)]
 pub(crate) enum Hint {
-    /// Nothing known.
+    /// Nothing is known.
     #[default]
     None,
     /// The boundaries crossed here.
     Lens(Stretch),
-    /// This edge kept the two apart; the support is the other polygon's vertex nearest to it.
+    /// This edge separated the two.
     Apart {
         /// True where the edge is the first polygon's.
         on_a: bool,
@@ -35,7 +34,7 @@ pub(crate) enum Hint {
 }
 
 impl Hint {
-    /// As five words, for snapshots.
+    /// The hint as five words, for snapshots.
     pub(crate) fn to_words(self) -> [u32; 5] {
         match self {
             Hint::None => [0, 0, 0, 0, 0],
@@ -44,7 +43,7 @@ impl Hint {
         }
     }
 
-    /// From [`Hint::to_words`]; `None` for words that are not a hint.
+    /// The reverse of [`Hint::to_words`]; `None` for words that are not a hint.
     pub(crate) fn from_words(words: [u32; 5]) -> Option<Hint> {
         match words {
             [0, 0, 0, 0, 0] => Some(Hint::None),
@@ -95,18 +94,17 @@ impl Clip {
     }
 }
 
-/// Whether the corners of an overlap are asked for.
+/// Whether the caller needs the corners of an overlap.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Corners {
     Always,
-    /// Only of an overlap without a chord that is of use.
+    /// Only where the overlap has no usable chord.
     WithoutChord,
 }
 
 /// Overlap of `a` and `b`, the pose of `b` given in `a`'s frame; `None` where they have no area in common.
-/// `hint` becomes that for the next time. The overlap's vertices are appended to the list, as far as they
-/// are asked for.
-// Always inlined: what goes to and fro stays in registers.
+/// `hint` is updated for the next step. The overlap's vertices are appended to the list where they are wanted.
+// Always inlined: arguments and result stay in registers.
 #[inline(always)]
 pub(crate) fn clip(
     a: &ConvexPolygon,
@@ -122,7 +120,7 @@ pub(crate) fn clip(
     }
 }
 
-/// The overlap of the commonest kind, if the last one was and it still is: the hint remains as it is.
+/// The fast path of [`through`]. The hint stays valid.
 #[inline(always)]
 pub(crate) fn clip_through(
     a: &ConvexPolygon,
@@ -133,8 +131,8 @@ pub(crate) fn clip_through(
     if let Hint::Lens(stretch) = hint { through::find(a, b, b_in_a, stretch) } else { None }
 }
 
-/// As [`clip`] where [`clip_through`] finds nothing.
-// Apart, for the commonest kind not to make room for what it does not need.
+/// The rest of [`clip`], where [`clip_through`] finds nothing.
+// A function of its own, so that the fast path needs no room on the stack for it.
 #[inline(never)]
 pub(crate) fn clip_otherwise(
     a: &ConvexPolygon,
@@ -179,7 +177,7 @@ pub(crate) fn clip_otherwise(
 }
 
 impl Through {
-    /// With the corners as far as they are asked for.
+    /// The clip, with the corners where they are wanted.
     #[inline(always)]
     pub(crate) fn clip(
         &self,
@@ -254,7 +252,7 @@ fn cold(
         Found::Crossings { collinear } => {
             if let ([stretch], false) = (buffers.stretches.as_slice(), collinear) {
                 hint = Hint::Lens(*stretch);
-                // As the warm path does, so that they give the same bits.
+                // The same code as on the warm path gives the same bits.
                 if let Some(through) = through::find(a, b.polygon, b.pose, *stretch) {
                     let clip = through.clip(a, b.polygon, b.pose, (Corners::Always, outline_m));
                     return (Some(clip), hint);
@@ -263,8 +261,8 @@ fn cold(
             let mut lens = assemble(a, b, &buffers.stretches, outline_m);
             let swept_m2 = signed_area(buffers.swept_m());
             if (lens.area_m2 - swept_m2).abs() > rounding_m2(a, b) + 1e-9 * swept_m2 {
-                // Flat edges on one another may seem to cross where they do not: the walk from one
-                // such crossing to the next then goes round a whole polygon. The sweep did not.
+                // By rounding, nearly parallel edges may seem to cross where they do not. The walk between
+                // such crossings goes round a whole polygon; the sweep's own corners are right.
                 hint = Hint::None;
                 outline_m.truncate(start);
                 outline_m.extend_from_slice(buffers.swept_m());
@@ -286,22 +284,22 @@ fn cold(
     (None, hint)
 }
 
-/// Bodies that touch without area may deceive the sweep by their rounding: what it found is then
-/// not where both of them are.
+/// Is the point in both polygons? Where they touch without area, rounding can make the sweep find an
+/// overlap that is not.
 fn lies_in_both(point_m: Vec2, a: &ConvexPolygon, b_m: &[Vec2], slack_m2: f64) -> bool {
     [a.closed(), b_m].iter().all(|ring| {
         ring.windows(2).all(|edge| (edge[1] - edge[0]).cross(point_m - edge[0]) >= -slack_m2)
     })
 }
 
-/// What the rounding of vertices does to the area of an overlap at most (m²).
+/// Largest error of an overlap's area by rounding of the vertices (m²).
 fn rounding_m2(a: &ConvexPolygon, b: &Placed<'_>) -> f64 {
     let reach_m = a.center_m().length() + a.radius_m() + b.polygon.radius_m();
     256.0 * f64::EPSILON * reach_m * lesser(a.radius_m(), b.polygon.radius_m())
 }
 
-/// Does the cached edge still keep the polygons apart? The support's neighbours certify it: the
-/// depth behind an edge has one hill over a convex ring. Returns the support found.
+/// Does the cached edge still separate the polygons? Checking the support's neighbours is enough: the
+/// depth behind an edge has one maximum over a convex ring. Returns the new support.
 #[inline]
 fn still_apart(
     a: &ConvexPolygon,
@@ -358,8 +356,7 @@ fn deepest_outside(
     None
 }
 
-/// A pair of convex polygons clipped again and again as they move: the clip as the benches and
-/// other callers of the geometry alone see it.
+/// Clips a pair of convex polygons repeatedly as they move: for callers that need the geometry alone.
 ///
 /// ```
 /// use fenderline_contact::{ConvexPolygon, PairClip, Pose, vec2};
@@ -402,7 +399,7 @@ impl PairClip {
         &self.outline_m
     }
 
-    /// Forgets what the last call found, so that the next one takes the cold path.
+    /// Forgets the last result, so that the next call takes the cold path.
     pub fn forget(&mut self) {
         self.hint = Hint::None;
     }

@@ -1,12 +1,12 @@
-//! How far apart two polygons are at least.
+//! A lower bound on the gap between two polygons.
 
 use super::clip::Hint;
 use super::convex::{ConvexPolygon, Placed};
 use crate::number::greater;
 use crate::vec2::Pose;
 
-/// A bound from below on the gap between two polygons that the last clip found apart, from what it
-/// left as a hint; 0 where they are not known to be apart (m).
+/// A lower bound on the gap between two polygons, from the hint of the last clip; 0 where they are not
+/// known to be apart (m).
 pub(crate) fn gap_m(a: &ConvexPolygon, b: &ConvexPolygon, b_in_a: Pose, hint: Hint) -> f64 {
     let placed = Placed { polygon: b, pose: b_in_a };
     match hint {

@@ -1,8 +1,8 @@
 //! The cold path of the clip: the overlap of two convex polygons as an intersection of half-planes.
 //!
-//! The edges of a convex polygon are already sorted by direction, so that merging the two rings
-//! and one pass with a double-ended queue answers every case (any number of crossings, one within
-//! the other, nothing) in O(n + m).
+//! The edges of a convex polygon are already sorted by direction. Merging the two rings and one pass
+//! with a double-ended queue therefore solves every case (any number of crossings, one within the
+//! other, no overlap) in O(n + m).
 
 use alloc::vec::Vec;
 
@@ -11,11 +11,11 @@ use super::lens::{Crossing, Stretch};
 use super::ring::after;
 use crate::vec2::Vec2;
 
-/// Edges of the same direction to this sine, and this close, lie on one another (–, m).
-/// Closer than this a chord between them would follow rounding, not shape.
+/// Edges within this sine of parallel and within this distance count as coincident (–, m): a chord between
+/// closer ones would follow rounding, not shape.
 const SAME_DIRECTION: f64 = 1e-9;
 const SAME_LINE_M: f64 = 1e-9;
-/// Edges of the same direction to this sine have no crossing that could be told from rounding.
+/// Edges within this sine of parallel have no crossing that rounding leaves any digit of.
 const PARALLEL: f64 = 1e-14;
 
 /// What the cold path found.
@@ -29,7 +29,7 @@ pub(crate) enum Found {
     SecondInside,
     /// The boundaries cross; the stretches are in the buffers.
     Crossings {
-        /// Edges of the two polygons lie on one another.
+        /// Some edges of the two polygons coincide.
         collinear: bool,
     },
 }
@@ -41,7 +41,7 @@ struct HalfPlane {
     along: Vec2,
     edge: u32,
     of_a: bool,
-    /// An edge of the other polygon lies on this one.
+    /// An edge of the other polygon coincides with this one.
     doubled: bool,
 }
 
@@ -66,7 +66,7 @@ impl Buffers {
         &self.corners[self.front..]
     }
 
-    /// Sum of those edges between them that are the first polygon's (m).
+    /// Sum of the overlap's edges that belong to the first polygon (m).
     pub(crate) fn swept_chord_m(&self) -> Vec2 {
         let corners = self.swept_m();
         let ends = corners.iter().zip(corners.iter().cycle().skip(1));
@@ -87,7 +87,7 @@ pub(crate) fn intersect(a: &ConvexPolygon, buffers: &mut Buffers) -> Found {
     let boundary = &buffers.queue[front..];
     let collinear = boundary.iter().any(|h| h.doubled);
     buffers.stretches.clear();
-    // Begin at an edge of the first polygon that follows one of the second: there it enters.
+    // Begin where the first polygon's boundary enters the second: at an edge of the first after one of the second.
     let count = boundary.len();
     let at = |k: usize| &boundary[k % count];
     let Some(first) = (0..count).find(|&k| at(k).of_a && !at(k + count - 1).of_a) else {
@@ -96,7 +96,7 @@ pub(crate) fn intersect(a: &ConvexPolygon, buffers: &mut Buffers) -> Found {
         } else {
             (Found::SecondInside, buffers.b_m.len() - 1)
         };
-        // Some of a polygon's edges alone bound nothing but rounding.
+        // A region bounded by only some of one polygon's edges is an artefact of rounding.
         return if count == all { inside } else { Found::Nothing };
     };
     let mut enter = Crossing::default();
@@ -129,8 +129,8 @@ fn sweep(a: &ConvexPolygon, buffers: &mut Buffers) -> Option<usize> {
             if queue[front].along.cross(new.along) < 0.0 {
                 front += 1;
             } else {
-                // Within half a turn of the front, what cuts off the front's corner cuts off all
-                // corners after it: that the last one seemed to be left is rounding.
+                // Within half a turn of the front, a half-plane that cuts off the front's corner cuts off
+                // all corners after it. That the last one passed the test above is rounding.
                 queue.truncate(front + 1);
                 corners.truncate(front + 1);
             }
@@ -148,7 +148,7 @@ fn sweep(a: &ConvexPolygon, buffers: &mut Buffers) -> Option<usize> {
             let lengths = last.along.length() * new.along.length();
             let ahead = last.along.dot(new.along) > 0.0;
             if turn < -PARALLEL * lengths || (turn <= 0.0 && !(ahead && last.of_a != new.of_a)) {
-                return None; // a gap of half a turn or more: nothing can close it
+                return None; // a gap of half a turn or more: the intersection is empty
             }
             if ahead && last.of_a != new.of_a {
                 let inward_m = last.along.cross(new.start - last.start) / last.along.length();
@@ -201,8 +201,8 @@ fn outside(h: HalfPlane, point: Vec2) -> bool {
 
 /// Where two half-planes' lines meet. Neighbouring edges of one polygon meet in its own vertex.
 ///
-/// `from` is where the first one's part of the boundary begins. The second cuts off what lies ahead
-/// of it: where flat lines seem to meet behind it that is rounding, and they meet there.
+/// `from` is where the first one's part of the boundary begins, and the second meets it ahead of that point.
+/// Nearly parallel lines may seem to meet behind it, by rounding; the result is then `from`.
 #[inline]
 fn corner(
     a: &ConvexPolygon,
@@ -248,7 +248,7 @@ impl<'a> Ring<'a> {
         ring
     }
 
-    /// Gives the head away and puts the edge after it in its place.
+    /// Returns the head and replaces it by the edge after it.
     #[inline(always)]
     fn pop(&mut self) -> Option<HalfPlane> {
         let following = (self.left > 0).then(|| {

@@ -1,7 +1,7 @@
 //! Geometry of one contact (docs/contact_model.md, section 1; §3.1 of the paper).
 //!
-//! Everything here happens in the frame of the first body of a pair, so that neither the distance
-//! to the chart's origin nor the size of the port costs a digit.
+//! All coordinates are in the frame of a pair's first body, so that no digits are lost far from the
+//! chart's origin.
 
 pub(crate) mod axis;
 pub(crate) mod clip;

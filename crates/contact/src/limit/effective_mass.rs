@@ -1,4 +1,4 @@
-//! How the relative velocity at a contact answers a force there (eq. 13–19, 23).
+//! Inverse effective mass at a contact: the change of relative velocity by a force (eq. 13–19, 23).
 
 use crate::ranked::RankedBody;
 use crate::vec2::Vec2;
@@ -17,7 +17,7 @@ pub(crate) struct InverseMass {
     pub(crate) cross: f64,
 }
 
-/// Both bodies' share of K; `arm_*` from each centre of gravity to C.
+/// K of both bodies; `arm_*` from each centre of gravity to C.
 #[inline]
 pub(crate) fn inverse_mass(
     a: &RankedBody,

@@ -1,7 +1,7 @@
 //! The paper's limiter: each contact by itself, from momentum and impulse (§3.4, eq. 9–26).
 //!
-//! It knows neither the other contacts of a body nor external loads: several fenders add up to more
-//! rebound than γ, and a steady load creeps through. That is the paper's method, kept as such.
+//! It knows neither a body's other contacts nor external loads. So several fenders rebound by more
+//! than γ, and a body under steady load creeps into the contact. This is the paper's method, unchanged.
 
 use super::effective_mass::InverseMass;
 use crate::number::{greater, lesser};
@@ -59,8 +59,8 @@ pub(crate) fn limited_tangential_n(
     }
 }
 
-/// The lesser of a force and the one that changes the velocity by so much. Most forces are not limited: so
-/// they are asked by a product, and the quotient, which takes long, is for those that are.
+/// The smaller of a force and the one that changes the velocity by `change_mps`. Most forces are below it: a
+/// product tells, and only the others pay for the division.
 #[inline(always)]
 fn within(force_n: f64, change_mps: f64, mps_per_n: f64) -> f64 {
     if force_n * mps_per_n <= change_mps {
@@ -85,26 +85,26 @@ mod tests {
     }
 
     #[test]
-    fn one_step_ends_at_minus_gamma_times_the_first_speed() {
+    fn one_step_rebounds_at_gamma_times_the_closing_speed() {
         let n = limited_normal_n(1e9, &closing(), &MASS, 0.1, 0.5);
         assert!((2.0 - 0.5 * n * MASS.normal - -0.2).abs() < 1e-12);
     }
 
     #[test]
-    fn a_contact_that_opens_faster_than_that_gets_no_force() {
+    fn a_contact_that_opens_faster_gets_no_force() {
         let leaving = Velocities { normal_mps: -0.3, ..closing() };
         assert_eq!(limited_normal_n(1e9, &leaving, &MASS, 0.1, 0.5), 0.0);
     }
 
     #[test]
-    fn friction_does_not_turn_the_slip_round_by_more_than_gamma() {
+    fn friction_reverses_slip_by_at_most_gamma() {
         let t = limited_tangential_n(-1e9, 0.0, &closing(), &MASS, 0.1, 0.5);
         assert!((1.0 + 0.5 * t * MASS.tangential - -0.1).abs() < 1e-12);
         assert_eq!(limited_tangential_n(-1.0, 0.0, &closing(), &MASS, 0.1, 0.5), -1.0);
     }
 
     #[test]
-    fn a_force_along_the_slip_does_not_speed_it_up() {
+    fn a_force_along_the_slip_does_not_accelerate_it() {
         assert_eq!(limited_tangential_n(1e9, 0.0, &closing(), &MASS, 0.1, 0.5), 0.0);
     }
 }

@@ -1,4 +1,4 @@
-//! Looks for two edges of an outline that meet where they should not.
+//! Finds edges of an outline that meet where they should not.
 
 use alloc::vec::Vec;
 
@@ -8,12 +8,12 @@ use crate::number::{greater, lesser};
 use crate::vec2::Vec2;
 
 /// Two edges that are not neighbours and cross, touch, overlap or come within
-/// [`MERGE_DISTANCE_M`] of each other; edge i goes from vertex i to vertex i + 1. Of several such
-/// pairs the first, by its lower edge and then by the other. `None`: the polygon is simple, if
-/// successive edges do not lie on each other.
+/// [`MERGE_DISTANCE_M`] of each other; edge i goes from vertex i to vertex i + 1. The pair is the
+/// first by its lower edge, then by the other. `None`: the polygon is simple, if successive edges do
+/// not lie on each other.
 ///
-/// A sweep along the axis on which the edges are shorter: n log n for hulls and quays, n² light
-/// tests (0.3 s for 10,000 vertices) at worst.
+/// A sweep along the axis on which the edges are shorter: n log n for hulls and quays, at worst n²
+/// cheap tests (0.3 s for 10,000 vertices).
 pub(super) fn meeting_edges(vertices: &[Vec2]) -> Option<[usize; 2]> {
     let edges = swept(vertices);
     let neighbours = |i: usize, j: usize| {
@@ -43,7 +43,7 @@ pub(super) fn meeting_edges(vertices: &[Vec2]) -> Option<[usize; 2]> {
     first
 }
 
-/// An edge as the sweep meets it.
+/// An edge and its extent along and across the sweep.
 struct Edge {
     index: usize,
     from: Vec2,
@@ -53,7 +53,7 @@ struct Edge {
     across: Span,
 }
 
-/// An interval with room for [`MERGE_DISTANCE_M`] (half of it at either end of either edge).
+/// An interval, widened by [`MERGE_DISTANCE_M`] at both ends.
 #[derive(Clone, Copy)]
 struct Span {
     low: f64,
@@ -97,8 +97,8 @@ impl Edge {
         [self.from, self.to]
     }
 
-    /// The whole of `other` is on one side of this edge's line, farther than
-    /// [`MERGE_DISTANCE_M`] and than rounding reaches.
+    /// Is all of `other` on one side of this edge's line, farther away than [`MERGE_DISTANCE_M`] and
+    /// rounding?
     fn passes(&self, other: &Edge) -> bool {
         let direction = self.to - self.from;
         let (a, b) = (other.from - self.from, other.to - self.from);
@@ -109,7 +109,7 @@ impl Edge {
     }
 }
 
-/// Exact: two closed segments have a point in common.
+/// Do two closed segments have a point in common? Exact.
 pub(super) fn segments_meet([a, b]: [Vec2; 2], [c, d]: [Vec2; 2]) -> bool {
     let (c_side, d_side) = (turn(a, b, c), turn(a, b, d));
     let (a_side, b_side) = (turn(c, d, a), turn(c, d, b));
@@ -126,7 +126,7 @@ fn opposite(a: f64, b: f64) -> bool {
     (a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0)
 }
 
-/// p is in the box that a and b span: on the segment, if it is on its line.
+/// Is p in the box spanned by a and b? If it is on their line, it is then on the segment.
 fn in_box(p: Vec2, a: Vec2, b: Vec2) -> bool {
     p.x >= lesser(a.x, b.x)
         && p.x <= greater(a.x, b.x)
@@ -134,8 +134,7 @@ fn in_box(p: Vec2, a: Vec2, b: Vec2) -> bool {
         && p.y <= greater(a.y, b.y)
 }
 
-/// Two segments that do not cross come within [`MERGE_DISTANCE_M`]: one of the four end points
-/// does.
+/// Do two segments that do not cross come within [`MERGE_DISTANCE_M`]? Then one of their end points does.
 fn segments_near([a, b]: [Vec2; 2], [c, d]: [Vec2; 2]) -> bool {
     point_near(a, c, d) || point_near(b, c, d) || point_near(c, a, b) || point_near(d, a, b)
 }

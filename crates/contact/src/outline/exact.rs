@@ -1,5 +1,5 @@
-//! Signs and sums that rounding cannot falsify, so that no check or cut of an outline depends on
-//! luck. After Shewchuk, Discrete & Computational Geometry 18 (1997) 305–363.
+//! Signs and sums without rounding error, so that checks and cuts of an outline are always right.
+//! After Shewchuk, Discrete & Computational Geometry 18 (1997) 305–363.
 
 use crate::vec2::Vec2;
 
@@ -11,7 +11,7 @@ pub(super) fn turn(a: Vec2, b: Vec2, c: Vec2) -> f64 {
     let left = (a.x - c.x) * (b.y - c.y);
     let right = (a.y - c.y) * (b.x - c.x);
     let difference = left - right;
-    // (3 + 16 u) u with u = 2⁻⁵³: what rounding can have done to `difference` at most.
+    // (3 + 16 u) u with u = 2⁻⁵³: the largest relative rounding error of `difference`.
     const BOUND: f64 = 3.330_669_073_875_471_6e-16;
     if difference.abs() > BOUND * (left.abs() + right.abs()) {
         return difference;
@@ -19,11 +19,11 @@ pub(super) fn turn(a: Vec2, b: Vec2, c: Vec2) -> f64 {
     turn_by_expansion(a, b, c)
 }
 
-/// The same, summed without any rounding.
+/// [`turn`], summed without any rounding.
 fn turn_by_expansion(a: Vec2, b: Vec2, c: Vec2) -> f64 {
     let products = [(a.x, b.y), (-a.y, b.x), (b.x, c.y), (-b.y, c.x), (c.x, a.y), (-c.y, a.x)];
-    // A sum of parts that do not overlap, smallest first: the last one that is not zero has the
-    // sign of the whole.
+    // A sum of non-overlapping parts, smallest first: the last non-zero part has the sign of the
+    // whole.
     let mut parts = [0.0; 12];
     let mut count = 0;
     for (p, q) in products {
@@ -58,7 +58,7 @@ pub(super) fn doubled_area(vertices: &[Vec2]) -> f64 {
     high + low
 }
 
-/// a + b as the rounded sum and what rounding left out (Knuth).
+/// a + b as the rounded sum and its rounding error (Knuth).
 fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let b_kept = sum - a;
@@ -66,7 +66,7 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - a_kept) + (b - b_kept))
 }
 
-/// a · b as the rounded product and what rounding left out (Dekker).
+/// a · b as the rounded product and its rounding error (Dekker).
 fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
     let (a_high, a_low) = split(a);

@@ -1,12 +1,11 @@
-//! What can be wrong with an outline, and what was put right without asking.
+//! Errors of an outline, and notices of what was corrected in it.
 
 use alloc::vec::Vec;
 use core::error::Error;
 use core::fmt;
 
 /// An edge of the outline as the user gave it, by the numbers of its end points, counted from 0.
-/// Where vertices between them were merged, they are not the ends of one edge as given but of
-/// several that lie on one line.
+/// Where vertices between the two were merged, this is a run of given edges on one line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OutlineEdge {
     /// Number of the first vertex.
@@ -39,10 +38,10 @@ pub enum OutlineError {
     TooFewVertices {
         /// How many were given.
         count: usize,
-        /// How many different ones are left of them.
+        /// How many of them are in different places.
         distinct: usize,
     },
-    /// All the vertices are on one line, or the area is nothing beside the length.
+    /// All the vertices are on one line, or the area is negligible beside the extent.
     ZeroArea,
     /// Two edges cross, touch or lie on each other.
     SelfIntersection {
@@ -117,7 +116,7 @@ fn shared_vertex(a: OutlineEdge, b: OutlineEdge) -> Option<usize> {
 
 impl Error for OutlineError {}
 
-/// What was put right in an outline. Vertices are counted from 0, as given.
+/// A correction made to an outline. Vertices are counted from 0, as given.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum OutlineNotice {
     /// Vertices within [`MERGE_DISTANCE_M`](super::MERGE_DISTANCE_M) of the one before them (or
@@ -131,7 +130,7 @@ pub enum OutlineNotice {
         /// The dropped ones, ascending.
         vertices: Vec<usize>,
     },
-    /// The outline was given in the negative sense (anticlockwise on a chart) and was turned.
+    /// The outline was given in the negative sense (anticlockwise on a chart) and was reversed.
     Turned,
 }
 
@@ -148,7 +147,7 @@ impl fmt::Display for OutlineNotice {
             }
             OutlineNotice::Turned => f.write_str(
                 "the outline was given in the negative sense (from starboard to forward) and was \
-                 turned",
+                 reversed",
             ),
         }
     }

@@ -64,7 +64,7 @@ pub(super) fn comb(teeth: usize, depth_m: f64) -> Vec<Vec2> {
     ring
 }
 
-/// A band wound up: `per_side` vertices on either side.
+/// A band wound into a spiral, with `per_side` vertices on either side.
 pub(super) fn spiral(per_side: usize, turns: f64) -> Vec<Vec2> {
     let at = |i: usize, inset: f64| {
         let angle = 2.0 * PI * turns * i as f64 / (per_side - 1) as f64;
@@ -82,7 +82,7 @@ pub(super) fn star(distances_m: &[f64], centre: Vec2) -> Vec<Vec2> {
     distances_m.iter().enumerate().map(spoke).collect()
 }
 
-/// Takes out crossings by turning round the part between them, which shortens the whole.
+/// Removes crossings by reversing the part between them, which shortens the whole.
 fn uncrossed(mut ring: Vec<Vec2>) -> Vec<Vec2> {
     let count = ring.len();
     for _ in 0..10_000 {
@@ -108,7 +108,7 @@ fn random_simple() -> impl Strategy<Value = Vec<Vec2>> {
         .prop_map(|coordinates| uncrossed(points(&coordinates)))
 }
 
-/// On a coarse grid: full of straight lines, right angles and points that touch.
+/// On a coarse grid: many straight lines, right angles and touching points.
 fn random_on_grid() -> impl Strategy<Value = Vec<Vec2>> {
     prop::collection::vec((0..6i32, 0..6i32), 3..16).prop_map(|cells| {
         let corners = cells.into_iter().map(|(x, y)| vec2(f64::from(x), f64::from(y)));
@@ -131,7 +131,7 @@ fn turned_about(ring: Vec<Vec2>, angle_rad: f64) -> Vec<Vec2> {
     ring.into_iter().map(|v| rotation.apply(v)).collect()
 }
 
-/// All of them, in either sense, at any angle; a few are not simple.
+/// Any of these shapes, in either sense, at any angle; a few are not simple.
 pub(super) fn any_shape() -> impl Strategy<Value = Vec<Vec2>> {
     let shape = prop_oneof![random_star(), random_simple(), random_on_grid(), regular()];
     let angle = prop_oneof![Just(0.0), -PI..PI];

@@ -29,7 +29,7 @@ fn bits(a: Vec2, b: Vec2) -> [u64; 4] {
     [a.x.to_bits(), a.y.to_bits(), b.x.to_bits(), b.y.to_bits()]
 }
 
-/// How often each directed edge occurs, an edge and its opposite taken against each other.
+/// How often each directed edge occurs, less the number of its opposites.
 fn uncancelled<'a>(rings: impl Iterator<Item = &'a [Vec2]>) -> BTreeMap<[u64; 4], i32> {
     let mut count = BTreeMap::new();
     for (a, b) in rings.flat_map(edges) {
@@ -48,7 +48,7 @@ fn reflex_count(ring: &[Vec2]) -> usize {
         .count()
 }
 
-/// No vertex turns in the negative sense by more than 32 ε of the largest coordinate explains.
+/// Does no vertex turn in the negative sense by more than 32 ε of the largest coordinate?
 fn is_convex_to_rounding(ring: &[Vec2]) -> bool {
     let count = ring.len();
     let largest = ring.iter().map(|v| greater(v.x.abs(), v.y.abs())).fold(0.0, greater);
@@ -118,7 +118,7 @@ fn area_and_centroid_hold_far_from_the_origin() {
 }
 
 #[test]
-fn usual_shapes_have_as_few_pieces_as_can_be_at_any_angle() {
+fn common_shapes_have_the_fewest_pieces_at_any_angle() {
     let l_shape = points(&[(0., 0.), (20., 0.), (20., 5.), (12., 5.), (12., 8.), (0., 8.)]);
     let t_shape = points(&[
         (0., 0.),
@@ -183,7 +183,7 @@ fn ten_thousand_vertices_of_any_shape_are_cut() {
 }
 
 #[test]
-fn what_was_merged_and_turned_is_told_by_the_users_numbers() {
+fn notices_use_the_users_vertex_numbers() {
     let given = points(&[
         (0., 0.),
         (0., 5.),
@@ -351,7 +351,7 @@ fn messages_name_the_vertices() {
     assert!(message.contains("edges 0–1 and 2–3"), "{message}");
 }
 
-/// Whether two edges that are not neighbours have a point in common: every pair, exactly.
+/// Do any two edges that are not neighbours have a point in common? Tests every pair exactly.
 fn meets_itself(ring: &[Vec2]) -> bool {
     let count = ring.len();
     let edge = |i: usize| [ring[i], ring[(i + 1) % count]];
@@ -372,7 +372,7 @@ proptest! {
     }
 
     #[test]
-    fn triangulation_alone_gives_good_pieces_too(ring in any_shape()) {
+    fn triangulation_alone_gives_valid_pieces(ring in any_shape()) {
         if let Ok((mut outline, _)) = Outline::new(&ring) {
             let all: Vec<usize> = (0..outline.vertices.len()).collect();
             outline.pieces = super::mesh::convex_pieces(&outline.vertices, &all, 0.0)
@@ -384,7 +384,7 @@ proptest! {
     }
 
     #[test]
-    fn tidying_what_is_tidy_changes_nothing(ring in any_shape()) {
+    fn tidying_twice_changes_nothing(ring in any_shape()) {
         if let Ok((outline, _)) = Outline::new(&ring) {
             let (again, notices) = Outline::new(outline.vertices()).expect("tidy");
             prop_assert!(notices.is_empty(), "{:?}", notices);
@@ -410,7 +410,7 @@ proptest! {
     }
 
     #[test]
-    fn sweep_refuses_just_what_comparing_every_pair_refuses(
+    fn sweep_refuses_exactly_what_comparing_every_pair_refuses(
         coordinates in prop::collection::vec((0..5i32, 0..5i32), 3..12),
     ) {
         let ring: Vec<Vec2> =

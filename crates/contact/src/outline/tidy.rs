@@ -1,4 +1,4 @@
-//! Merging vertices that say nothing: repeated ones and those on a straight line.
+//! Removes redundant vertices: repeated ones and those on a straight line.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -16,7 +16,7 @@ pub(super) struct Numbered {
     pub(super) number: usize,
 }
 
-/// Coordinates below this size (m) are taken as zero: they mean nothing, and their products would
+/// Coordinates below this size (m) are set to zero: they are negligible, and their products would
 /// underflow in [`super::exact::turn`].
 const NEGLIGIBLE_M: f64 = 1.0e-100;
 
@@ -30,8 +30,8 @@ pub(super) fn numbered(vertices: &[Vec2]) -> Vec<Numbered> {
         .collect()
 }
 
-/// Drops vertices within [`MERGE_DISTANCE_M`] of the last one kept, or at the end of the list of
-/// the first; returns the numbers of the dropped, ascending.
+/// Drops vertices within [`MERGE_DISTANCE_M`] of the last one kept or, at the end of the list, of the
+/// first; returns the numbers of the dropped, ascending.
 pub(super) fn merge_duplicates(ring: &mut Vec<Numbered>) -> Vec<usize> {
     let mut dropped = Vec::new();
     let mut kept: Vec<Numbered> = Vec::with_capacity(ring.len());
@@ -64,9 +64,9 @@ pub(super) fn on_one_line(ring: &[Numbered]) -> bool {
     ring.iter().all(|vertex| farthest.cross(vertex.point - origin).abs() <= limit)
 }
 
-/// Drops every vertex that is on the straight line between its neighbours, until there is none;
+/// Drops every vertex that is on the straight line between its neighbours, until none is left;
 /// returns the numbers of the dropped, ascending.
-/// On the line means no farther from it than [`rounding_m`] explains: 1 pm for a ship of 300 m.
+/// "On the line" is to within [`rounding_m`]: 1 pm for a ship of 300 m.
 /// Even 10,000 drops in a row move that ship's boundary by no more than 1e-8 m; the sagitta of a
 /// circle of 10,000 vertices is 1e7 times the limit.
 ///
@@ -84,8 +84,8 @@ pub(super) fn merge_collinear(ring: &mut Vec<Numbered>) -> Result<Vec<usize>, Ou
     let mut previous: Vec<usize> = (0..count).map(|i| (i + count - 1) % count).collect();
     let mut alive = vec![true; count];
     let mut left = count;
-    let mut to_look_at: Vec<usize> = (0..count).rev().collect();
-    while let Some(i) = to_look_at.pop() {
+    let mut queue: Vec<usize> = (0..count).rev().collect();
+    while let Some(i) = queue.pop() {
         if !alive[i] || left < 3 {
             continue;
         }
@@ -95,8 +95,8 @@ pub(super) fn merge_collinear(ring: &mut Vec<Numbered>) -> Result<Vec<usize>, Ou
             left -= 1;
             next[before] = after;
             previous[after] = before;
-            to_look_at.push(after);
-            to_look_at.push(before);
+            queue.push(after);
+            queue.push(before);
         }
     }
     let dropped = ring.iter().zip(&alive).filter(|(_, a)| !**a).map(|(v, _)| v.number).collect();
@@ -106,14 +106,14 @@ pub(super) fn merge_collinear(ring: &mut Vec<Numbered>) -> Result<Vec<usize>, Ou
     Ok(dropped)
 }
 
-/// How far from a line the rounding of coordinates explains a point to be (m). A point that was
-/// computed on a line, a + t(b − a), turned by a heading or read from decimal text is off by some
-/// 3 to 6 ε M, M being the largest coordinate; this is 16 ε M.
+/// Largest distance from a line that rounding of the coordinates explains (m): 16 ε M, where M is the
+/// largest coordinate. A point computed on a line as a + t(b − a), rotated by a heading or read from
+/// decimal text is off by 3 to 6 ε M.
 pub(super) fn rounding_m(points: impl Iterator<Item = Vec2>) -> f64 {
     16.0 * f64::EPSILON * points.map(|p| greater(p.x.abs(), p.y.abs())).fold(0.0, greater)
 }
 
-/// b is on the way from a to c and within `limit_m` of the straight one.
+/// Is b between a and c, within `limit_m` of the straight line?
 pub(super) fn is_straight(a: Vec2, b: Vec2, c: Vec2, limit_m: f64) -> bool {
     let (to, from) = (b - a, c - b);
     to.dot(from) > 0.0 && to.cross(from).abs() <= limit_m * (c - a).length()

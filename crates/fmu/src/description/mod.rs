@@ -23,7 +23,7 @@ pub(crate) fn model(plan: &Plan, fmi: Fmi, name: &str, identifier: &str) -> io::
     }
 }
 
-/// What the description says of the whole, in both versions.
+/// Attributes of the whole model, common to both versions.
 fn about(plan: &Plan, name: &str) -> [(&'static str, String); 5] {
     let what = match plan.bundle.kind {
         crate::Kind::Engine => "contact engine",
@@ -63,7 +63,7 @@ fn variability(variable: &Variable) -> &'static str {
     }
 }
 
-/// `None` where the standard wants none said.
+/// `None` where the standard forbids the attribute.
 fn initial(variable: &Variable) -> Option<&'static str> {
     match variable.causality {
         Causality::Parameter => Some("exact"),
@@ -72,7 +72,7 @@ fn initial(variable: &Variable) -> Option<&'static str> {
     }
 }
 
-/// The start value as text, where there is one.
+/// The start value as text; `None` for outputs and time.
 fn start(variable: &Variable) -> Option<String> {
     match (variable.causality, variable.class) {
         (Causality::Independent | Causality::Output, _) => None,
@@ -81,7 +81,7 @@ fn start(variable: &Variable) -> Option<String> {
     }
 }
 
-/// Least and largest value as attributes.
+/// Smallest and largest value, as attributes.
 fn range(variable: &Variable) -> Vec<(&'static str, String)> {
     match variable.range {
         Some([least, most]) => vec![("min", least.to_string()), ("max", most.to_string())],

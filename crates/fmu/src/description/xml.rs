@@ -1,4 +1,4 @@
-//! Elements and attributes.
+//! Writes elements and attributes.
 
 use std::io;
 
@@ -10,7 +10,7 @@ pub(super) type Xml = Writer<Vec<u8>>;
 /// Attributes in their order.
 pub(super) type Attributes = Vec<(&'static str, String)>;
 
-/// A document with one element.
+/// A document with one root element.
 pub(super) fn document(
     name: &str,
     attributes: &[(&str, String)],
@@ -24,7 +24,7 @@ pub(super) fn document(
     String::from_utf8(bytes).map_err(io::Error::other)
 }
 
-/// An element with others in it.
+/// An element with content.
 pub(super) fn element(
     xml: &mut Xml,
     name: &str,
@@ -36,7 +36,7 @@ pub(super) fn element(
     Ok(())
 }
 
-/// An element with nothing in it.
+/// An empty element.
 pub(super) fn empty(xml: &mut Xml, name: &str, attributes: &[(&str, String)]) -> io::Result<()> {
     let attributes = attributes.iter().map(|(key, value)| (*key, value.as_str()));
     xml.create_element(name).with_attributes(attributes).write_empty()?;

@@ -1,6 +1,6 @@
-//! FMUs of a small scenario through the C functions, as a master has them.
+//! FMUs of a small scenario, called through the C functions as by a master.
 #![allow(dead_code, reason = "each test file uses its own part")]
-#![allow(unsafe_code, reason = "it stands for a master")]
+#![allow(unsafe_code, reason = "the test acts as a master")]
 
 use std::ffi::{CStr, CString, c_char, c_int, c_void};
 use std::fs;
@@ -77,7 +77,7 @@ impl Unpacked {
     pub(crate) fn two(&self, log: &Messages) -> Two {
         let callbacks = log.callbacks();
         let (uri, token) = (self.uri(), self.token());
-        // SAFETY: texts and callbacks live through the call, the messages through the test.
+        // SAFETY: texts and callbacks live during the call, the messages during the test.
         let component = unsafe {
             fmi2::fmi2Instantiate(
                 c"tug".as_ptr(),
@@ -99,14 +99,14 @@ impl Drop for Unpacked {
     }
 }
 
-/// What an instance has logged.
+/// The messages that an instance has logged.
 #[derive(Default)]
 pub(crate) struct Messages(Mutex<Vec<(c_int, String)>>);
 
 impl Messages {
     pub(crate) fn callbacks(&self) -> Callbacks {
-        // SAFETY: the arguments before the variable ones are passed alike on the platforms that we test on,
-        // and no others are given.
+        // SAFETY: on the tested platforms the named arguments of a variadic function are passed like those of an
+        // ordinary one, and the library passes no others.
         let logger = unsafe { std::mem::transmute::<*const (), Logger2>(log as *const ()) };
         Callbacks {
             logger: Some(logger),
@@ -117,7 +117,7 @@ impl Messages {
         }
     }
 
-    /// The last message, which is taken.
+    /// Returns the last message and removes all.
     pub(crate) fn last(&self) -> String {
         let mut all = self.0.lock().expect("no panic");
         let last = all.pop().map(|(_, text)| text).unwrap_or_default();
@@ -142,7 +142,7 @@ unsafe extern "C" fn log(
 /// An instance of FMI 2.0.
 pub(crate) struct Two(pub(crate) *mut c_void);
 
-// SAFETY of all below: arrays are as long as told and live through the call.
+// SAFETY of all below: arrays have the given length and live during the call.
 impl Two {
     pub(crate) fn initialized(self) -> Two {
         assert_eq!(self.set_up(0.0, None), OK);

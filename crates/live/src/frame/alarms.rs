@@ -1,4 +1,4 @@
-//! Causes of alarms, found anew in each tick. How long an alarm is shown is up to the alarm book.
+//! The causes of alarms that are active in a tick. The alarm book decides how long an alarm is displayed.
 
 use fenderline_contact::number::greater;
 use fenderline_sim::Simulation;
@@ -8,17 +8,17 @@ use crate::approach::{ApproachLimit, Light};
 use crate::info::Info;
 use crate::message::{ContactNow, FenderNow, LineNow, TugNow, VesselNow};
 
-/// From this share of its rating on a fender is a caution; at its rating it is an alarm.
+/// A fender gives a caution from this share of its rating on, an alarm from its rating on.
 const FENDER_CAUTION: f64 = 0.8;
-/// From this share of its working load on a line is a caution; at its working load it is an alarm.
+/// A line gives a caution from this share of its working load on, an alarm from its working load on.
 const LINE_CAUTION: f64 = 0.8;
-/// Approach speeds are watched within this distance (m).
+/// Approach speeds give alarms within this distance of the berth (m).
 const NEAR_M: f64 = 100.0;
 /// An under-keel clearance below this share of the draught is a caution; our choice.
 const UNDER_KEEL_SHARE: f64 = 0.1;
 
-/// What alarms are found from.
-pub(super) struct Shown<'a> {
+/// The data from which alarms are found.
+pub(super) struct Input<'a> {
     pub(super) simulation: &'a Simulation,
     pub(super) approach: ApproachLimit,
     pub(super) info: &'a Info,
@@ -29,8 +29,8 @@ pub(super) struct Shown<'a> {
     pub(super) tugs: &'a [TugNow],
 }
 
-/// All causes of alarm in this tick.
-pub(super) fn causes(of: &Shown<'_>) -> Vec<Alarm> {
+/// All causes of alarms in this tick.
+pub(super) fn causes(of: &Input<'_>) -> Vec<Alarm> {
     let mut all = Vec::new();
     vessels(of, &mut all);
     fenders(of, &mut all);
@@ -38,14 +38,14 @@ pub(super) fn causes(of: &Shown<'_>) -> Vec<Alarm> {
     lines(of, &mut all);
     for (tug, now) in of.info.tugs.iter().zip(of.tugs) {
         if now.limited {
-            let text = format!("Tug {} cannot give what is ordered", tug.name);
+            let text = format!("Tug {} cannot give the ordered force", tug.name);
             all.push(caution("tug", &[&tug.name], text));
         }
     }
     all
 }
 
-/// An alarm whose key is its kind and what it is about.
+/// An alarm whose key is made of its kind and its subjects.
 fn of_level(level: Level, kind: &str, about: &[&str], text: String) -> Alarm {
     let key = format!("{kind} {}", about.join(" "));
     Alarm { level, key, text, about: about.iter().map(|&name| name.to_owned()).collect() }
@@ -63,7 +63,7 @@ fn alarm_if(is_alarm: bool) -> Level {
     if is_alarm { Level::Alarm } else { Level::Caution }
 }
 
-fn vessels(of: &Shown<'_>, all: &mut Vec<Alarm>) {
+fn vessels(of: &Input<'_>, all: &mut Vec<Alarm>) {
     for (vessel, now) in of.info.vessels.iter().zip(of.vessels) {
         let name = &vessel.name;
         if now.aground {
@@ -95,7 +95,7 @@ fn vessels(of: &Shown<'_>, all: &mut Vec<Alarm>) {
         let ends = [("bow", near.bow_m, near.bow_mps), ("stern", near.stern_m, near.stern_mps)];
         for (end, off_m, closing_mps) in ends {
             let light = of.approach.light(closing_mps, off_m);
-            // A ship that lies on the fenders moves in them; their load has its own alarm.
+            // A ship at the fenders moves against them; their load has its own alarm.
             if off_m > 0.0 && light != Light::Ok {
                 let limit_mps = of.approach.at_mps(off_m);
                 let text = format!(
@@ -108,7 +108,7 @@ fn vessels(of: &Shown<'_>, all: &mut Vec<Alarm>) {
     }
 }
 
-fn fenders(of: &Shown<'_>, all: &mut Vec<Alarm>) {
+fn fenders(of: &Input<'_>, all: &mut Vec<Alarm>) {
     for (fender, now) in of.info.fenders.iter().zip(of.fenders) {
         let (name, share) = (&*fender.name, greater(now.of_energy, now.of_reaction));
         if now.failed {
@@ -120,8 +120,8 @@ fn fenders(of: &Shown<'_>, all: &mut Vec<Alarm>) {
     }
 }
 
-/// Hull on structure or on hull without a fender between them.
-fn contacts(of: &Shown<'_>, all: &mut Vec<Alarm>) {
+/// Contacts of a hull with a structure or another hull without a fender in between.
+fn contacts(of: &Input<'_>, all: &mut Vec<Alarm>) {
     for contact in of.contacts.iter().filter(|contact| contact.fender.is_none()) {
         let [one, two] = contact.bodies.map(|body| &*of.info.bodies[body].name);
         let text = format!("{one} touches {two} without a fender");
@@ -132,7 +132,7 @@ fn contacts(of: &Shown<'_>, all: &mut Vec<Alarm>) {
     }
 }
 
-fn lines(of: &Shown<'_>, all: &mut Vec<Alarm>) {
+fn lines(of: &Input<'_>, all: &mut Vec<Alarm>) {
     for (line, now) in of.info.lines.iter().zip(of.lines) {
         let (name, share) = (&*line.name, now.tension_n / line.working_n);
         if now.state == "parted" {

@@ -8,12 +8,12 @@ use crate::approach::Light;
 use crate::berth::{Berth, Ends};
 use crate::message::{BerthEnd, ContactNow, FenderNow, Lamp, Pair, VesselNow};
 
-use super::Context;
+use super::BoardInput;
 
-/// An end is at the fenders where it is nearer than this and a fender bears the ship (m): a docking laser's resolution.
+/// An end is at the fenders if it is nearer than this and a fender carries load (m): the resolution of a docking laser.
 const AT_FENDERS_M: f64 = 0.02;
 
-/// The signal for an end: the worse of the speed's and of what the end is at; of two equal ones the latter.
+/// The signal for an end: the worse of the signals for speed and for position; for position where they are equal.
 pub(super) fn lamp(end: BerthEnd, speed: Light) -> Lamp {
     let by_speed = Lamp {
         light: speed,
@@ -35,9 +35,9 @@ pub(super) fn lamp(end: BerthEnd, speed: Light) -> Lamp {
     if speed > light { by_speed } else { Lamp { light, text } }
 }
 
-/// What bow and stern of a vessel are at.
+/// The positions of bow and stern of a vessel at the berth.
 pub(super) fn ends(
-    of: &Context<'_>,
+    of: &BoardInput<'_>,
     berth: &Berth,
     vessel: usize,
     now: &VesselNow,
@@ -78,13 +78,13 @@ pub(super) fn ends(
         if was_touched {
             worst = worst.max(BerthEnd::Touched);
         }
-        // A fender that has failed is none to come alongside at, be it touched or not.
+        // A failed fender is an alarm, touched or not.
         if failed.iter().any(|&at_m| is_at(&ends, end, at_m)) {
             worst = worst.max(BerthEnd::OverRated);
         }
         for contact in ours.iter().filter(|contact| is_at(&ends, end, of_pair(contact.at_m))) {
             let here = match contact.fender {
-                // On the quay or on a rock; a tug at her side is none of the board's.
+                // On the quay or on a rock. A tug at her side does not count.
                 None if contact.bodies.iter().any(|&other| is_structure(other)) => {
                     BerthEnd::Structure
                 }
@@ -101,8 +101,8 @@ fn is_over_rated(fender: &FenderNow) -> bool {
     fender.failed || greater(fender.of_energy, fender.of_reaction) >= 1.0
 }
 
-/// What is not in the other end's third of the side is this end's: what is in the middle, and a
-/// patch along the whole side whose point is there, is both ends'.
+/// True if a point belongs to an end: all points but those in the other end's third of the side. A point in the middle, such as
+/// that of a patch along the whole side, belongs to both ends.
 fn is_at(ends: &Ends, end: usize, at_m: Vec2) -> bool {
     let [this, other] = [ends.at_m[end], ends.at_m[1 - end]];
     let side = this - other;
@@ -113,9 +113,9 @@ fn of_pair(at: Pair) -> Vec2 {
     vec2(at[0], at[1])
 }
 
-/// Is an end farther past the last fender than the fenders are apart? There the line that distances are measured to has
-/// nothing on it. Between dolphins a ship's ends are past them as a rule, and by less. At a single fender both ends are
-/// past it, and she is off the berth where it is not abreast of her side.
+/// True if an end is farther past the last fender than the distance between fenders: the line through the fenders has no
+/// fender there. At dolphins a ship's ends are usually past the last one, but by less. With a single fender both ends are past
+/// it; then this is true where the fender is not abreast of her side.
 fn is_past_the_end(berth: &Berth, ends: &Ends, end: usize) -> bool {
     let [bow_m, stern_m] = ends.along_m;
     match berth.apart_m {

@@ -1,4 +1,4 @@
-//! What pages show after a tick.
+//! The frame: everything that pages display after a tick.
 
 mod alarms;
 mod board;
@@ -25,8 +25,8 @@ use crate::session::{Branch, Now, Session};
 
 pub(crate) use seen::Seen;
 
-/// What the docking board is made of.
-struct Context<'a> {
+/// The data of the docking board.
+struct BoardInput<'a> {
     simulation: &'a Simulation,
     contacts: &'a [ContactNow],
     fenders: &'a [FenderNow],
@@ -35,12 +35,12 @@ struct Context<'a> {
 }
 
 impl Session {
-    /// What gives cause for alarm after this tick, for the alarm book.
+    /// The causes of alarms after this tick, for the alarm book.
     #[must_use]
     pub fn causes_for_alarm(&self, info: &Info) -> Vec<Alarm> {
         let now = self.now();
         let simulation = &now.simulation;
-        alarms::causes(&alarms::Shown {
+        alarms::causes(&alarms::Input {
             simulation,
             info,
             vessels: &vessels(now, self.cast(), info),
@@ -52,8 +52,8 @@ impl Session {
         })
     }
 
-    /// The frame of this tick. Of `run` the owner of the session says what it knows: whether it is paused, its pace,
-    /// its clients; branches are filled in here. Alarms are those of the owner's book.
+    /// The frame of this tick. The owner of the session gives `run` with pause, pace and clients, and the alarm book; this
+    /// function fills in the branches.
     #[must_use]
     pub fn frame(&self, info: &Info, at_ms: u64, run: RunState, book: &AlarmBook) -> Frame {
         let now = self.now();
@@ -64,8 +64,8 @@ impl Session {
         let mut vessels = vessels(now, self.cast(), info);
         if let Some(berth) = &info.berth {
             let approach = now.approach;
-            let of = Context { simulation, contacts, fenders: &fenders, book, approach };
-            show_ends(&of, berth, &mut vessels);
+            let of = BoardInput { simulation, contacts, fenders: &fenders, book, approach };
+            fill_in_signals(&of, berth, &mut vessels);
         }
         let bodies = states.iter().map(|state| {
             let [position, velocity] = [state.position_m, state.velocity_mps];
@@ -81,9 +81,9 @@ impl Session {
             t_s,
             at_ms,
             run: RunState {
-                branch: self.shown(),
+                branch: self.current_branch(),
                 branches: self.branches().iter().enumerate().map(branch_now).collect(),
-                last_tick: self.branches()[self.shown()].ends_tick,
+                last_tick: self.branches()[self.current_branch()].ends_tick,
                 ..run
             },
             bodies: bodies.collect(),
@@ -96,7 +96,7 @@ impl Session {
             current: current_now(simulation, t_s, place),
             waves: waves_now(simulation),
             approach_mps: now.approach.at_fenders_mps,
-            alarms: book.told(),
+            alarms: book.messages(),
         }
     }
 }
@@ -119,7 +119,7 @@ fn tugs(simulation: &Simulation) -> Vec<TugNow> {
 }
 
 /// The docking board's signals for each vessel that has a distance to the berth.
-fn show_ends(of: &Context<'_>, berth: &Berth, vessels: &mut [VesselNow]) {
+fn fill_in_signals(of: &BoardInput<'_>, berth: &Berth, vessels: &mut [VesselNow]) {
     for (index, vessel) in vessels.iter_mut().enumerate() {
         let ends = board::ends(of, berth, index, vessel);
         if let Some(lies) = &mut vessel.berth {
@@ -139,7 +139,7 @@ fn branch_now((id, branch): (usize, &Branch)) -> BranchNow {
 fn line_now(line: &Mooring, setup: &MooringSetup, working_n: f64, t_s: f64) -> LineNow {
     let state = match &line.line {
         _ if line.gone => "gone",
-        // Before the first step nothing is fast yet, though it will have been from the start.
+        // A line that is fast from the start is made fast by the first step only.
         None if setup.from_s <= t_s => "fast",
         None => "ashore",
         Some((_, state)) if state.parted => "parted",
@@ -158,7 +158,7 @@ fn line_now(line: &Mooring, setup: &MooringSetup, working_n: f64, t_s: f64) -> L
 }
 
 fn tug_now(tug: &TugAtWork, setup: &TugSetup) -> TugNow {
-    // The latest order, even where she has not begun it yet.
+    // The latest order, even during the delay before she carries it out.
     let order = tug.state.waiting.last().map_or(tug.state.order, |(_, order)| *order);
     let (order, order_n, order_direction_rad) = match order {
         TugOrder::StandBy => (TugWord::Stop, 0.0, tug.state.direction_rad),

@@ -1,4 +1,4 @@
-//! What a step showed that the simulation does not keep: contacts and events.
+//! Contacts and events of the last step, which the simulation does not keep.
 
 use fenderline_contact::{Event, EventKind, Friction};
 use fenderline_sim::{Setup, SimError, Simulation, WorldEvent, WorldEventKind};
@@ -6,11 +6,11 @@ use fenderline_sim::{Setup, SimError, Simulation, WorldEvent, WorldEventKind};
 use crate::info::pair;
 use crate::message::{ContactNow, FenderNow};
 
-/// Of the last step.
+/// The contacts and events of the last step.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Seen {
     contacts: Vec<ContactNow>,
-    /// Stored in each fender (J).
+    /// Energy stored in each fender (J).
     stored_j: Vec<f64>,
     contact_events: Vec<Event>,
     world_events: Vec<WorldEvent>,
@@ -21,10 +21,10 @@ impl Seen {
         Seen { stored_j: vec![0.0; simulation.setup().fenders.len()], ..Seen::default() }
     }
 
-    /// Takes a step and looks at it.
+    /// Takes a step and keeps its contacts and events.
     ///
     /// # Errors
-    /// As [`Simulation::step`]; nothing is changed then.
+    /// As [`Simulation::step`]. Nothing is changed then.
     pub(crate) fn step(&mut self, simulation: &mut Simulation) -> Result<(), SimError> {
         let record = simulation.step()?;
         self.contacts.clear();
@@ -53,7 +53,7 @@ impl Seen {
         &self.contacts
     }
 
-    /// Every fender as it is now.
+    /// All fenders.
     pub(crate) fn fenders(&self, simulation: &Simulation) -> Vec<FenderNow> {
         let setup = simulation.setup();
         let mut all = vec![FenderNow::default(); setup.fenders.len()];
@@ -79,7 +79,7 @@ impl Seen {
         all
     }
 
-    /// What happened, in words.
+    /// The texts of the events.
     pub(crate) fn events(&self, setup: &Setup) -> impl Iterator<Item = String> {
         let text = |event| contact_text(event, setup, &self.contacts);
         let contact = self.contact_events.iter().filter_map(text);
@@ -98,20 +98,24 @@ fn contact_text(event: &Event, setup: &Setup, contacts: &[ContactNow]) -> Option
     };
     Some(match event.kind {
         EventKind::ContactBegan => format!("{one} touches {two}{}", at_fenders()),
-        EventKind::ContactEnded => format!("{one} and {two} part"),
+        EventKind::ContactEnded => format!("{one} leaves {two}"),
         EventKind::PatchSplit | EventKind::PatchesMerged => return None,
         EventKind::Contained => format!("{one} lies wholly within {two}"),
-        EventKind::DeepOverlap => format!("{one} and {two} overlap so far that forces mean little"),
-        EventKind::Teleported => format!("{one} was moved by more than its speed"),
+        EventKind::DeepOverlap => {
+            format!("{one} and {two} overlap so deeply that the forces are unreliable")
+        }
+        EventKind::Teleported => format!("{one} was teleported"),
         EventKind::FenderRatingExceeded(fender) => {
             format!("fender {} is over its rating", setup.fenders[fender.0 as usize].name)
         }
         EventKind::FenderFailed(fender) => {
             format!("FENDER {} HAS FAILED", setup.fenders[fender.0 as usize].name)
         }
-        EventKind::PlacedInOverlap => format!("{one} was put into {two} and is pressed out slowly"),
-        EventKind::MassMismatch => format!("{one} moves with another mass than the model's"),
-        EventKind::NotConverged => format!("the contact of {one} and {two} did not settle"),
+        EventKind::PlacedInOverlap => format!("{one} was placed in {two} and is pushed out slowly"),
+        EventKind::MassMismatch => format!("{one} does not move with the mass of the model"),
+        EventKind::NotConverged => {
+            format!("the contact forces between {one} and {two} did not converge")
+        }
     })
 }
 
@@ -121,17 +125,20 @@ fn world_text(event: &WorldEvent, setup: &Setup) -> String {
     let tug = || &*world.tugs[event.who].tug.name;
     let line = || &*world.lines[event.who].line.name;
     match event.kind {
-        WorldEventKind::OrderClamped => format!("{}: an order beyond its stop", vessel()),
+        WorldEventKind::OrderClamped => format!("{}: an order was limited to its stop", vessel()),
         WorldEventKind::Aground => format!("{} IS AGROUND", vessel()),
         WorldEventKind::ShallowHeld => {
-            format!("{}: shallower than the formulas for shallow water reach", vessel())
+            format!(
+                "{}: the water is shallower than the range of the shallow-water formulas",
+                vessel()
+            )
         }
         WorldEventKind::TugLimited => {
-            format!("tug {} cannot give that much at this speed and angle", tug())
+            format!("tug {} cannot give the ordered force at this speed and angle", tug())
         }
         WorldEventKind::TugOrderRefused => format!("tug {} refused an order", tug()),
         WorldEventKind::LineNotMadeFast => format!("line {} could not be made fast", line()),
         WorldEventKind::LineParted => format!("LINE {} HAS PARTED", line()),
-        WorldEventKind::LineRenders => format!("line {}: the winch's brake renders", line()),
+        WorldEventKind::LineRenders => format!("line {}: the brake of the winch renders", line()),
     }
 }

@@ -1,4 +1,4 @@
-//! A vessel as she is now.
+//! The present state of a vessel, for a frame.
 
 use fenderline_contact::Rotation;
 use fenderline_sim::order::{SidePlace, TugWord, Word};
@@ -10,8 +10,8 @@ use crate::cast::Cast;
 use crate::message::{AssistNow, AssistState, AzimuthNow, RudderNow, ShareNow, VesselNow};
 use crate::session::Now;
 
-/// The vessel of an index. Speeds over ground and through the water are those of midship; lateral speeds those of
-/// the foremost and aftmost point of her outline.
+/// The present state of a vessel. Speeds over ground and through the water are those of midship; lateral speeds are those of
+/// the foremost and aftmost points of her outline.
 pub(super) fn now(all: &Now, cast: &Cast, index: usize, berth: Option<&Berth>) -> VesselNow {
     let simulation = &all.simulation;
     let setup = simulation.setup();
@@ -50,7 +50,7 @@ pub(super) fn now(all: &Now, cast: &Cast, index: usize, berth: Option<&Berth>) -
         squat_m: vessel.squat_m,
         under_keel_m: vessel.under_keel_m,
         aground: vessel.aground,
-        // From the body that it is on there is no distance to it.
+        // A berth has no distance from the body that carries it.
         berth: berth
             .filter(|berth| berth.body != of.body)
             .map(|berth| berth.seen_from(&simulation.states()[berth.body], &body.outline, state)),
@@ -59,14 +59,14 @@ pub(super) fn now(all: &Now, cast: &Cast, index: usize, berth: Option<&Berth>) -
             .assist
             .as_ref()
             .map(|pilot| assist_now(all, cast, index, &pilot.order.job)),
-        faults: Fault::standing(&vessel.faults),
+        faults: Fault::active(&vessel.faults),
     }
 }
 
-/// Below this a line is slack to the pilot's eye (N).
+/// A line with less tension is displayed as slack (N).
 const SLACK_N: f64 = 1e3;
 
-/// The order to a tug that is a vessel, in the pilot's words, and how far she has come with it.
+/// The order to a tug that is a vessel, in words, and how far she has carried it out.
 fn assist_now(now: &Now, cast: &Cast, tug: usize, job: &Job) -> AssistNow {
     let setup = now.simulation.setup();
     let own = setup.world.vessels[tug].body;
@@ -105,7 +105,7 @@ fn assist_now(now: &Now, cast: &Cast, tug: usize, job: &Job) -> AssistNow {
     AssistNow { order: word.word(), power, place, state, force_n: felt_n }
 }
 
-/// A point within this distance along the ship is at a place that words name (m).
+/// A point belongs to a named position at the ship's side within this distance along the ship (m).
 const SAME_PLACE_M: f64 = 1.0;
 
 fn pilot_text(pilots: &Pilots) -> &'static str {

@@ -1,4 +1,4 @@
-//! The beginning of a session that goes on where its recording ended.
+//! Copies the lines of a recording that a continued session keeps.
 
 use std::fmt;
 use std::io::{self, BufRead, Write};
@@ -11,9 +11,9 @@ use crate::limits::{LONGEST_HEADER_BYTES, LONGEST_LINE_BYTES};
 /// Why a recording was not copied.
 #[derive(Debug)]
 pub enum CopyError {
-    /// It cannot be read.
+    /// The recording cannot be read.
     Read(RecordingError),
-    /// It is not what it was when it was checked.
+    /// The recording has changed since it was checked.
     Changed,
     /// The copy cannot be written.
     Write(io::Error),
@@ -23,7 +23,7 @@ impl fmt::Display for CopyError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             CopyError::Read(error) => error.fmt(f),
-            CopyError::Changed => f.write_str("it was changed while it was read"),
+            CopyError::Changed => f.write_str("the recording was changed while it was read"),
             CopyError::Write(error) => error.fmt(f),
         }
     }
@@ -31,10 +31,10 @@ impl fmt::Display for CopyError {
 
 impl std::error::Error for CopyError {}
 
-/// Copies what a session that goes on keeps of a recording, holding it against what was checked.
+/// Copies the lines of a recording that a continued session keeps, and compares them with the checked outline.
 ///
 /// # Errors
-/// [`CopyError`]; what was written until then is no recording to go on with.
+/// [`CopyError`]. The incomplete copy cannot be used then.
 pub fn copy_kept(
     input: impl BufRead,
     outline: &Outline,

@@ -1,61 +1,60 @@
-//! What makes a file no recording that can be played.
+//! Errors of recordings.
 
 use std::fmt;
 
 use super::FORMAT;
 use crate::limits::LARGEST_RECORDING_BYTES;
 
-/// A recording that is refused.
+/// An invalid recording.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RecordingError {
-    /// Which line, from 1.
+    /// Number of the line, from 1.
     pub line: usize,
-    /// What is wrong with it.
+    /// The fault of the line.
     pub fault: Fault,
 }
 
-/// What is wrong with a line.
+/// A fault of a line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fault {
-    /// The file could not be read on: the system's text.
+    /// The file cannot be read: the system's message.
     Unreadable(String),
-    /// It does not begin as a recording does, or not even its first line is whole.
+    /// The file does not begin like a recording, or its first line is incomplete.
     NoRecording,
-    /// It is of another format: its number.
+    /// Another format: its number.
     Format(String),
-    /// It is longer than any line is written; how long it may be (bytes).
+    /// The line is too long: the limit (bytes).
     TooLong(u64),
-    /// The recording is larger than any is written.
+    /// The recording is too large.
     TooLarge,
-    /// Its check sum is not that of what stands there: it was changed, or lines before it were changed, removed,
-    /// repeated or put elsewhere.
+    /// The check sum is wrong: the line was changed, or lines before it were changed, removed, repeated or moved.
     Damaged,
-    /// Something follows the end.
+    /// Lines follow the end.
     AfterEnd,
-    /// Its check sum is right and it is none of ours: why.
-    NotOurs(String),
+    /// The check sum is right, but the line is invalid: the reason.
+    Invalid(String),
 }
 
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Fault::Unreadable(why) => f.write_str(why),
-            Fault::NoRecording => f.write_str("it is no recording of a session"),
+            Fault::NoRecording => f.write_str("it is not a recording of a session"),
             Fault::Format(other) => {
                 write!(f, "it has format {other}, but this program reads {FORMAT}")
             }
-            Fault::TooLong(most) => write!(f, "it is longer than {most} bytes, as no line is"),
+            Fault::TooLong(most) => write!(f, "it is longer than the limit of {most} bytes"),
             Fault::TooLarge => {
                 let mib = LARGEST_RECORDING_BYTES >> 20;
-                write!(f, "the recording is larger than {mib} MiB, as none is written")
+                write!(f, "the recording is larger than the limit of {mib} MiB")
             }
-            Fault::Damaged => f.write_str(
-                "the recording is damaged: the line's check sum is not that of what stands there",
-            ),
+            Fault::Damaged => {
+                f.write_str("the recording is damaged: the check sum of the line is wrong")
+            }
             Fault::AfterEnd => {
-                f.write_str("the recording is damaged: something follows the line that ends it")
+                f.write_str("the recording is damaged: there are lines after its end")
             }
-            Fault::NotOurs(why) => write!(f, "no session says this: {why}"),
+            Fault::Invalid(why) => write!(f, "the line is invalid: {why}"),
         }
     }
 }

@@ -1,10 +1,9 @@
-//! A session as lines of JSON: the first tells where it began, each later one what was commanded, branched or
-//! reached, and the last that it ended. Lines are only ever added, so that a file of them loses nothing when its writer
-//! is killed but what was torn off its last line.
+//! Recordings: a session as lines of JSON. The first line has the scenario, the last one ends the session, and each line in
+//! between is a command, a new branch or a mark of progress. Lines are only appended, so that a writer that is killed loses at
+//! most its last line.
 //!
-//! Every line ends with a check sum of itself and all lines before it (`sealed`): a line that was changed, removed,
-//! repeated or put elsewhere is found. What a line may say after those before it is checked too (`shape`), before
-//! anything is played.
+//! Every line ends with a check sum of itself and all lines before it (`sealed`), which reveals lines that were changed,
+//! removed, repeated or moved. The sequence of lines is also checked (`shape`) before anything is replayed.
 
 mod copy;
 mod error;
@@ -26,9 +25,9 @@ pub use reader::RecordingReader;
 pub(crate) use sealed::Chain;
 pub(crate) use writer::Writer;
 
-/// The format's number; a file with another one is refused.
+/// Number of the format. A file with another number is refused.
 const FORMAT: u32 = 3;
-/// What a recording begins with, up to the format's number.
+/// The beginning of a recording, up to the number of the format.
 const BEGINNING: &str = "{\"fenderline_session\":";
 
 /// The first line.
@@ -36,7 +35,7 @@ const BEGINNING: &str = "{\"fenderline_session\":";
 #[serde(deny_unknown_fields)]
 struct Header {
     fenderline_session: u32,
-    /// Of the program that recorded it: another one may make other bits.
+    /// Version of the program that recorded it. Other versions may compute other bits.
     version: String,
     source: Source,
 }
@@ -47,47 +46,47 @@ struct Header {
 pub enum Line {
     /// A command.
     Command {
-        /// The branch that it was given in.
+        /// The branch in which it was given.
         branch: usize,
-        /// The tick in which it counts.
+        /// The tick from which it takes effect.
         tick: u64,
         /// Who gave it.
         who: String,
-        /// When, by the server's clock (ms since 1970); the replay does not ask for it.
+        /// Time of the server's clock (ms since 1970); not used by a replay.
         at_ms: u64,
-        /// What.
+        /// The command.
         action: Action,
     },
     /// A branch began.
     Branch {
-        /// Its number, one above that of the last.
+        /// Its number, one more than that of the last branch.
         id: usize,
-        /// The branch that it left.
+        /// The branch from which it begins.
         parent: usize,
-        /// Where.
+        /// Its first tick.
         from_tick: u64,
     },
-    /// A branch has come to a tick.
+    /// A branch has reached a tick.
     Reached {
-        /// Which.
+        /// The branch.
         branch: usize,
         /// The tick.
         tick: u64,
-        /// The state's fingerprint there, in hexadecimal, before that tick's commands.
+        /// Fingerprint of the state before the commands of that tick, in hexadecimal.
         bits: String,
     },
-    /// The session was ended, or saved: nothing follows.
+    /// The session ended or was saved. Nothing follows.
     End {},
 }
 
 impl Line {
-    /// As JSON, without a check sum.
+    /// The JSON without a check sum.
     fn json(&self) -> String {
         serde_json::to_string(self).unwrap_or_else(|e| unreachable!("{e}"))
     }
 }
 
-/// Does a file begin as a recording does?
+/// True if a file begins like a recording.
 #[must_use]
 pub fn begins_recording(bytes: &[u8]) -> bool {
     bytes.starts_with(BEGINNING.as_bytes())

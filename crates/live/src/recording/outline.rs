@@ -1,4 +1,4 @@
-//! A recording as a whole, checked from its first line to its last without playing it.
+//! The outline of a recording: all lines are read and checked, but not replayed.
 
 use std::io::BufRead;
 
@@ -6,45 +6,45 @@ use super::error::RecordingError;
 use super::reader::RecordingReader;
 use super::{Chain, Fault};
 
-/// Lines between two looks at who asked.
+/// Number of lines between two calls of `go_on`.
 const LINES_AT_A_TIME: usize = 4096;
 
-/// How a recording ends. In all three cases every line of it is as it was written.
+/// How a recording ends. In all three cases the lines before are sound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
-    /// With the line that ends a session: it is sound, and nothing is missing.
+    /// With the line that ends a session: it is complete.
     Whole,
-    /// With a whole line: its writer was killed or still writes, or lines were cut off.
+    /// With another whole line: the writer was killed or is still writing, or lines were cut off.
     Open,
-    /// Within a line, which is dropped: its writer was killed, or it was cut off there.
+    /// Within a line, which is dropped: the writer was killed, or the file was cut off.
     Torn {
-        /// Of the line that is dropped.
+        /// Length of the dropped line (bytes).
         bytes: u64,
     },
 }
 
-/// What a recording holds.
+/// The content of a recording.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Outline {
     /// How it ends.
     pub ending: Ending,
-    /// Commands in it.
+    /// Number of commands.
     pub commands: usize,
-    /// Branches in it, the first among them.
+    /// Number of branches, with the first.
     pub branches: usize,
-    /// Ticks of all branches together: what a replay plays.
+    /// Number of ticks of all branches together, which a replay computes.
     pub ticks: u64,
-    /// Length of what a session that goes on keeps (bytes): all whole lines but the end.
+    /// Length that a continued session keeps (bytes): all whole lines except the end.
     pub kept_bytes: u64,
     pub(crate) chain: Chain,
 }
 
 impl Outline {
-    /// Reads a recording from its start to its end. Every so often `go_on` is told how much has been read (bytes), and
-    /// says whether to read on.
+    /// Reads a recording from start to end. `go_on` gets the number of bytes read from time to time, and can stop the reading by
+    /// an error.
     ///
     /// # Errors
-    /// The first line that is wrong; [`Fault::Unreadable`] where `go_on` said no.
+    /// The first invalid line; [`Fault::Unreadable`] if `go_on` returns an error.
     pub fn read(
         input: impl BufRead,
         mut go_on: impl FnMut(u64) -> Result<(), String>,
@@ -57,7 +57,7 @@ impl Outline {
                     .map_err(|why| RecordingError { line, fault: Fault::Unreadable(why) })?;
             }
         }
-        let Some(ending) = reader.ending() else { unreachable!("all of it was read") };
+        let Some(ending) = reader.ending() else { unreachable!("the reader is at its end") };
         let (kept_bytes, chain) = reader.kept();
         let shape = reader.shape();
         Ok(Outline {

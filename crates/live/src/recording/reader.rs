@@ -1,4 +1,4 @@
-//! Reads a recording line by line, however large it is.
+//! Reads a recording line by line.
 
 use std::io::BufRead;
 
@@ -10,14 +10,14 @@ use super::{BEGINNING, Chain, FORMAT, Header, Line};
 use crate::limits::{LONGEST_HEADER_BYTES, LONGEST_LINE_BYTES};
 use crate::source::Source;
 
-/// A recording that is being read. Each line is checked by itself and against those before it.
+/// A recording that is being read. Each line is checked by itself and against the lines before it.
 #[derive(Debug)]
 pub struct RecordingReader<R> {
     lines: SealedLines<R>,
     header: Header,
     shape: Shape,
     ending: Option<Ending>,
-    /// The length of what a session that goes on keeps (bytes), and its sum: all whole lines but the end.
+    /// Length (bytes) and check sum of what a continued session keeps: all whole lines except the end.
     kept: (u64, Chain),
 }
 
@@ -25,7 +25,7 @@ impl<R: BufRead> RecordingReader<R> {
     /// Reads the first line.
     ///
     /// # Errors
-    /// The file is no recording, or of another format, or damaged.
+    /// The file is not a recording, has another format, or is damaged.
     pub fn open(input: R) -> Result<RecordingReader<R>, RecordingError> {
         let mut lines = SealedLines::new(input);
         let Sealed::Object(first) = lines.raw(LONGEST_HEADER_BYTES)? else {
@@ -43,7 +43,7 @@ impl<R: BufRead> RecordingReader<R> {
             Some(_) => {}
         }
         let header = serde_json::from_str(lines.unsealed()?);
-        let header = header.map_err(|e| lines.error(Fault::NotOurs(e.to_string())))?;
+        let header = header.map_err(|e| lines.error(Fault::Invalid(e.to_string())))?;
         let kept = (lines.bytes, lines.chain);
         Ok(RecordingReader { lines, header, shape: Shape::new(), ending: None, kept })
     }
@@ -54,28 +54,28 @@ impl<R: BufRead> RecordingReader<R> {
         &self.header.version
     }
 
-    /// Where it began.
+    /// The scenario with its files.
     #[must_use]
     pub fn source(&self) -> &Source {
         &self.header.source
     }
 
-    /// The number of the line that was read last, from 1.
+    /// Number of the last line read, from 1.
     #[must_use]
     pub fn line_number(&self) -> usize {
         self.lines.line
     }
 
-    /// Length of what has been read (bytes).
+    /// Number of bytes read.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         self.lines.bytes
     }
 
-    /// The next line; `None` at the end, and for a last line that was torn off.
+    /// The next line; `None` at the end and for a last line that is cut off.
     ///
     /// # Errors
-    /// A line that is damaged, or that no session says after those before it.
+    /// A line that is damaged, or that cannot follow the lines before it.
     pub fn next_line(&mut self) -> Result<Option<Line>, RecordingError> {
         if self.ending.is_some() {
             return Ok(None);
@@ -87,7 +87,7 @@ impl<R: BufRead> RecordingReader<R> {
         };
         let line = serde_json::from_str::<Line>(object).map_err(|e| e.to_string());
         let line = line.and_then(|line| self.shape.take(&line).map(|()| line));
-        let line = line.map_err(|why| self.lines.error(Fault::NotOurs(why)))?;
+        let line = line.map_err(|why| self.lines.error(Fault::Invalid(why)))?;
         if line == (Line::End {}) {
             let Sealed::Nothing = self.lines.raw(LONGEST_LINE_BYTES)? else {
                 return Err(self.lines.error(Fault::AfterEnd));
@@ -103,7 +103,7 @@ impl<R: BufRead> RecordingReader<R> {
         None
     }
 
-    /// How it ends, when all of it has been read.
+    /// How the recording ends, once all of it has been read.
     pub(super) fn ending(&self) -> Option<Ending> {
         self.ending
     }

@@ -1,35 +1,36 @@
-//! Lines with check sums, whatever they say.
+//! Lines with check sums, whatever their content.
 
 use std::io::{BufRead, Read as _};
 
 use super::error::{Fault, RecordingError};
 use crate::limits::LARGEST_RECORDING_BYTES;
 
-/// What stands between a line's own fields and its check sum; after that come a quote and a brace.
+/// The text between the fields of a line and its check sum. A quote and a brace follow the check sum.
 const KEY: &str = ",\"sum\":\"";
 const DIGITS: usize = 8;
 const TAIL: usize = KEY.len() + DIGITS + 2;
 
-/// The check sum of all lines up to one: CRC-32 of IEEE 802.3, each line's begun with that of the line before. It
-/// finds every change of up to 32 bits in a row, and misses one of 2³² others. No protection against malice.
+/// The check sum of a line and all lines before it: CRC-32 of IEEE 802.3, which begins at each line with the sum of the line
+/// before. It detects every change within 32 consecutive bits, and misses one in 2³² of other changes. No protection against
+/// malice.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Chain(u32);
 
 impl Chain {
-    /// A JSON object as the next line, with its sum and its end.
+    /// Makes the next line from a JSON object: with check sum and line end.
     pub(crate) fn seal(&mut self, object: &str) -> String {
         let Some(body) = object.strip_suffix('}') else { unreachable!("an object: {object}") };
         self.add(body);
         format!("{body}{KEY}{:08x}\"}}\n", self.0)
     }
 
-    /// The length of the object in the next line, but for its last brace; `None` where the sum is wrong.
+    /// Length of the object in the next line without its last brace; `None` if the check sum is wrong.
     fn unseal(&mut self, line: &str) -> Option<usize> {
         let at = line.len().checked_sub(TAIL)?;
         let (body, tail) = line.split_at_checked(at)?;
         let mut next = *self;
         next.add(body);
-        // Digits are compared as they are written, so that a change of their case is one.
+        // The digits are compared as text, so that a change of their case is detected.
         (tail == format!("{KEY}{:08x}\"}}", next.0)).then(|| {
             *self = next;
             at
@@ -43,13 +44,13 @@ impl Chain {
     }
 }
 
-/// What comes next in a file of such lines.
+/// The next part of a file.
 pub(super) enum Sealed<'b> {
-    /// A line whose sum is right: its object.
+    /// A line with a correct check sum: its object.
     Object(&'b str),
-    /// A last line that was torn off: its length (bytes).
+    /// A last line that is cut off: its length (bytes).
     Torn(u64),
-    /// Nothing.
+    /// The end of the file.
     Nothing,
 }
 
@@ -59,7 +60,7 @@ pub(super) struct SealedLines<R> {
     input: R,
     buffer: Vec<u8>,
     pub(super) chain: Chain,
-    /// Number of the line that was read last.
+    /// Number of the last line read.
     pub(super) line: usize,
     /// Length of all whole lines (bytes).
     pub(super) bytes: u64,
@@ -70,7 +71,7 @@ impl<R: BufRead> SealedLines<R> {
         SealedLines { input, buffer: Vec::new(), chain: Chain::default(), line: 0, bytes: 0 }
     }
 
-    /// The next line as it stands there, without its end; `Torn` for one without end.
+    /// The next line without its line end, not checked; `Torn` if the line end is missing.
     pub(super) fn raw(&mut self, longest_bytes: u64) -> Result<Sealed<'_>, RecordingError> {
         self.line += 1;
         self.buffer.clear();
@@ -96,7 +97,7 @@ impl<R: BufRead> SealedLines<R> {
         str::from_utf8(&self.buffer).map(Sealed::Object).map_err(|_| error)
     }
 
-    /// The next line's object, its sum looked at.
+    /// The object of the next line, checked.
     pub(super) fn next(&mut self, longest_bytes: u64) -> Result<Sealed<'_>, RecordingError> {
         match self.raw(longest_bytes)? {
             Sealed::Object(_) => self.unsealed().map(Sealed::Object),
@@ -105,14 +106,14 @@ impl<R: BufRead> SealedLines<R> {
         }
     }
 
-    /// The object of the line that was read last.
+    /// The object of the last line read, checked.
     pub(super) fn unsealed(&mut self) -> Result<&str, RecordingError> {
         let error = RecordingError { line: self.line, fault: Fault::Damaged };
         let Ok(line) = str::from_utf8(&self.buffer) else { return Err(error) };
         let Some(length) = self.chain.unseal(line) else { return Err(error) };
         self.buffer.truncate(length);
         self.buffer.push(b'}');
-        Ok(str::from_utf8(&self.buffer).unwrap_or_else(|e| unreachable!("it was text: {e}")))
+        Ok(str::from_utf8(&self.buffer).unwrap_or_else(|e| unreachable!("a part of a text: {e}")))
     }
 
     pub(super) fn error(&self, fault: Fault) -> RecordingError {
@@ -134,12 +135,12 @@ mod tests {
     }
 
     #[test]
-    fn lines_that_were_swapped_removed_or_repeated_are_found() {
+    fn swapped_removed_and_repeated_lines_are_detected() {
         let objects = ["{\"a\":1}", "{\"b\":2}", "{\"a\":1}", "{}", "{\"c\":\"ö\"}"];
         let mut chain = Chain::default();
         let sealed: Vec<String> = objects.iter().map(|object| chain.seal(object)).collect();
         assert_eq!(lines(&sealed.concat()).expect("sound"), objects);
-        // The common check value of CRC-32, so that other programs can hold a file against it.
+        // The usual check value of CRC-32: other programs can verify a file.
         let mut check = Chain::default();
         check.add("123456789");
         assert_eq!(check, Chain(0xcbf4_3926));

@@ -1,21 +1,21 @@
-//! What a line may say after those before it: checked without playing anything, so that no recording asks for more
-//! than a session could have been.
+//! Checks each line against the lines before it, without replaying them. A recording that passes is within the limits of a
+//! session.
 
 use super::Line;
 use crate::limits::{MARKS, MOST_BRANCHES, MOST_COMMANDS, MOST_TICKS};
 
-/// How far a branch has come by the lines so far.
+/// The last tick of a branch according to the lines so far.
 #[derive(Clone, Copy, Debug)]
 struct Reach {
     ends_tick: u64,
 }
 
-/// The branches, by the lines so far.
+/// The branches according to the lines so far.
 #[derive(Clone, Debug)]
 pub(super) struct Shape {
     branches: Vec<Reach>,
     pub(super) commands: usize,
-    /// Of all branches together.
+    /// Number of ticks of all branches together.
     pub(super) ticks: u64,
 }
 
@@ -31,7 +31,7 @@ impl Shape {
     /// Takes the next line.
     ///
     /// # Errors
-    /// Why no session says that here.
+    /// Why the line cannot follow.
     pub(super) fn take(&mut self, line: &Line) -> Result<(), String> {
         match line {
             Line::Command { branch, tick, .. } => {
@@ -58,11 +58,11 @@ impl Shape {
             return Err(format!("there is no branch {branch}"));
         };
         let Some(ticks) = tick.checked_sub(*ends_tick) else {
-            return Err(format!("branch {branch} has come to tick {ends_tick} already"));
+            return Err(format!("branch {branch} is at tick {ends_tick} already"));
         };
         if ticks > MARKS {
             return Err(format!(
-                "branch {branch} goes from tick {ends_tick} to {tick}, without a line each {MARKS} ticks"
+                "branch {branch} goes from tick {ends_tick} to {tick} without a line every {MARKS} ticks"
             ));
         }
         *ends_tick = tick;
@@ -78,14 +78,16 @@ impl Shape {
             return Err(format!("more than {MOST_BRANCHES} branches"));
         }
         if id != self.branches.len() {
-            return Err("branches are numbered as they come".to_owned());
+            return Err("branches must be numbered in order".to_owned());
         }
         let Some(Reach { ends_tick }) = self.branches.get(parent) else {
             return Err(format!("there is no branch {parent}"));
         };
-        // At its end there is nothing to leave.
+        // A branch cannot begin at the end of its parent.
         if from_tick >= *ends_tick {
-            return Err(format!("branch {parent} ends at tick {ends_tick}, not after {from_tick}"));
+            return Err(format!(
+                "branch {parent} ends at tick {ends_tick}: a branch cannot begin at {from_tick}"
+            ));
         }
         self.branches.push(Reach { ends_tick: from_tick });
         Ok(())

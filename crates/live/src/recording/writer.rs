@@ -1,29 +1,29 @@
-//! Makes a recording's lines, within its limits.
+//! Writes the lines of a recording within its limits.
 
 use super::{Chain, FORMAT, Header, Line};
 use crate::limits::{Full, LARGEST_RECORDING_BYTES, LONGEST_HEADER_BYTES, LONGEST_LINE_BYTES};
 use crate::source::Source;
 
-/// Room that is kept for the line that ends it, and for one that says how far it has come (bytes).
+/// Space reserved for the last line and for a `reached` line (bytes).
 const END_BYTES: u64 = 512;
 const MARK_BYTES: u64 = 512;
-/// More than a check sum adds to a line (bytes).
+/// An upper bound of what a check sum adds to a line (bytes).
 const SUM_BYTES: u64 = 64;
 
-/// The lines that a session's owner has not taken yet, and what was written before them.
+/// The lines that the owner of the session has not taken yet, and the totals of all lines.
 #[derive(Clone, Debug)]
 pub(crate) struct Writer {
     text: String,
     chain: Chain,
     bytes: u64,
-    /// A replay writes nothing.
+    /// During a replay nothing is written.
     is_silent: bool,
-    /// Branch and tick of the last line, where that says how far a branch has come.
+    /// Branch and tick of the last line if it is a `reached` line.
     marked: Option<(usize, u64)>,
 }
 
 impl Writer {
-    /// With the first line. `None` where that is too long to be read again.
+    /// A writer with the first line; `None` if the line is longer than the limit.
     pub(crate) fn begin(source: &Source) -> Option<Writer> {
         let header = Header {
             fenderline_session: FORMAT,
@@ -36,22 +36,22 @@ impl Writer {
         (writer.bytes <= LONGEST_HEADER_BYTES).then_some(writer)
     }
 
-    /// Goes on after lines that stand already.
+    /// A writer that continues after existing lines.
     pub(crate) fn after(chain: Chain, bytes: u64) -> Writer {
         Writer { text: String::new(), chain, bytes, is_silent: false, marked: None }
     }
 
-    /// Writes nothing.
+    /// A writer that writes nothing.
     pub(crate) fn silent() -> Writer {
         Writer { is_silent: true, ..Writer::after(Chain::default(), 0) }
     }
 
-    /// Is there room for a line, whatever it says?
+    /// True if there is space for a line of any length.
     pub(crate) fn has_room(&self) -> bool {
         self.bytes + LONGEST_LINE_BYTES + MARK_BYTES + END_BYTES <= LARGEST_RECORDING_BYTES
     }
 
-    /// A line as JSON, if it may be written: to be given to [`Writer::put`] when it counts.
+    /// The JSON of a line if there is space for it. [`Writer::put`] writes it.
     pub(crate) fn prepare(&self, line: &Line) -> Result<String, Full> {
         if self.is_silent {
             return Ok(String::new());
@@ -72,8 +72,8 @@ impl Writer {
         self.marked = None;
     }
 
-    /// Writes how far a branch has come, unless the last line says so already. Where commands have left no room for it
-    /// the recording is readable without.
+    /// Writes a `reached` line, unless the last line is the same. The line is left out where there is no space for it; the
+    /// recording is valid without it.
     pub(crate) fn mark(&mut self, branch: usize, tick: u64, bits: impl FnOnce() -> String) {
         if self.is_silent || self.marked == Some((branch, tick)) {
             return;

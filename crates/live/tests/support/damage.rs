@@ -1,5 +1,5 @@
-//! Damages recordings, from a seed: what disks, networks, editors and malice do to a file. Also used by the program's
-//! own tests.
+//! Damages recordings at random, from a seed, as disks, networks, editors and attackers may do. Tests of the program use it
+//! too.
 
 /// Random numbers from a seed: SplitMix64 (Steele, Lea & Flood, 2014).
 #[derive(Clone, Debug)]
@@ -18,13 +18,13 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Below a number that is not 0.
+    /// A number below `bound`, which is not 0.
     pub(crate) fn below(&mut self, bound: usize) -> usize {
         (self.next() % bound as u64) as usize
     }
 }
 
-/// A recording that something has happened to: what, and what is left. Never the same bytes as before.
+/// A damaged recording and the kind of damage. The bytes always differ from the sound ones.
 pub(crate) fn damaged(sound: &[u8], seed: u64) -> (&'static str, Vec<u8>) {
     let mut random = Random::new(seed);
     loop {
@@ -118,15 +118,15 @@ fn damage(bytes: &mut Vec<u8>, random: &mut Random) -> &'static str {
     }
 }
 
-/// What stands after a line's own fields.
+/// The end of a line after its own fields.
 const TAIL: usize = r#","sum":"00000000"}"#.len();
 
-/// The lines of a sound recording, without their sums.
+/// The lines of a sound recording without their check sums.
 pub(crate) fn objects(sound: &str) -> Vec<String> {
     sound.lines().map(|line| format!("{}}}", &line[..line.len() - TAIL])).collect()
 }
 
-/// Lines with sums that are right, whatever they say: what somebody who means it ill can make.
+/// Lines with correct check sums, whatever their content, as an attacker can make them.
 pub(crate) fn sealed<'l>(objects: impl IntoIterator<Item = &'l str>) -> String {
     let mut text = String::new();
     let mut chain = 0;
@@ -140,7 +140,7 @@ pub(crate) fn sealed<'l>(objects: impl IntoIterator<Item = &'l str>) -> String {
     text
 }
 
-/// A recording with other numbers in some lines, but for the first, and sums that are right.
+/// A recording with other numbers in some lines after the first, and correct check sums.
 pub(crate) fn forged(sound: &str, seed: u64) -> String {
     let mut random = Random::new(seed);
     let mut objects = objects(sound);

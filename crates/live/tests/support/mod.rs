@@ -1,4 +1,4 @@
-//! A session in a repository's scenario.
+//! Sessions in scenarios of the repository.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 use std::path::{Path, PathBuf};
@@ -11,7 +11,7 @@ pub(crate) fn repository(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
 }
 
-/// A session in a scenario of the repository, with some keys changed.
+/// A session in a scenario of the repository with overrides of keys.
 pub(crate) fn open(scenario: &str, set: &[&str]) -> Session {
     let path = repository(scenario);
     let text = std::fs::read_to_string(&path).expect("a scenario");
@@ -34,7 +34,7 @@ pub(crate) fn go(session: &mut Session, ticks: u64) {
     }
 }
 
-pub(crate) fn say(session: &mut Session, action: Action) -> u64 {
+pub(crate) fn command(session: &mut Session, action: Action) -> u64 {
     session.command("test", 0, action).expect("a good command")
 }
 
@@ -51,13 +51,13 @@ pub(crate) fn engine(share: f64) -> Action {
     order(OrderName::Engine, "ship").number("share", share).into()
 }
 
-/// The recording of a session up to now, as it is when it is saved.
+/// The recording of a session up to now, with its last line.
 pub(crate) fn saved(session: &mut Session) -> String {
     session.mark();
     session.take_lines() + &session.end_line()
 }
 
-/// Checks a recording and plays it to its end.
+/// Checks a recording and replays it to its end.
 pub(crate) fn replay(text: &str) -> Result<Replayed, String> {
     let outline = outline(text)?;
     let mut replay = Replay::begin(text.as_bytes(), outline).map_err(|e| e.to_string())?;

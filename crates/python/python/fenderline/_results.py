@@ -21,8 +21,8 @@ class Column:
         "name": "Its name; it ends with the unit where there is one.",
         "unit": "``1`` for a pure number, ``-`` for a text or a truth value.",
         "meaning": "What it means.",
-        "_codes": "Values, or which of the words they are.",
-        "_words": "What codes stand for, in columns of texts.",
+        "_codes": "Values, or in columns of texts their indices into the words.",
+        "_words": "The texts, in columns of texts.",
     }
 
     name: str
@@ -44,7 +44,7 @@ class Column:
 
     @property
     def values(self) -> npt.NDArray[Any]:
-        """The values: numbers and truth values without a copy and read-only, texts made from their codes."""
+        """The values. Numbers and truth values are read-only and not copied; texts are a new array."""
         return self._codes if self._words is None else self._words[self._codes]
 
     def __repr__(self) -> str:
@@ -99,12 +99,12 @@ class Table(Mapping[str, npt.NDArray[Any]]):
                 words = pa.array(column._words.tolist(), pa.string())
                 array = pa.DictionaryArray.from_arrays(pa.array(column._codes), words)
             arrays.append(array)
-            told = {"unit": column.unit, "meaning": column.meaning}
-            fields.append(pa.field(column.name, array.type, nullable=False, metadata=told))
+            metadata = {"unit": column.unit, "meaning": column.meaning}
+            fields.append(pa.field(column.name, array.type, nullable=False, metadata=metadata))
         return pa.Table.from_arrays(arrays, schema=pa.schema(fields))
 
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
-        """For every program that takes Arrow's streams: polars, DuckDB, pandas; needs ``pyarrow``."""
+        """Arrow's stream interface, for polars, DuckDB, pandas and others; needs ``pyarrow``."""
         return self.to_arrow().__arrow_c_stream__(requested_schema)
 
     def to_pandas(self) -> _pandas.DataFrame:
@@ -149,7 +149,7 @@ class Results(Mapping[str, Table]):
         return len(self._tables)
 
     def to_parquet(self, folder: str | Path) -> list[Path]:
-        """Writes ``NAME.parquet`` for every table into a folder, which is made; needs ``pyarrow``."""
+        """Writes ``NAME.parquet`` for every table into a folder, which is created; needs ``pyarrow``."""
         folder = Path(folder)
         folder.mkdir(parents=True, exist_ok=True)
         paths = [folder / f"{name}.parquet" for name in self]

@@ -1,8 +1,8 @@
 """Bringing a ship alongside: a Gymnasium environment, single and vectorised.
 
-A coaster of 130 m with propeller, rudder, bow and stern thruster comes up to a quay at her starboard side and is to
-lie on its four fenders: abreast of her berth, parallel, and without any fender storing more energy than it is rated
-for. Where she begins, wind and current are drawn from the episode's seed. One step is one second.
+A coaster of 130 m with propeller, rudder, bow and stern thruster approaches a quay on her starboard side. She is to
+come to rest on its four fenders: at her berth, parallel, and without any fender storing more than its rated energy.
+Her start, wind and current are drawn from the episode's seed. One step is one second.
 
 Importing this module registers ``fenderline/Docking-v0``:
 
@@ -18,12 +18,12 @@ Importing this module registers ``fenderline/Docking-v0``:
 
 == =================================================================================
 0  rudder over its stop of 35°; positive turns to starboard going ahead
-1  engine: revolutions over full ones, positive ahead
+1  engine: revolutions over full revolutions, positive ahead
 2  bow thruster over full power, positive to starboard (towards the quay)
 3  stern thruster, likewise
 == =================================================================================
 
-**Observation**, in metres, seconds and radians, in the quay's axes (along: the way she heads when berthed):
+**Observation**, in metres, seconds and radians, in the quay's axes (along: her heading when berthed):
 
 === ================================================================================
 0   along: distance still to go to her berth, positive ahead of her [m]
@@ -32,24 +32,25 @@ Importing this module registers ``fenderline/Docking-v0``:
 3   speed along the quay over ground [m/s]
 4   speed towards the quay over ground [m/s]
 5   rate of turn, positive to starboard [rad/s]
-6-9 rudder, engine, bow and stern thruster as ordered last, −1 to 1
-10  wind: component along the quay, the way it blows [m/s]
+6-9 last orders of rudder, engine, bow and stern thruster, −1 to 1
+10  wind: component along the quay, in the direction in which it blows [m/s]
 11  wind: component towards the quay [m/s]
 12  current along the quay [m/s]
-13  largest energy that a fender has stored so far over what it is rated for [1]
+13  largest energy that a fender has stored so far over its rated energy [1]
 === ================================================================================
 
-**Reward**: what the distance to the berth (in metres, heading counted by the ship's half length) has come down in the
-step, times 0.1; less 0.01 a step and 0.01 times the mean square of the action; less 50 times what the largest share of
-a fender's rated energy has grown by. **Termination**: +100 when she lies alongside (less than 4 m from her berth,
-0.2 m off the faces or on them, within 1° of parallel, moving less than 0.05 m/s, turning less than 0.0005 rad/s);
-−100 when a fender is loaded beyond its rating, when her hull comes to the line of the quay beside or beyond the
-fenders, or when she leaves the basin. **Truncation** after 900 s.
+**Reward**: 0.1 times the decrease of the distance to the berth in the step (in metres; heading counts with the ship's
+half length), less 0.01, less 0.01 times the mean square of the action, less 50 times the increase of the largest share
+of a fender's rated energy. **Termination**: +100 when she lies alongside (less than 4 m from her berth, at most 0.2 m
+off the faces, within 1° of parallel, slower than 0.05 m/s, turning at less than 0.0005 rad/s); −100 when a fender is
+loaded beyond its rating, when her hull reaches the line of the quay beside or beyond the fenders, or when she leaves
+the basin. **Truncation** after 900 s.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from enum import IntEnum
 from typing import Any, TypeAlias, cast
 
 import gymnasium
@@ -71,11 +72,11 @@ Observation: TypeAlias = npt.NDArray[np.float32]
 Action: TypeAlias = npt.NDArray[np.float32]
 
 RUDDER_STOP_RAD = float(np.deg2rad(35.0))
-#: Of the scenario: half of the ship's length, y of the fenders' faces, and her outline's points on the starboard side.
+#: From the scenario: half the ship's length, y of the fenders' faces, points of her outline on the starboard side.
 HALF_LENGTH_M = 65.0
 FACES_EAST_M = -1.8
 OUTLINE_M = np.array([(68, 0), (58, 6), (40, 10), (-60, 10), (-68, 8)], dtype=np.float64)
-#: The basin: along the quay, and off it.
+#: Size of the basin: along the quay, and off it.
 BASIN_ALONG_M = 400.0
 BASIN_OFF_M = 200.0
 STEPS = 900
@@ -93,7 +94,7 @@ def _action_space() -> gymnasium.Space[Action]:
 
 
 def _draw(random: np.random.Generator) -> dict[str, Any]:
-    """Where an episode begins, and its weather: keys of the scenario."""
+    """Start and weather of an episode, as keys of the scenario."""
     along, off = random.uniform(-230.0, -130.0), random.uniform(30.0, 60.0)
     heading, surge = random.uniform(-0.15, 0.15), random.uniform(0.8, 1.8)
     wind, wind_from = random.uniform(0.0, 9.0), random.uniform(0.0, 2.0 * np.pi)
@@ -110,8 +111,18 @@ def _draw(random: np.random.Generator) -> dict[str, Any]:
     }
 
 
+class _Ended(IntEnum):
+    """How an episode ended."""
+
+    NOT_YET = 0
+    ALONGSIDE = 1
+    OVERLOADED = 2
+    OVER_QUAY_LINE = 3
+    LEFT_BASIN = 4
+
+
 class _Berth:
-    """So many episodes side by side; what both environments share."""
+    """Episodes in parallel; shared by both environments."""
 
     def __init__(self, count: int, threads: int) -> None:
         scenario: Scenario = example("docking")
@@ -126,16 +137,15 @@ class _Berth:
         self._far = np.zeros(count)
         self._share = np.zeros(count)
         self._steps = np.zeros(count, dtype=np.int64)
-        self._kinds = np.array(["", "alongside", "overloaded", "over_quay_line", "left_basin"])
 
     def begin(self, which: Sequence[int], randoms: Sequence[np.random.Generator]) -> None:
-        """Starts some episodes anew."""
+        """Restarts some episodes."""
         drawn = [_draw(random) for random in randoms]
         self.fleet.reset(list(which), drawn)
         rows = list(which)
         for row, keys in zip(rows, drawn, strict=True):
             wind, current = keys["environment.wind"], keys["environment.current"]
-            # Wind is named by where it comes from.
+            # The wind's direction is where it comes from.
             north, east = -np.cos(wind["from"]), -np.sin(wind["from"])
             along = current["speed"] if current["towards"] == 0.0 else -current["speed"]
             self._weather[row] = (wind["speed"] * north, wind["speed"] * east, along)
@@ -145,7 +155,7 @@ class _Berth:
         self._far[rows] = self._distance()[rows]
 
     def _hull(self) -> tuple[Floats, Floats]:
-        """Her states, and how far the farthest point of her starboard side is from the faces."""
+        """Her states, and the clearance between her starboard side and the faces."""
         states = self.fleet.states[:, self._ship]
         sine, cosine = np.sin(states[:, 2]), np.cos(states[:, 2])
         points = np.outer(sine, OUTLINE_M[:, 0]) + np.outer(cosine, OUTLINE_M[:, 1])
@@ -160,7 +170,7 @@ class _Berth:
         return distance
 
     def observe(self) -> Observation:
-        """What is seen of every episode now."""
+        """The current observation of every episode."""
         states, off = self._hull()
         seen = np.empty((self.count, 14), dtype=np.float32)
         seen[:, 0] = -states[:, 0]
@@ -173,10 +183,10 @@ class _Berth:
         return np.clip(seen, _LOW, _HIGH)
 
     def step(self, actions: Action) -> tuple[Floats, npt.NDArray[np.int64], npt.NDArray[np.bool_]]:
-        """One second: rewards, how each episode ended (0: not yet), and which have run out of time."""
+        """One second: rewards, how each episode ended (an :class:`_Ended`), and which are truncated."""
         orders = np.clip(np.asarray(actions, dtype=np.float64), -1.0, 1.0)
         if not np.isfinite(orders).all():
-            raise ValueError("an action is no finite number")
+            raise ValueError("an action is not a finite number")
         self._orders = orders
         controls = self.fleet.controls
         controls[:, self._columns] = orders * (RUDDER_STOP_RAD, 1.0, 1.0, 1.0)
@@ -197,19 +207,24 @@ class _Berth:
             & (np.abs(states[:, 5]) < 5e-4)
         )
         left = (np.abs(states[:, 0]) > BASIN_ALONG_M) | (off > BASIN_OFF_M)
-        # The faces stand 1.8 m before the quay: who is nearer than 0.2 m to its line is as good as on it.
+        # The faces are 1.8 m in front of the quay: within 0.2 m of its line counts as touching it.
         on_quay = off < -1.6
         overloaded = (share > 1.0) | (self.fleet.fenders_failed > 0.0).any(axis=1)
         ended = np.zeros(self.count, dtype=np.int64)
-        ended[alongside], ended[overloaded] = 1, 2
-        ended[on_quay], ended[left] = 3, 4
-        rewards += np.where(ended == 1, 100.0, np.where(ended > 1, -100.0, 0.0))
-        return rewards, ended, (self._steps >= STEPS) & (ended == 0)
+        # A later line wins over an earlier one.
+        ended[alongside] = _Ended.ALONGSIDE
+        ended[overloaded] = _Ended.OVERLOADED
+        ended[on_quay] = _Ended.OVER_QUAY_LINE
+        ended[left] = _Ended.LEFT_BASIN
+        bad = (ended != _Ended.NOT_YET) & (ended != _Ended.ALONGSIDE)
+        rewards += np.where(ended == _Ended.ALONGSIDE, 100.0, np.where(bad, -100.0, 0.0))
+        return rewards, ended, (self._steps >= STEPS) & (ended == _Ended.NOT_YET)
 
-    def told(self, ended: npt.NDArray[np.int64]) -> npt.NDArray[np.str_]:
-        """How episodes ended, in words."""
-        words: npt.NDArray[np.str_] = self._kinds[ended]
-        return words
+    @staticmethod
+    def words(ended: npt.NDArray[np.int64]) -> npt.NDArray[np.str_]:
+        """How episodes ended, in words; empty for those that have not."""
+        kinds = (_Ended(int(kind)) for kind in ended)
+        return np.array(["" if kind is _Ended.NOT_YET else kind.name.lower() for kind in kinds])
 
 
 class DockingEnv(gymnasium.Env[Observation, Action]):
@@ -228,7 +243,7 @@ class DockingEnv(gymnasium.Env[Observation, Action]):
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Observation, dict[str, Any]]:
-        """Begins an episode: drawn from ``seed``, or from what the last one left of it."""
+        """Starts an episode, drawn from ``seed``, or from the random state that the last one left."""
         super().reset(seed=seed)
         self._berth.begin([0], [self.np_random])
         return self._berth.observe()[0], {}
@@ -236,13 +251,13 @@ class DockingEnv(gymnasium.Env[Observation, Action]):
     def step(self, action: Action) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
         """One second; ``info["ended"]`` says how an episode ended."""
         rewards, ended, truncated = self._berth.step(np.asarray(action)[None])
-        info = {"ended": str(self._berth.told(ended)[0])} if ended[0] else {}
+        info = {"ended": str(self._berth.words(ended)[0])} if ended[0] else {}
         seen = self._berth.observe()[0]
         return seen, float(rewards[0]), bool(ended[0]), bool(truncated[0]), info
 
 
 class DockingVectorEnv(VectorEnv[Observation, Action, npt.NDArray[Any]]):
-    """Many of them at once, on ``threads`` threads; episodes begin anew in the step in which they end."""
+    """Many environments at once, on ``threads`` threads; an episode restarts in the step in which it ends."""
 
     metadata: dict[str, Any] = {"render_modes": [], "autoreset_mode": AutoresetMode.SAME_STEP}
 
@@ -266,7 +281,7 @@ class DockingVectorEnv(VectorEnv[Observation, Action, npt.NDArray[Any]]):
         seed: int | Sequence[int | None] | None = None,
         options: dict[str, Any] | None = None,
     ) -> tuple[Observation, dict[str, Any]]:
-        """Begins all episodes: environment ``i`` as a single one with the seed ``seed + i``, or ``seed[i]``."""
+        """Starts all episodes: environment ``i`` like a single one with the seed ``seed + i``, or ``seed[i]``."""
         if isinstance(seed, int):
             seed = [seed + index for index in range(self.num_envs)]
         if seed is not None:
@@ -283,7 +298,7 @@ class DockingVectorEnv(VectorEnv[Observation, Action, npt.NDArray[Any]]):
     ) -> tuple[
         Observation, npt.NDArray[Any], npt.NDArray[Any], npt.NDArray[Any], dict[str, Any]
     ]:
-        """One second of each; ``info["final_obs"]`` and ``info["ended"]`` tell of those that ended."""
+        """One second of each; ``info["final_obs"]`` and ``info["final_info"]`` describe episodes that ended."""
         rewards, ended, truncated = self._berth.step(actions)
         seen = self._berth.observe()
         over = (ended > 0) | truncated
@@ -296,7 +311,7 @@ class DockingVectorEnv(VectorEnv[Observation, Action, npt.NDArray[Any]]):
             info = {
                 "final_obs": final,
                 "_final_obs": over,
-                "final_info": {"ended": self._berth.told(ended), "_ended": over},
+                "final_info": {"ended": self._berth.words(ended), "_ended": over},
                 "_final_info": over,
             }
             self._berth.begin(which.tolist(), [self._randoms[index] for index in which])

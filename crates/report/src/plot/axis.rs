@@ -1,4 +1,4 @@
-//! Axes: what they are called, which range they cover and where their ticks stand.
+//! Axes: title, range and ticks.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 
@@ -20,7 +20,7 @@ impl Axis {
         Axis { label: label.to_owned(), unit: unit.to_owned(), included: None, is_tight: false }
     }
 
-    /// Covers `value` too, whatever the data.
+    /// Extends the range to `value`.
     pub fn including(mut self, value: f64) -> Axis {
         let (lo, hi) = self.included.unwrap_or((value, value));
         self.included = Some((lesser(lo, value), greater(hi, value)));
@@ -73,7 +73,7 @@ fn widened((lo, hi): (f64, f64)) -> (f64, f64) {
         return (0.0, 1.0);
     }
     if hi - lo > scale {
-        // The difference overflowed; no chart of ours comes near, but none may loop for ever.
+        // The difference overflowed. No chart of a run does that, but none may loop for ever.
         return (-f64::MAX / 4.0, f64::MAX / 4.0);
     }
     (lo - 0.05 * scale, hi + 0.05 * scale)

@@ -20,7 +20,7 @@ pub struct Bars {
     pub groups: Vec<Group>,
     /// What the horizontal axis is.
     pub axis: &'static str,
-    /// Printed small below; empty for none.
+    /// The note below; empty for none.
     pub note: String,
 }
 
@@ -29,7 +29,7 @@ pub struct Bars {
 pub struct Group {
     /// Printed left of it.
     pub name: String,
-    /// One a kind (%); `None` draws none.
+    /// One value per kind (%); `None`: no bar.
     pub values: Vec<Option<f64>>,
 }
 
@@ -136,7 +136,7 @@ fn bar(kind: usize, left: f64, right: f64, top: f64) -> Markup {
     }
 }
 
-/// The value at the end of its bar; one whose bar is cut is marked.
+/// The value at the end of its bar. A bar that is cut is marked.
 fn label(value: f64, right: f64, top: f64) -> Markup {
     let weight = if value > 100.0 { "700" } else { "400" };
     html! {

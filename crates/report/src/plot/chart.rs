@@ -25,7 +25,7 @@ pub struct Chart {
     pub references: Vec<Reference>,
     /// Charts of the same group share the read-out under the pointer; `None`: no read-out.
     pub linked: Option<&'static str>,
-    /// Printed small below the chart; empty for none.
+    /// The note below the chart; empty for none.
     pub note: String,
 }
 
@@ -174,7 +174,7 @@ impl Chart {
 
 fn reference_line(reference: &Reference, area: &Area) -> Markup {
     let y = area.py(reference.value);
-    // On the side away from zero, where there is less else.
+    // On the side away from zero, where there is more room.
     let text_y = if reference.value < 0.0 { y + 12.0 } else { y - 4.0 };
     html! {
         path class="reference" d=(format!("M{:.1},{y:.1}H{}", area.left, area.right())) {}
@@ -224,7 +224,7 @@ fn path_of(points: &[Point], area: &Area) -> String {
     path
 }
 
-/// The mark of style number `style`: hollow, so that what lies below shows.
+/// The mark of style number `style`: hollow, so that it covers nothing.
 fn mark(style: usize, x: f64, y: f64) -> Markup {
     let r = 3.6;
     let path = match style % 4 {

@@ -18,8 +18,8 @@ pub use chart::{Chart, Reference};
 pub use number::{Scaled, counted, decimals_for, fixed, plain, shortened, significant, times};
 pub use page::page;
 pub use plan::{
-    Arrow, FenderBox, Frame, Harbour, Label, LineDrawn, Outlined, Plan, Stage, Track, TugDrawn,
-    Use, Weather, fenders_legend, harbour_legend, outlined_legend,
+    Arrow, FenderBox, Frame, Harbour, Label, LineDrawn, Outlined, Place, Plan, Stage, Track,
+    TugDrawn, Use, Weather, fenders_legend, harbour_legend, outlined_legend,
 };
 pub use series::{Decimator, Point, Series};
 

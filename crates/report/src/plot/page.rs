@@ -1,12 +1,12 @@
-//! The page around charts and tables: one file that stands alone.
+//! The page around charts and tables: one file without external resources.
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 
-/// A whole page with `title` and `body`. Style and script are inside; nothing is loaded, and the
-/// page is complete where scripts are off.
+/// A whole page with `title` and `body`. Style and script are included, nothing is loaded, and the
+/// page is complete without scripts.
 pub fn page(title: &str, body: &Markup) -> String {
     html! {
         (DOCTYPE)

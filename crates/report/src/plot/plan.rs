@@ -15,7 +15,7 @@ use furniture::{grid, north_arrow, scale_bar};
 pub use harbour::{Harbour, LineDrawn, TugDrawn, Weather, harbour_legend};
 use labels::label_places;
 use map::{ARROW, BOTTOM, Map, TOP, WIDTH, arrow_text};
-pub use map::{Arrow, Frame, Label};
+pub use map::{Arrow, Frame, Label, Place};
 
 /// A plan view to draw.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,17 +26,17 @@ pub struct Plan {
     pub frame: Frame,
     /// Outlines, drawn first to last.
     pub outlines: Vec<Outlined>,
-    /// Fenders, drawn upon the outlines.
+    /// Fenders, drawn over the outlines.
     pub fenders: Vec<FenderBox>,
     /// Lines, tugs, wind and current.
     pub harbour: Harbour,
     /// Paths of bodies.
     pub tracks: Vec<Track>,
-    /// Forces and the like, and points where they act.
+    /// Forces, and points where they act.
     pub arrows: Vec<Arrow>,
     /// Names.
     pub labels: Vec<Label>,
-    /// Printed small below the view; empty for none.
+    /// The note below the view; empty for none.
     pub note: String,
 }
 
@@ -84,7 +84,7 @@ impl Plan {
                 svg viewBox=(format!("0 0 {full_width} {full_height:.1}")) role="img"
                     aria-label=(self.title) {
                     (grid(&map))
-                    // A nested picture cuts what lies outside.
+                    // A nested picture clips everything outside the view.
                     svg x=(format!("{:.1}", map.left)) y=(TOP) width=(format!("{:.1}", map.width))
                         height=(format!("{:.1}", map.height)) overflow="hidden" {
                         @for outline in &self.outlines { (outlined(outline, &map)) }
@@ -96,7 +96,7 @@ impl Plan {
                         @for ends_m in &self.harbour.banks { (harbour::bank(*ends_m, &map)) }
                         @for line in &self.harbour.lines { (harbour::line(line, &map)) }
                         @for tug in &self.harbour.tugs { (harbour::tug(tug, &map)) }
-                        @for (label, at) in self.labels.iter().zip(label_places(&self.labels, &self.arrows, self.harbour.weather.len(), &map)) {
+                        @for (label, at) in self.labels.iter().zip(label_places(self, &map)) {
                             @if let Some((x, y)) = at { (named(label, x, y)) }
                         }
                         @for arrow in &self.arrows { (arrowed(arrow, &map)) }
@@ -138,7 +138,7 @@ fn outlined(outline: &Outlined, map: &Map) -> Markup {
     }
 }
 
-/// The key to how outlines are drawn, for the stages that `plans` show.
+/// The key to the outlines.
 pub fn outlined_legend() -> Markup {
     let entries = [
         (Stage::Start, "at the start"),
@@ -208,7 +208,7 @@ fn arrowed(arrow: &Arrow, map: &Map) -> Markup {
     }
 }
 
-/// A point where a force acts: a ring, so that the colour of a fender below it is seen.
+/// A point where a force acts: a ring, so that the colour of a fender below it can be seen.
 fn point(x: f64, y: f64) -> Markup {
     let (x, y) = (format!("{x:.1}"), format!("{y:.1}"));
     html! {
@@ -264,10 +264,8 @@ mod tests {
                 label: "<script>".to_owned(),
             }],
             labels: vec![Label {
-                at_m: frame.low,
-                reach_m: 1.0,
-                side: Vec2::ZERO,
                 text: "<script>".to_owned(),
+                place: Place::On { middle_m: frame.low, half_length_m: vec2(1.0, 0.0) },
             }],
             note: String::new(),
         }

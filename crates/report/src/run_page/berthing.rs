@@ -9,16 +9,16 @@ use crate::plot::{decimals_for, fixed, plain, significant};
 use crate::{Head, table_head};
 use fenderline_results::Outcome;
 
-/// Differences of Ce below this share are within what the formula leaves open.
+/// Differences of Ce below this share are within the uncertainty of the formula.
 const ALIKE: f64 = 0.05;
 
-/// The whole section; nothing where the scenario does not ask for it.
+/// The whole section; nothing if the scenario does not ask for it.
 pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let Some(setup) = &outcome.setup.berthing else { return html! {} };
     html! {
         h2 { "Berthing energy by formula and in the run" }
         @match outcome.berthing {
-            None => p { "The ship touched no fender: there is nothing to compare." },
+            None => p { "The ship touched no fender: nothing to compare." },
             Some(Err(error)) => (refused(error)),
             Some(Ok(berthing)) => {
                 (particulars(outcome, setup, berthing))
@@ -31,7 +31,7 @@ pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
 }
 
 fn refused(error: &BerthingError) -> Markup {
-    html! { p { "The formulas do not hold for this first touch: " (error.to_string()) "." } }
+    html! { p { "The formulas do not apply to this first touch: " (error.to_string()) "." } }
 }
 
 fn particulars(outcome: &Outcome<'_>, setup: &BerthingSetup, berthing: &BerthingOutcome) -> Markup {
@@ -138,7 +138,7 @@ fn factors(berthing: &BerthingOutcome, recorder: &Recorder) -> Markup {
                     }
                     tr class="strong" {
                         td class="name" {
-                            "Measured in the first hit: what the fenders held, over ½ M V² Cm of the run"
+                            "Measured in the first hit: energy in the fenders over ½ M V² Cm of the run"
                         }
                         (number(&fixed(berthing.gyradius_simulated_m, 1)))
                         (factor(berthing.eccentricity_measured))
@@ -149,8 +149,7 @@ fn factors(berthing: &BerthingOutcome, recorder: &Recorder) -> Markup {
     }
 }
 
-/// The abnormal energy beside what the fender that took most can take; nothing where no factor is given, or
-/// nobody said what that fender can take.
+/// The abnormal energy beside the capacity of the fender with the most energy; nothing if no factor or no rating is given.
 fn abnormal(outcome: &Outcome<'_>, berthing: &BerthingOutcome) -> Markup {
     let most = outcome.fenders.iter().max_by(|a, b| a.peak_energy_j.total_cmp(&b.peak_energy_j));
     let capacity = most.and_then(|fender| fender.capacity_j.map(|capacity_j| (fender, capacity_j)));
@@ -161,8 +160,8 @@ fn abnormal(outcome: &Outcome<'_>, berthing: &BerthingOutcome) -> Markup {
         p {
             "The abnormal energy by PIANC 2002 is " (fixed(100.0 * abnormal_j / capacity_j, 0))
             " % of the rated energy of one fender: of "
-            (outcome.setup.fenders[fender.fender].name) ", which took most, with its factors "
-            (significant(capacity_j / 1e3, 4)) " kJ. The formula's energy is that of one contact; how many "
+            (outcome.setup.fenders[fender.fender].name) ", which took the most, with its factors "
+            (significant(capacity_j / 1e3, 4)) " kJ. The formula's energy is that of one contact. How many "
             "fenders share it depends on their spacing and on the hull."
         }
     }
@@ -175,30 +174,30 @@ fn meaning(outcome: &Outcome<'_>, berthing: &BerthingOutcome, recorder: &Recorde
     let (most_j, at_s) = recorder.most_in_fenders;
     html! {
         p {
-            "The formula's Ce is the share of the energy that one contact takes which sticks and is over "
-            "when the hull stops there; the rest stays in the ship's turning. "
+            "The formula's Ce is the share of the energy that one contact takes if it does not slip and ends "
+            "when the hull stops there. The rest remains as rotation of the ship. "
             @if off.abs() <= ALIKE {
-                "With the simulated ship's own radius of gyration the fenders took that share in the first "
-                "hit within " (fixed(100.0 * ALIKE, 0)) " %. "
+                "With the simulated ship's own radius of gyration, the fenders took that share in the first "
+                "hit to within " (fixed(100.0 * ALIKE, 0)) " %. "
             } @else {
                 "In the first hit the fenders took " (fixed(100.0 * off.abs(), 0)) " % "
                 @if off > 0.0 { "more" } @else { "less" }
                 " than that, with the simulated ship's own radius of gyration: "
                 @if off > 0.0 {
-                    "loads that act meanwhile, a turn or a speed along the berth that she came with, or "
-                    "neighbours on the other side of her centre of gravity add to it. "
+                    "loads during the hit, an initial turn or speed along the berth, or neighbouring fenders on the "
+                    "other side of the centre of gravity add to it. "
                 } @else {
                     "friction and damping took a part, or the hull slid along the face. "
                 }
             }
             @if most_j > (1.0 + ALIKE) * berthing.fender_energy_j {
                 "Later, at " (fixed(at_s, decimals_for(outcome.setup.step_s))) " s, they held "
-                (fixed(most_j / berthing.fender_energy_j, 1)) " times as much: what the formula leaves in her "
-                "turning comes onto the fenders when she swings in, with the loads' work meanwhile. "
+                (fixed(most_j / berthing.fender_energy_j, 1)) " times as much: the energy that the formula leaves in her "
+                "rotation reaches the fenders when she swings in, with the work of the loads. "
             }
         }
         p class="note" {
-            "In the run the hull is rigid and no cushion of water lies between hull and berth: Cs and Cc "
+            "In the run the hull is rigid and there is no water cushion between hull and berth: Cs and Cc "
             "are 1. Formulas as public manuals print them; the text of PIANC's guidelines was not read, "
             "and no conformity with them is claimed."
         }

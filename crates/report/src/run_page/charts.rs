@@ -102,11 +102,16 @@ impl<'a> Charts<'a> {
 
     fn depth(&self, pairs: &[&PairTrace]) -> Markup {
         let series = self.pair_series(pairs, |p| &p.depth_m);
-        let title = match self.outcome.setup.fenders.as_slice() {
-            [] => "Penetration",
-            _ => "Penetration, or deflection of the deepest fender",
+        let summaries = self.outcome.pairs.iter();
+        let of_fender = summaries.filter(|of| of.peak_depth_fender.is_some()).count();
+        let (title, axis) = match of_fender {
+            0 => ("Penetration", "depth"),
+            all if all == self.outcome.pairs.len() => {
+                ("Largest deflection of a fender", "deflection")
+            }
+            _ => ("Penetration, or largest deflection of a fender", "depth or deflection"),
         };
-        self.chart(title, Axis::new("depth", "m").including(0.0), series).render()
+        self.chart(title, Axis::new(axis, "m").including(0.0), series).render()
     }
 
     fn relative_speed(&self, pairs: &[&PairTrace]) -> Markup {
@@ -117,7 +122,7 @@ impl<'a> Charts<'a> {
             [pair] => self.rebound(pair),
             _ => None,
         });
-        chart.note = "After the contact: along its last normal, at its last point.".to_owned();
+        chart.note = "After the contact the speed is that along the last normal, at the last point of contact.".to_owned();
         chart.render()
     }
 
@@ -129,8 +134,7 @@ impl<'a> Charts<'a> {
         Some(Reference { label: "−γV⁰".to_owned(), value })
     }
 
-    /// γ of the outlines of a pair; `None` where they pressed on fenders, which have materials of their
-    /// own.
+    /// γ of the outlines of a pair; `None` if they touched through fenders, which have materials of their own.
     fn restitution_of(&self, bodies: [usize; 2]) -> Option<f64> {
         let setup = self.outcome.setup;
         if self.outcome.fenders.iter().any(|f| bodies.contains(&setup.fenders[f.fender].body)) {

@@ -11,11 +11,11 @@ use crate::plot::{Axis, Series, decimals_for, fixed, significant};
 use crate::{Head, table_head};
 use fenderline_results::Outcome;
 
-/// A part below this share of the largest is left out of the chart: its line would lie on zero.
+/// A part below this share of the largest is not drawn: its line would be on zero.
 const LEAST: f64 = 1e-4;
 
-/// What the contacts' own books may be off for their split to be drawn, as a share of what there was.
-const BOOKED: f64 = 0.05;
+/// The split of the contacts' energy is drawn if its residual is below this share of the energy given.
+const LARGEST_RESIDUAL: f64 = 0.05;
 
 /// Table and chart.
 pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
@@ -25,20 +25,20 @@ pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     }
 }
 
-/// Where the energy is over time. Where the contacts' books of what is stored and lost are far off, as
-/// with a lagging force by large explicit steps, only what the forces took is drawn, which is exact.
+/// The energy over time. If the contacts' stored and lost energies do not add up, as with large explicit steps, only the
+/// work of the forces is drawn, which is exact.
 fn chart(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     let trace = &recorder.energy;
     let end = charts.outcome.energy;
     let given_j = recorder.start_energy.kinetic_j + end.load_work_j.abs();
-    let is_split = end.contact_residual_j.abs() <= BOOKED * given_j;
+    let is_split = end.contact_residual_j.abs() <= LARGEST_RESIDUAL * given_j;
     let split = [
         ("stored in springs", &trace.stored_j, 1.0),
         ("lost in rubber", &trace.hysteresis_j, 1.0),
         ("lost to restitution", &trace.restitution_j, 1.0),
         ("lost to friction", &trace.friction_j, 1.0),
         ("lost to damping", &trace.damping_j, 1.0),
-        ("made up (−) or lost by method and time step", &trace.residual_j, 1.0),
+        ("numerical loss, or gain (−)", &trace.residual_j, 1.0),
     ];
     let whole = [
         ("taken by normal forces", &trace.normal_work_j, -1.0),
@@ -60,13 +60,13 @@ fn chart(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     if !is_split {
         chart.note =
             "The energy taken by normal forces is not split further here: with this method and time \
-                      step the numerical loss is more than 5 %; see the table."
+                      step the numerical loss is more than 5 %. See the table."
                 .to_owned();
     }
     chart.render()
 }
 
-/// From the start to the end: what there was, what came in, and where it is.
+/// From start to end: the energy at the start, the energy given, and where it is.
 fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let (start, end) = (recorder.start_energy, outcome.energy);
     let works = end.loads.parts();
@@ -78,7 +78,7 @@ fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     };
     let row =
         |name: &str, value_j: f64| html! { tr { td class="name" { (name) } (cells(value_j)) } };
-    // A part that is nothing at all has no row.
+    // A part that is exactly zero has no row.
     let part = |name: &str, value_j: f64| {
         html! {
             @if value_j != 0.0 { tr class="part" { td class="name" { (name) } (cells(value_j)) } }
@@ -127,14 +127,14 @@ fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
         }
         @if most_j > 0.0 {
             p class="note" {
-                "Most energy was stored in springs at " (fixed(at_s, decimals_for(outcome.setup.step_s))) " s: "
+                "The springs stored the most energy at " (fixed(at_s, decimals_for(outcome.setup.step_s))) " s: "
                 (amount(most_j, given_j)) " kJ."
             }
         }
     }
 }
 
-/// A load as it is called in the table.
+/// The name of a load in the table.
 fn load(name: &str) -> &'static str {
     match name {
         "hull" => "water on hulls",
@@ -152,7 +152,7 @@ fn load(name: &str) -> &'static str {
     }
 }
 
-/// In kJ, to the digits that mean something beside the whole.
+/// In kJ, with the digits that are significant beside the whole.
 fn amount(value_j: f64, of_j: f64) -> String {
     let whole_kj = (of_j / 1e3).abs();
     match whole_kj {

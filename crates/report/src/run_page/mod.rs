@@ -9,28 +9,27 @@ mod parts;
 mod recorder;
 mod scene;
 mod tables;
+mod verdict;
 mod vessels;
 
 use fenderline_contact::EventKind;
 use fenderline_sim::Method;
 use maud::{Markup, html};
 
-use crate::plot::{fenders_legend, fixed, harbour_legend, outlined_legend, page};
+use crate::plot::{fenders_legend, harbour_legend, outlined_legend, page};
 use crate::words::{event_text, interrupted_text};
-use fenderline_results::{Outcome, Verdict, is_plain, worst_first};
+use fenderline_results::{Outcome, is_plain};
 
 pub use recorder::Recorder;
 
 use recorder::PairTrace;
 
-/// Pairs drawn in a chart at most: more lines than this cannot be told apart.
+/// Most pairs in a chart: more lines cannot be told apart.
 const DRAWN_PAIRS: usize = 6;
-/// Fenders told of by name above the rest.
-const GRAVE_FENDERS: usize = 12;
-/// Pairs with a close-up of their own.
+/// Most pairs with a close-up.
 const CLOSE_UPS: usize = 2;
 
-/// The page, from what the run gave and what was gathered on the way.
+/// The page, from the outcome of the run and the record of its steps.
 pub fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
     let drawn = strongest(recorder);
     let body = html! {
@@ -43,6 +42,7 @@ pub fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
             p { strong { "Interrupted: " } (interrupted_text(interrupted)) "." }
         }
         h2 { "Result" }
+        (verdict::headline(outcome))
         (fenders::headline(outcome))
         (vessels::headline(outcome))
         (tables::results(outcome))
@@ -76,7 +76,7 @@ pub fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
     page(outcome.title, &body)
 }
 
-/// The key to lines, tugs and banks, where there are any.
+/// The key to lines, tugs and banks, if there are any.
 fn harbour(outcome: &Outcome<'_>) -> Markup {
     let world = &outcome.setup.world;
     let (has_lines, has_tugs) = (!world.lines.is_empty(), !world.tugs.is_empty());
@@ -112,31 +112,26 @@ fn left_out(recorder: &Recorder, drawn: &[&PairTrace]) -> Markup {
     }
 }
 
-/// What the scenario's author and the reader should know of this run.
+/// What the author of the scenario and the reader should know about this run.
 fn remarks(outcome: &Outcome<'_>) -> Markup {
     let count = |wanted| {
         let found = outcome.events.counts().find(|(kind, _)| *kind == wanted);
         found.map_or(0, |(_, count)| count)
     };
     let (begun, ended) = (count(EventKind::ContactBegan), count(EventKind::ContactEnded));
-    // The fenders' are told by name.
-    let is_told = |kind| {
+    // Those of fenders are listed by name.
+    let is_listed = |kind| {
         is_plain(kind)
             || matches!(kind, EventKind::FenderRatingExceeded(_) | EventKind::FenderFailed(_))
     };
-    let grave: Vec<_> = outcome.events.counts().filter(|(kind, _)| !is_told(*kind)).collect();
-    let fenders = grave_fenders(outcome);
+    let grave: Vec<_> = outcome.events.counts().filter(|(kind, _)| !is_listed(*kind)).collect();
     html! {
         @if begun > 0 {
             p class="note" { "Contacts begun: " (begun) "; ended: " (ended) "." }
         }
-        @if !grave.is_empty() || !fenders.is_empty() {
+        @if !grave.is_empty() {
             h3 { "Needs attention" }
             ul class="plain" {
-                @for fender in fenders.iter().take(GRAVE_FENDERS) { li { (fender) } }
-                @if fenders.len() > GRAVE_FENDERS {
-                    li { "and " (fenders.len() - GRAVE_FENDERS) " more fenders, in summary.json" }
-                }
                 @for (kind, count) in grave {
                     li { (event_text(kind)) @if count > 1 { " (" (count) " times)" } }
                 }
@@ -154,40 +149,11 @@ fn remarks(outcome: &Outcome<'_>) -> Markup {
     }
 }
 
-/// What is to be said of each fender that was used too hard, the worst first.
-fn grave_fenders(outcome: &Outcome<'_>) -> Vec<Markup> {
-    let setups = &outcome.setup.fenders;
-    let order = worst_first(setups, outcome.fenders);
-    let summaries = order.into_iter().map(|index| &outcome.fenders[index]);
-    let told = summaries.filter_map(|summary| {
-        let fender = &setups[summary.fender];
-        let verdict = Verdict::of(fender, summary);
-        let of = |share: Option<f64>| share.map_or_else(|| "–".into(), |s| fixed(100.0 * s, 0));
-        verdict.is_grave().then(|| html! {
-            strong { (fender.name) ": " (verdict.text()) }
-            @match verdict {
-                Verdict::Failed => {
-                    ": compressed " (fixed(summary.peak_deflection_m * 1e3, 0)) " mm, into its stop or flat. "
-                    "The stop and the structure behind it carried the hull; do not use these forces for "
-                    "design."
-                }
-                Verdict::OverRated => {
-                    ": energy " (of(summary.share_of_rated_energy)) " %, reaction "
-                    (of(summary.share_of_rated_reaction)) " %, deflection "
-                    (of(summary.share_of_rated_deflection)) " % of rated."
-                }
-                _ => { ": " (of(summary.share_of_hull_pressure)) " % of the permissible hull pressure." }
-            }
-        })
-    });
-    told.collect()
-}
-
 fn method_notes(outcome: &Outcome<'_>) -> Markup {
     html! {
         ul class="plain" {
             li {
-                "Contact forces by the overlap method of Moreno, Sasaki, Makiyama and Tannuri "
+                "Contact forces: the overlap method of Moreno, Sasaki, Makiyama and Tannuri "
                 "(TransNav 17(4), 2023), with its sign errors corrected: normal force from the overlap "
                 "area and its rate, friction by a shear spring that sticks and slips, and an "
                 "impulse-momentum limiter that sets the rebound by the coefficient of restitution."
@@ -203,8 +169,8 @@ fn method_notes(outcome: &Outcome<'_>) -> Markup {
                 } @else {
                     "On vessels act hull, propeller, rudder and thrusters by the MMG method, extended to low "
                     "speed, and wind, current and mean wave drift; on other bodies the water acts by added "
-                    "mass alone. Heave, roll and pitch are oscillators beside the motion in the plane; they "
-                    "do not move fairleads, nor the place where a hull touches."
+                    "mass alone. Heave, roll and pitch are computed beside the motion in the plane; they "
+                    "do not move fairleads or contact points."
                 }
             }
             li {
@@ -220,8 +186,8 @@ fn method_notes(outcome: &Outcome<'_>) -> Markup {
                 li {
                     "The force of a fender is the gradient of its stored energy: its reaction at the mean "
                     "deflection over its width, times the factor that speed, angle, temperature and "
-                    "tolerance gave at the first touch. Its energy is the integral of the reaction, not "
-                    "a second table. Beyond its travel its stop acts, then the structure behind it."
+                    "tolerance gave at the first touch. Its energy is the integral of its reaction. Beyond its travel its "
+                    "stop acts, then the structure behind it."
                 }
             }
         }
@@ -247,13 +213,13 @@ fn paper_notes(step_s: f64) -> Markup {
 fn coupled_notes(step_s: f64) -> Markup {
     html! {
         li {
-            "Coupled method: the forces of all contacts of a step are found together, with the "
+            "Coupled method: the forces of all contacts of a step are solved together, with the "
             "external loads and the full mass matrix of each body, so that several fenders "
             "share one rebound and a steady load is held at its static depth."
         }
         li {
-            "Forces in the charts are means over the time step (" (step_s) " s here); where it is "
-            "too long for the contact the engine takes sub-steps. Peaks in the tables "
+            "Forces in the charts are means over the time step (" (step_s) " s here). If it is "
+            "too long for a contact, the engine takes sub-steps. Peaks in the tables "
             "include the sub-steps."
         }
     }

@@ -1,4 +1,4 @@
-//! What the hardest contact's force is made of.
+//! The components of the largest contact force.
 
 use maud::{Markup, html};
 
@@ -7,7 +7,7 @@ use super::charts::{Charts, scaled};
 use super::recorder::PartsTrace;
 use crate::plot::{Axis, Series};
 
-/// Spring, stop, damper and limiter over time; nothing where nothing touched.
+/// Spring, stop, damper and limiter over time; nothing without contact.
 pub(super) fn chart(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     let Some((name, parts)) = hardest(charts, recorder) else { return html! {} };
     let lines = [
@@ -47,7 +47,7 @@ fn hardest<'a>(charts: &Charts<'_>, recorder: &'a Recorder) -> Option<(String, &
         (format!("{a} – {b}"), &trace.parts)
     });
     let largest = |parts: &PartsTrace| Series::line("", parts.total_n.points()).largest();
-    // Where it was hardest pressed N counts, not what a limiter took off.
+    // The largest N counts, not what the limiter removed.
     let all = fenders.chain(pairs).map(|(name, parts)| (largest(parts), name, parts));
     let hardest = all.reduce(|best, next| if next.0 > best.0 { next } else { best })?;
     Some((hardest.1, hardest.2))

@@ -38,7 +38,7 @@ pub(super) fn results(outcome: &Outcome<'_>) -> Markup {
                     Head::Number("First touch", "s"),
                     Head::Number("Peak normal force", "kN"),
                     Head::Number("at", "s"),
-                    Head::Number("Peak depth", "m"),
+                    Head::Number(depth_head(&pairs), "m"),
                     Head::Number("Impulse", "kN·s"),
                     Head::Number("Approach speed", "m/s (kn)"),
                     Head::Number("Final speed", "m/s (kn)"),
@@ -54,8 +54,8 @@ pub(super) fn results(outcome: &Outcome<'_>) -> Markup {
         }
         (more(pairs.len()))
         p class="note" {
-            "Speeds are relative, along the contact normal: approach at the first touch, positive "
-            "closing; final at the end of the last touching step, positive separating."
+            "Speeds are relative and along the contact normal: the approach speed at the first touch, positive "
+            "when closing; the final speed at the end of the last step with contact, positive when separating."
             @if pairs.iter().any(|p| p.touching_at_end) {
                 " † Still touching at the end of the run."
             }
@@ -67,14 +67,27 @@ fn result_cells(pair: &PairSummary, setup: &Setup) -> Markup {
     let [name_1, name_2] = pair.bodies.map(|i| setup.bodies[i].name.as_str());
     let decimals = decimals_for(setup.step_s);
     html! {
-        td class="name" { (name_1) " – " (name_2) @if pair.touching_at_end { " †" } }
+        td class="name" { (name_1) " – " (name_2) @if pair.touching_at_end { "\u{a0}†" } }
         (number(&fixed(pair.first_touch_s, decimals)))
         (number(&significant(pair.peak_normal_force_n / 1e3, 4)))
         (number(&fixed(pair.peak_normal_force_at_s, decimals)))
-        (number(&fixed(pair.peak_depth_m, 3)))
+        td class="number" {
+            (fixed(pair.peak_depth_m, 3))
+            @if let Some(fender) = pair.peak_depth_fender { small { (setup.fenders[fender].name) } }
+        }
         (number(&significant(pair.impulse_ns / 1e3, 4)))
         (number(&speed(pair.approach_speed_mps)))
         (number(&speed(pair.final_speed_mps)))
+    }
+}
+
+/// A contact through a fender has no penetration but the fender's deflection.
+fn depth_head(pairs: &[&PairSummary]) -> &'static str {
+    let by_fender = pairs.iter().filter(|pair| pair.peak_depth_fender.is_some()).count();
+    match by_fender {
+        0 => "Peak penetration",
+        all if all == pairs.len() => "Peak deflection",
+        _ => "Peak penetration or deflection",
     }
 }
 

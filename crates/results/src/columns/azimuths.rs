@@ -41,18 +41,8 @@ pub(crate) fn azimuths_table() -> Layout<AzimuthRow> {
             "direction of the thrust in the step, from the bow, positive to starboard",
             |r| r.now.direction.angle_rad,
         ),
-        float("surge_n", "N", "surge force of the unit on the vessel, positive forward", |r| {
-            r.now.force.surge_n
-        }),
-        float("sway_n", "N", "sway force of the unit on the vessel, positive to starboard", |r| {
-            r.now.force.sway_n
-        }),
-        float(
-            "yaw_nm",
-            "N·m",
-            "yaw moment of the unit about midship, positive to starboard",
-            |r| r.now.force.yaw_nm,
-        ),
     ];
+    let force = force_columns!(AzimuthRow, "", "the unit on the vessel", now.force);
+    let columns = columns.into_iter().chain(force).collect();
     Layout { name: "azimuths", rows: "one row per azimuth unit and step", columns }
 }

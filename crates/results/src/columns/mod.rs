@@ -1,6 +1,33 @@
-//! The columns of the result tables: name, unit, meaning and value of each, stated once. The csv
+//! The columns of the result tables: name, unit, meaning and value of each, defined once. The csv
 //! header, the parquet schema and its metadata, Python's tables and the reference of `fenderline columns` all come from
 //! here.
+
+/// The columns of a force in the horizontal plane, in body axes: surge, sway and yaw moment about midship. `$row`: the type
+/// of a row; `$prefix`: the beginning of the names; `$of`: the source of the force; `$force`: the field of the row.
+macro_rules! force_columns {
+    ($row:ty, $prefix:literal, $of:literal, $($force:ident).+) => {
+        [
+            $crate::columns::float(
+                concat!($prefix, "surge_n"),
+                "N",
+                concat!("surge force of ", $of, ", positive forward"),
+                |r: &$row| r.$($force).+.surge_n,
+            ),
+            $crate::columns::float(
+                concat!($prefix, "sway_n"),
+                "N",
+                concat!("sway force of ", $of, ", positive to starboard"),
+                |r: &$row| r.$($force).+.sway_n,
+            ),
+            $crate::columns::float(
+                concat!($prefix, "yaw_nm"),
+                "N·m",
+                concat!("yaw moment of ", $of, " about midship, positive to starboard"),
+                |r: &$row| r.$($force).+.yaw_nm,
+            ),
+        ]
+    };
+}
 
 mod azimuths;
 mod bodies;
@@ -27,35 +54,35 @@ pub(crate) use vessels::{VesselRow, vessels_table};
 /// A table with rows of type `R`: its name and its columns.
 pub(crate) struct Layout<R> {
     pub(crate) name: &'static str,
-    /// What a row stands for.
+    /// What one row is.
     pub(crate) rows: &'static str,
     /// In the order of the file.
     pub(crate) columns: Vec<Column<R>>,
 }
 
-/// What a reader should know of a table.
+/// A table as the reference describes it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TableReference {
     /// Name of the table; its file is `NAME.csv` or `NAME.parquet`.
     pub name: &'static str,
-    /// What a row stands for.
+    /// What one row is.
     pub rows: &'static str,
     /// The columns, in the order of the file.
     pub columns: Vec<ColumnReference>,
 }
 
-/// What a reader should know of a column.
+/// A column as the reference describes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ColumnReference {
-    /// Name; it ends with the unit where there is one.
+    /// Name; it ends with the unit, if it has one.
     pub name: &'static str,
     /// Unit as a reader writes it; `1` for a pure number, `-` for a text or a truth value.
     pub unit: &'static str,
-    /// What it means.
+    /// Its meaning.
     pub meaning: &'static str,
 }
 
-/// Every table that a run can write, with its columns: the same definitions that the files are written from.
+/// Every table that a run can write, with its columns, from the definitions that also write the files.
 #[must_use]
 pub fn reference() -> Vec<TableReference> {
     vec![
@@ -82,11 +109,11 @@ fn refer<R>(layout: Layout<R>) -> TableReference {
 
 /// One column of a table with rows of type `R`.
 pub struct Column<R> {
-    /// Name; it ends with the unit where there is one.
+    /// Name; it ends with the unit, if it has one.
     pub name: &'static str,
     /// Unit as a reader writes it; `1` for a pure number, `-` for a text or a truth value.
     pub unit: &'static str,
-    /// What it means.
+    /// Its meaning.
     pub meaning: &'static str,
     /// Takes the value from a row.
     pub value: Value<R>,
@@ -109,7 +136,7 @@ pub enum Value<R> {
 }
 
 impl<R> Value<R> {
-    /// The number of a row; `None` where it is not known, or this is no column of numbers.
+    /// The number of a row; `None` if it is not known, or the column does not hold numbers.
     pub fn number(&self, row: &R) -> Option<f64> {
         match self {
             Value::Float(number) => Some(number(row)),

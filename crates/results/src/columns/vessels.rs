@@ -88,123 +88,23 @@ pub(crate) fn vessels_table() -> Layout<VesselRow> {
             |r| r.water.sway_mps,
         ),
         float("r_radps", "rad/s", "yaw rate r, positive to starboard", |r| r.water.yaw_radps),
-        float(
-            "hull_surge_n",
-            "N",
-            "surge force of hull, current included, positive forward",
-            |r| r.forces.hull.surge_n,
+    ];
+    let forces = [
+        force_columns!(VesselRow, "hull_", "the hull, current included", forces.hull),
+        force_columns!(VesselRow, "propeller_", "the propeller", forces.propeller),
+        force_columns!(VesselRow, "rudder_", "the rudder", forces.rudder),
+        force_columns!(
+            VesselRow,
+            "thrusters_",
+            "tunnel thrusters and azimuth units",
+            forces.thrusters
         ),
-        float(
-            "hull_sway_n",
-            "N",
-            "sway force of hull, current included, positive to starboard",
-            |r| r.forces.hull.sway_n,
-        ),
-        float(
-            "hull_yaw_nm",
-            "N·m",
-            "yaw moment of hull, current included about midship, positive to starboard",
-            |r| r.forces.hull.yaw_nm,
-        ),
-        float("propeller_surge_n", "N", "surge force of propeller, positive forward", |r| {
-            r.forces.propeller.surge_n
-        }),
-        float("propeller_sway_n", "N", "sway force of propeller, positive to starboard", |r| {
-            r.forces.propeller.sway_n
-        }),
-        float(
-            "propeller_yaw_nm",
-            "N·m",
-            "yaw moment of propeller about midship, positive to starboard",
-            |r| r.forces.propeller.yaw_nm,
-        ),
-        float("rudder_surge_n", "N", "surge force of rudder, positive forward", |r| {
-            r.forces.rudder.surge_n
-        }),
-        float("rudder_sway_n", "N", "sway force of rudder, positive to starboard", |r| {
-            r.forces.rudder.sway_n
-        }),
-        float(
-            "rudder_yaw_nm",
-            "N·m",
-            "yaw moment of rudder about midship, positive to starboard",
-            |r| r.forces.rudder.yaw_nm,
-        ),
-        float(
-            "thrusters_surge_n",
-            "N",
-            "surge force of tunnel thrusters and azimuth units, positive forward",
-            |r| r.forces.thrusters.surge_n,
-        ),
-        float(
-            "thrusters_sway_n",
-            "N",
-            "sway force of tunnel thrusters and azimuth units, positive to starboard",
-            |r| r.forces.thrusters.sway_n,
-        ),
-        float(
-            "thrusters_yaw_nm",
-            "N·m",
-            "yaw moment of tunnel thrusters and azimuth units about midship, positive to starboard",
-            |r| r.forces.thrusters.yaw_nm,
-        ),
-        float("wind_surge_n", "N", "surge force of wind, positive forward", |r| {
-            r.forces.wind.surge_n
-        }),
-        float("wind_sway_n", "N", "sway force of wind, positive to starboard", |r| {
-            r.forces.wind.sway_n
-        }),
-        float(
-            "wind_yaw_nm",
-            "N·m",
-            "yaw moment of wind about midship, positive to starboard",
-            |r| r.forces.wind.yaw_nm,
-        ),
-        float("waves_surge_n", "N", "surge force of mean wave drift, positive forward", |r| {
-            r.forces.waves.surge_n
-        }),
-        float("waves_sway_n", "N", "sway force of mean wave drift, positive to starboard", |r| {
-            r.forces.waves.sway_n
-        }),
-        float(
-            "waves_yaw_nm",
-            "N·m",
-            "yaw moment of mean wave drift about midship, positive to starboard",
-            |r| r.forces.waves.yaw_nm,
-        ),
-        float("banks_surge_n", "N", "surge force of banks (unvalidated), positive forward", |r| {
-            r.forces.banks.surge_n
-        }),
-        float(
-            "banks_sway_n",
-            "N",
-            "sway force of banks (unvalidated), positive to starboard",
-            |r| r.forces.banks.sway_n,
-        ),
-        float(
-            "banks_yaw_nm",
-            "N·m",
-            "yaw moment of banks (unvalidated) about midship, positive to starboard",
-            |r| r.forces.banks.yaw_nm,
-        ),
-        float(
-            "bottom_surge_n",
-            "N",
-            "surge force of the seabed while aground, positive forward",
-            |r| r.forces.bottom.surge_n,
-        ),
-        float(
-            "bottom_sway_n",
-            "N",
-            "sway force of the seabed while aground, positive to starboard",
-            |r| r.forces.bottom.sway_n,
-        ),
-        float(
-            "bottom_yaw_nm",
-            "N·m",
-            "yaw moment of the seabed while aground about midship, positive to starboard",
-            |r| r.forces.bottom.yaw_nm,
-        ),
+        force_columns!(VesselRow, "wind_", "the wind", forces.wind),
+        force_columns!(VesselRow, "waves_", "mean wave drift", forces.waves),
+        force_columns!(VesselRow, "banks_", "banks (unvalidated)", forces.banks),
+        force_columns!(VesselRow, "bottom_", "the seabed while aground", forces.bottom),
+    ];
+    let motions: Vec<Column<VesselRow>> = vec![
         float(
             "wave_surge_m",
             "m",
@@ -265,5 +165,6 @@ pub(crate) fn vessels_table() -> Layout<VesselRow> {
         float("tide_m", "m", "water level above datum", |r| r.tide_m),
         flag("aground", "whether she is aground", |r| r.aground),
     ];
+    let columns = columns.into_iter().chain(forces.into_iter().flatten()).chain(motions).collect();
     Layout { name: "vessels", rows: "one row per vessel and step", columns }
 }

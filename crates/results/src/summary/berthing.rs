@@ -1,4 +1,4 @@
-//! A berthing by formula and in the run, as `summary.json` has it.
+//! A berthing by formula and in the run, in `summary.json`.
 
 use fenderline_sim::Setup;
 use fenderline_sim::berthing::{BerthingError, BerthingOutcome};

@@ -10,7 +10,7 @@ use crate::outcome::Outcome;
 use crate::provider_notices::provider_event_key;
 use crate::world_totals::{LineTotals, TugTotals, VesselTotals, Who};
 
-/// Adds a section for vessels, tugs and lines each, where the set-up has any.
+/// Adds a section each for vessels, tugs and lines, if the set-up has any.
 pub(super) fn put_world(whole: &mut Value, outcome: &Outcome<'_>) {
     let (setup, world) = (outcome.setup, outcome.world);
     if !world.vessels.is_empty() {

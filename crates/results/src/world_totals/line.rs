@@ -1,7 +1,6 @@
 //! Totals of a mooring line over a run.
 
 use fenderline_contact::number::greater;
-use fenderline_sim::mooring::{LineKind, RopeCurve};
 use fenderline_sim::{Mooring, MooringSetup};
 
 use super::{Lasting, Peak};
@@ -15,7 +14,7 @@ pub struct LineTotals {
     pub tension_n: Peak,
     /// Least break load of rope and tail (N); `None` before it is made fast.
     pub break_load_n: Option<f64>,
-    /// Working load (N), where its kind has one.
+    /// Working load (N), if its kind has one.
     pub working_load_n: Option<f64>,
     /// How long it was above its working load.
     pub over_working: Lasting,
@@ -38,7 +37,7 @@ impl LineTotals {
         if self.made_fast_s.is_none() {
             self.made_fast_s = Some(t_s);
             self.break_load_n = Some(line.break_load_n());
-            self.working_load_n = working_load_n(&setup.line.kind);
+            self.working_load_n = setup.line.kind.working_load_n();
         }
         self.is_fast = !state.parted;
         self.last_tension_n = now.load.tension_n;
@@ -77,7 +76,7 @@ impl LineTotals {
 pub enum LineVerdict {
     /// It was never fast in this run.
     NotMadeFast,
-    /// Fast, and within its working load.
+    /// Made fast, and within its working load.
     Ok,
     /// The brake of its winch rendered.
     Rendered,
@@ -108,17 +107,5 @@ impl LineVerdict {
             LineVerdict::OverWorking => "over_working_load",
             LineVerdict::Parted => "parted",
         }
-    }
-}
-
-/// Working load of a harbour line (N): 55 % of the rope's break load for wire, 50 % for others (MEG4, as
-/// [`fenderline_sim::mooring`] has it). None for a cable, for which that guideline has none.
-fn working_load_n(kind: &LineKind) -> Option<f64> {
-    match kind {
-        LineKind::Light { main, .. } => {
-            let share = if main.curve == RopeCurve::wire() { 0.55 } else { 0.5 };
-            Some(share * main.break_load_n)
-        }
-        LineKind::Heavy { .. } => None,
     }
 }

@@ -19,7 +19,7 @@ pub(crate) fn azimuths(tables: &[(String, Table)]) -> Vec<AzimuthSetup> {
                 },
                 along_m: number("along"),
                 across_m: number("across"),
-                // A bollard pull is net, and the units stand clear of the hull.
+                // The bollard pull is net of losses, and the units are clear of the hull.
                 wake: 0.0,
                 thrust_deduction: 0.0,
             },

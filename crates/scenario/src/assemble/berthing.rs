@@ -5,7 +5,6 @@ use fenderline_sim::berthing::BerthingSetup;
 
 use crate::assemble::{Assembly, Checked, Names};
 use crate::checked::Table;
-use crate::sources::quoted;
 
 impl Assembly<'_, '_> {
     pub(super) fn berthing(
@@ -15,14 +14,7 @@ impl Assembly<'_, '_> {
         names: &Names,
     ) -> Checked<Option<BerthingSetup>> {
         let Some(table) = table else { return Ok(None) };
-        let item = table.given("ship");
-        let ship = self.body_named(table, item, item.name(), names)?;
-        if bodies[ship].mass.is_none() {
-            let path = table.path_of("ship");
-            let message =
-                format!("`{path}`: body {} is fixed, it does not berth", quoted(item.name()));
-            return Err(self.sources.error(&item.span, &path, message));
-        }
+        let ship = self.floating_body(table, "ship", bodies, names, "it does not berth")?;
         let number = |name: &str| *table.given(name).number();
         Ok(Some(BerthingSetup {
             ship,

@@ -15,16 +15,16 @@ impl Assembly<'_, '_> {
             let error = self.sources.error(&item.span, "body", "the scenario has no bodies");
             return Err(error.with_help("write [body.NAME] with its keys below"));
         }
-        bodies.iter().map(|(name, table)| self.body(name, table, kinds)).collect()
+        let with_kinds = bodies.iter().zip(kinds.of_bodies());
+        with_kinds.map(|((name, table), kind)| self.body(name, table, kind)).collect()
     }
 
     pub(super) fn body(
         &mut self,
         name: &str,
         table: &Table,
-        kinds: &vessel::Kinds,
+        kind: Option<&vessel::Kind>,
     ) -> Checked<BodySetup> {
-        let kind = table.item("vessel").map(|item| kinds.named(item));
         let outline = self.outline(table, kind)?;
         let mass = if *table.given("fixed").flag() {
             self.refuse_keys_of_floating_bodies(table)?;
@@ -46,7 +46,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// A body's own outline, or that of her vessel.
+    /// The body's outline: its own, or its vessel's.
     pub(super) fn outline(
         &mut self,
         table: &Table,
@@ -75,7 +75,7 @@ impl Assembly<'_, '_> {
         if let (Some(_), Some([length_m, beam_m])) = (own, kind.map(vessel::Kind::size_m)) {
             let (low, high) = outline.bounds();
             let size = high - low;
-            // An outline may leave out a bulb or a flare, but is hardly of another ship.
+            // An outline may leave out a bulb or a flare. A larger difference suggests the outline of another ship.
             let fits = |of: f64, is: f64| (0.8..=1.25).contains(&(is / of));
             if !(fits(length_m, size.x) && fits(beam_m, size.y)) {
                 let message = format!(

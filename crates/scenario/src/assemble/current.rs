@@ -11,8 +11,9 @@ use crate::csv::Csv;
 /// Columns of a file of currents.
 const COLUMNS: [&str; 7] =
     ["t_s", "north_m", "east_m", "north_mps", "east_mps", "speed_mps", "towards_deg"];
-/// Places (m) or times (s), and speeds (m/s), that it may have.
+/// Bounds of places (m) and times (s) in such a file.
 const PLACES_OR_TIMES: [f64; 2] = TIMES_S;
+/// Largest speed in such a file (m/s).
 const FASTEST_MPS: f64 = 15.0;
 
 impl Assembly<'_, '_> {
@@ -38,7 +39,7 @@ impl Assembly<'_, '_> {
         Current::uniform(velocity(of)).map_err(|error| self.refused(table, item, &error))
     }
 
-    /// A file of currents; what it has no column of does not change the current.
+    /// A file of currents. Without columns of time or place the current does not depend on them.
     fn grid(&self, of: &Table, file: &Item) -> Checked<CurrentGrid> {
         let key = of.path_of("file");
         let csv = Csv::parse(self.files.text(file.text()), file.text(), &key, &COLUMNS)?;
@@ -57,7 +58,7 @@ impl Assembly<'_, '_> {
         }
         let by_direction = csv.has("speed_mps") || csv.has("towards_deg");
         if by_direction && (csv.has("north_mps") || csv.has("east_mps")) {
-            let message = "the velocity stands as north_mps and east_mps or as speed_mps and towards_deg, not as both";
+            let message = "give the velocity as north_mps and east_mps or as speed_mps and towards_deg, not as both";
             return Err(csv.header_error(message));
         }
         let [one, other] = match by_direction {

@@ -18,12 +18,13 @@ use crate::checked::{Item, Table};
 use crate::csv::Csv;
 use crate::error::{Notice, ScenarioError};
 
-/// How many harmonics a sea or a gusty wind has.
+/// Number of harmonics of a sea or a gusty wind.
 const HARMONICS: usize = 200;
 /// Depth that is deep for every wave (m).
 const DEEP_M: f64 = 10_000.0;
-/// Times that a file may have (s), and directions (deg).
+/// Bounds of times in a file (s).
 pub(super) const TIMES_S: [f64; 2] = [-1e9, 1e9];
+/// Bounds of directions in a file (deg).
 pub(super) const DIRECTIONS_DEG: [f64; 2] = [-720.0, 720.0];
 
 impl Assembly<'_, '_> {
@@ -65,7 +66,7 @@ impl Assembly<'_, '_> {
             ..Environment::default()
         };
         if environment.depth_range_m().is_some_and(|[_, most_m]| most_m <= 0.0) {
-            let message = "there is never any water";
+            let message = "the bottom is above the water throughout the run";
             return Err(self.refused(table, table.given("depth"), &message));
         }
         Ok(environment)
@@ -79,10 +80,8 @@ impl Assembly<'_, '_> {
         };
         self.none_of(of, &["speed", "from", "gusts", "seed"], "file")?;
         let key = of.path_of("file");
-        let known = ["t_s", "speed_mps", "from_deg"];
-        let csv = Csv::parse(self.files.text(file.text()), file.text(), &key, &known)?;
-        let [time, speed, from] =
-            [csv.column(known[0])?, csv.column(known[1])?, csv.column(known[2])?];
+        let (csv, [time, speed, from]) =
+            self.csv_of(file, &key, ["t_s", "speed_mps", "from_deg"])?;
         let points = csv.grid(&[time])?.rows.into_iter().map(|row| {
             Ok([
                 csv.number(row, time, TIMES_S)?,
@@ -118,15 +117,28 @@ impl Assembly<'_, '_> {
             return Err(self.not_together(of, of.given("constituent"), "file"));
         }
         let key = of.path_of("file");
-        let known = ["t_s", "level_m"];
-        let csv = Csv::parse(self.files.text(file.text()), file.text(), &key, &known)?;
-        let [time, level] = [csv.column(known[0])?, csv.column(known[1])?];
+        let (csv, [time, level]) = self.csv_of(file, &key, ["t_s", "level_m"])?;
         let points = csv.grid(&[time])?.rows.into_iter().map(|row| {
             Ok([csv.number(row, time, TIMES_S)?, csv.number(row, level, [-30.0, 30.0])?])
         });
         let tide = Tide::Curve(points.collect::<Checked<_>>()?);
         tide.check().map_err(|error| self.refused(of, file, &error))?;
         Ok(tide)
+    }
+
+    /// A file that must have all of these columns and no others, with the index of each column.
+    fn csv_of<'c, const N: usize>(
+        &'c self,
+        file: &'c Item,
+        key: &'c str,
+        columns: [&str; N],
+    ) -> Checked<(Csv<'c>, [usize; N])> {
+        let csv = Csv::parse(self.files.text(file.text()), file.text(), key, &columns)?;
+        let mut indices = [0; N];
+        for (index, name) in indices.iter_mut().zip(columns) {
+            *index = csv.column(name)?;
+        }
+        Ok((csv, indices))
     }
 
     fn squat(&self, table: &Table) -> Checked<Option<Squat>> {
@@ -148,7 +160,7 @@ impl Assembly<'_, '_> {
         banks.map(bank).collect()
     }
 
-    /// Says what of the environment is not validated, or used beyond what it was made for.
+    /// Adds notices where the environment is unvalidated, or a formula is used outside its range.
     pub(super) fn note_unvalidated(
         &mut self,
         file: &Table,
@@ -159,50 +171,50 @@ impl Assembly<'_, '_> {
         if let Some(first) = surroundings.given("bank").list().first() {
             self.note(
                 first,
-                "bank suction is UNVALIDATED: Norrbin's formulas are recalled, no source was read",
+                "bank suction is UNVALIDATED: Norrbin's formulas are from memory, no source was read",
             );
         }
         let Some([shallowest_m, deepest_m]) = environment.depth_range_m() else { return };
         for (name, kind) in &kinds.all {
             let draught_m = kind.setup.ship.particulars.draught_m;
             let [least, most] = [shallowest_m / draught_m, deepest_m / draught_m];
-            let mut say = |message: String| {
-                let (span, key) = &kind.said_at;
+            let mut notify = |message: String| {
+                let (span, key) = &kind.place;
                 let place = self.sources.place(span);
                 self.notices.push(Notice { place, key: key.clone(), message });
             };
             if least < SHALLOWEST_RATIO {
-                say(format!(
-                    "{name} in water of {least:.2} draughts: no formula for shallow water is made for less than \
-                     {SHALLOWEST_RATIO}; below it added mass, hull forces and squat are held at what they are there"
+                notify(format!(
+                    "{name} in water of {least:.2} draughts: no shallow-water formula covers less than \
+                     {SHALLOWEST_RATIO}; below it added mass, hull forces and squat keep their values there"
                 ));
             } else if least < PUBLISHED_RATIO {
-                say(format!(
-                    "{name} in water of {least:.2} draughts: corrections for shallow water are made for {PUBLISHED_RATIO} \
-                     and more; here they go on along their tangent"
+                notify(format!(
+                    "{name} in water of {least:.2} draughts: shallow-water corrections cover {PUBLISHED_RATIO} and more; \
+                     below that they are extrapolated linearly"
                 ));
             }
             if let Some((squat, [_, high])) =
                 environment.squat.and_then(|squat| Some((squat, squat.depth_ratios()?)))
                 && most > high
             {
-                say(format!(
-                    "squat of {name} by {}: made for depths of up to {high} draughts, but here it is {most:.2}",
+                notify(format!(
+                    "squat of {name} by {}: the formula covers depths of up to {high} draughts, but here it is {most:.2}",
                     squat.name()
                 ));
             }
             let [at_start, at_low] = [kind.setup.ship.added_mass, kind.low_water_mass];
             if at_low.sway_m3 > 1.05 * at_start.sway_m3 {
-                say(format!(
-                    "the tide falls under {name}: her added mass stays that of the start; at low water it would be \
-                     {:.2} times as much in sway",
+                notify(format!(
+                    "the tide falls under {name}: her added mass stays that of the start; at low water her sway added \
+                     mass would be {:.2} times that",
                     at_low.sway_m3 / at_start.sway_m3
                 ));
             }
         }
     }
 
-    /// Keys that belong together, all of them.
+    /// Refuses a table that lacks one of several keys that belong together.
     pub(super) fn all_of(&self, of: &Table, keys: &[&str], help: &str) -> Checked<()> {
         match keys.iter().find(|key| of.item(key).is_none()) {
             None => Ok(()),
@@ -214,7 +226,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Keys that would do nothing beside another one.
+    /// Refuses keys that would have no effect beside another one.
     pub(super) fn none_of(&self, of: &Table, keys: &[&str], beside: &str) -> Checked<()> {
         match keys.iter().find_map(|key| of.item(key)) {
             None => Ok(()),

@@ -1,4 +1,4 @@
-//! Fenders and the berthing study: from their tables and the fender data to a set-up.
+//! Fenders: from their tables and the fender data to a set-up.
 
 use fenderline_contact::Stop;
 use fenderline_sim::FenderSetup;
@@ -72,7 +72,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// Where its face is: by its own keys, or along a belting of the vessel that carries it.
+    /// The fender's face: from its own keys, or from a belting of the vessel that carries it.
     fn face(&self, table: &Table, deck: Option<&Kind>) -> Checked<Belting> {
         const OWN: [&str; 5] = ["position", "facing", "width", "face_height", "above_water"];
         if let Some(item) = table.item("belting") {
@@ -102,7 +102,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// Keys that say the same thing twice, or that have nothing to say it of.
+    /// Refuses keys that give one thing twice, and keys of catalogue fenders on a fender without a type.
     fn refuse_what_does_not_go_together(&self, table: &Table) -> Checked<()> {
         const TWICE: [[&str; 2]; 10] = [
             ["type", "stiffness"],

@@ -5,7 +5,6 @@ use fenderline_sim::{BodySetup, Load};
 
 use super::{Assembly, Checked, Names};
 use crate::checked::Table;
-use crate::sources::quoted;
 
 impl Assembly<'_, '_> {
     pub(super) fn loads(
@@ -18,14 +17,7 @@ impl Assembly<'_, '_> {
     }
 
     pub(super) fn load(&self, table: &Table, bodies: &[BodySetup], names: &Names) -> Checked<Load> {
-        let body_item = table.given("body");
-        let body = self.body_named(table, body_item, body_item.name(), names)?;
-        if bodies[body].mass.is_none() {
-            let path = table.path_of("body");
-            let message =
-                format!("`{path}`: body {} is fixed, no load moves it", quoted(body_item.name()));
-            return Err(self.sources.error(&body_item.span, &path, message));
-        }
+        let body = self.floating_body(table, "body", bodies, names, "no load moves it")?;
         let (force, moment) = (table.item("force"), table.item("moment"));
         if force.is_none() && moment.is_none() {
             let path = table.path_of("force");

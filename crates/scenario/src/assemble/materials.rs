@@ -7,8 +7,8 @@ use super::{Assembly, Checked};
 use crate::checked::Table;
 use crate::error::Notice;
 
-/// Friction beyond which a scenario is told that it is unusual. Rubber on dry steel or concrete comes to about 1,
-/// facings of polyethylene to 0.2 (recalled, not read in a source); the rest is for what is wet, new or rough.
+/// Larger coefficients of friction get a notice. Rubber on dry steel or concrete has about 1, polyethylene facings
+/// about 0.2 (from memory, no source read); the margin is for rough surfaces.
 const HIGHEST_USUAL_FRICTION: f64 = 1.5;
 
 impl Assembly<'_, '_> {
@@ -40,8 +40,8 @@ impl Assembly<'_, '_> {
                 place: self.sources.place(&item.span),
                 key: table.path_of("friction_static"),
                 message: format!(
-                    "{friction_static} is more than the {HIGHEST_USUAL_FRICTION} that facings, rubber, steel and \
-                     concrete have on each other (most have 0.1 to 1): hulls will stick rather than slide"
+                    "{friction_static} is more than {HIGHEST_USUAL_FRICTION}, and facings, rubber, steel and concrete \
+                     mostly have 0.1 to 1 on each other: hulls will stick rather than slide"
                 ),
             });
         }

@@ -1,5 +1,5 @@
-//! Orders: from the names in a file to what the table of orders in `fenderline_sim` knows. Limits and gear are checked
-//! there.
+//! Orders: from the names in a file to the arguments of the table of orders in `fenderline_sim`, which checks limits
+//! and gear.
 
 use std::collections::BTreeMap;
 
@@ -10,9 +10,9 @@ use fenderline_sim::{Order, OrderError, Setup};
 use super::{Assembly, Checked, Names};
 use crate::checked::{Item, Table};
 use crate::error::ScenarioError;
-use crate::keys::order::{Form, TELEGRAPH, form, words};
+use crate::keys::order::{DIRECTION, Form, TELEGRAPH, form, words};
 
-/// What orders refer to.
+/// The names that orders refer to.
 pub(super) struct OrderNames<'w> {
     setup: &'w Setup,
     names: &'w Names,
@@ -34,7 +34,7 @@ impl<'w> OrderNames<'w> {
     }
 }
 
-/// The first place of each thing.
+/// The index of each key; of equal keys the first.
 pub(super) fn places<K: Ord>(things: impl Iterator<Item = K>) -> BTreeMap<K, usize> {
     let mut places = BTreeMap::new();
     for (place, thing) in things.enumerate() {
@@ -84,34 +84,34 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// The one key that says what is ordered.
+    /// The one key of the table that is an order.
     fn what<'t>(&self, table: &'t Table, kind: TargetKind, target: &Item) -> Checked<&'t Item> {
-        let asked = words(kind);
-        let others = [target.name, "at", "direction"];
+        let known = words(kind);
+        let others = [target.name, "at", DIRECTION];
         let given: Vec<&Item> =
             table.items.iter().filter(|item| !others.contains(&item.name)).collect();
         let what = match given.as_slice() {
-            [what] if asked.contains(&what.name) => *what,
-            [what, ..] if !asked.contains(&what.name) => {
+            [what] if known.contains(&what.name) => *what,
+            [what, ..] if !known.contains(&what.name) => {
                 let path = table.path_of(what.name);
-                let message = format!("`{path}` is no order to a {}", target.name);
+                let message = format!("`{path}` is not an order to a {}", target.name);
                 let error = self.sources.error(&what.key_span, &path, message);
-                return Err(error.with_help(format!("there are {}", asked.join(", "))));
+                return Err(error.with_help(format!("there are {}", known.join(", "))));
             }
             [_, second, ..] => {
                 let path = table.path_of(second.name);
-                let message = format!("`{path}`: an order asks for one thing");
+                let message = format!("`{path}`: a second order in one table");
                 let error = self.sources.error(&second.key_span, &path, message);
                 return Err(error.with_help("write a second [[order]]"));
             }
             [] | [_] => {
-                let message = format!("`{}` asks for nothing", table.path);
+                let message = format!("`{}` orders nothing", table.path);
                 let error = self.sources.error(&table.span, &table.path, message);
-                return Err(error.with_help(format!("there are {}", asked.join(", "))));
+                return Err(error.with_help(format!("there are {}", known.join(", "))));
             }
         };
-        if let Some(direction) = table.item("direction").filter(|_| kind != TargetKind::Tug) {
-            let path = table.path_of("direction");
+        if let Some(direction) = table.item(DIRECTION).filter(|_| kind != TargetKind::Tug) {
+            let path = table.path_of(DIRECTION);
             let message = format!("`{path}` is for tugs");
             return Err(self.sources.error(&direction.key_span, &path, message));
         }
@@ -200,7 +200,7 @@ impl Assembly<'_, '_> {
         index.ok_or_else(|| self.unknown("line", table, item, item.text(), known()))
     }
 
-    /// What the simulation says of an order, at the key that it is about.
+    /// The simulation's error about an order, at the key that it is about.
     fn refused_order(&self, table: &Table, what: &Item, error: &OrderError) -> ScenarioError {
         let tables = match &what.value {
             crate::checked::Value::Table(own) => [own, table],
@@ -216,7 +216,7 @@ impl Assembly<'_, '_> {
         self.sources.error(span, &path, format!("`{path}`: {error}"))
     }
 
-    /// `let_go = false` would ask for nothing.
+    /// `let_go = false` would order nothing.
     fn only_true(&self, table: &Table, what: &Item) -> Checked<()> {
         if *what.flag() {
             return Ok(());

@@ -12,7 +12,7 @@ use crate::sources::quoted;
 pub(super) struct Pairs {
     pub(super) named: Vec<PairSetup>,
     pub(super) every_other: Option<usize>,
-    /// The bodies of the named ones, the lower index first.
+    /// The bodies of the named pairs, the lower index first.
     touching: BTreeSet<[usize; 2]>,
 }
 

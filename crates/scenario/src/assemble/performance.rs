@@ -12,21 +12,22 @@ use crate::error::ScenarioError;
 use crate::library::{CatalogueFender, FenderLibrary, LookUpError, unloading_curve};
 use crate::sources::quoted;
 
-/// A stop is this many times as stiff as the fender was in the mean up to there.
+/// Stiffness of a stop over the mean stiffness of the fender up to the stop.
 const STOP_OVER_MEAN: f64 = 50.0;
 
-/// Beyond the end of a table of factors by compression time the factor goes to 1 by this time (s): a
-/// ship that lies on her fenders compresses them for ever.
+/// Beyond the end of a table of factors by compression time, the factor goes to 1 at this time (s): a ship at rest on
+/// her fenders compresses them statically.
 const STATIC_TIME_S: f64 = 1000.0;
 
-/// What a law brings with it.
+/// The law of a fender and the data that come with it.
 pub(super) struct Performance {
     pub(super) law: FenderLaw,
-    /// That of its type.
+    /// The unloading law of its type.
     pub(super) unloading: Option<Unloading>,
     pub(super) rated: Option<Rated>,
-    /// Where its stop begins if nobody says otherwise (m), and how stiff it is (N/m).
+    /// Where its stop begins unless the scenario gives one (m).
     pub(super) end_m: f64,
+    /// Stiffness of that stop (N/m).
     pub(super) stop_stiffness_npm: f64,
     pub(super) height_m: Option<f64>,
     pub(super) factors: ReactionFactors,
@@ -92,7 +93,7 @@ impl Assembly<'_, '_> {
             let item = table.given("material");
             let path = table.path_of("material");
             let message = format!(
-                "`{path}`: material {} has no stiffness, and the fender no other law",
+                "`{path}`: the fender has no law, and its material {} has no stiffness",
                 quoted(item.name())
             );
             let error = self.sources.error(&item.span, &path, message);
@@ -112,7 +113,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// How its reaction falls when the hull retreats: by its own keys, or as its type has it.
+    /// How its reaction falls in unloading: by its own keys, or by those of its type.
     pub(super) fn unloading(
         &self,
         table: &Table,
@@ -137,13 +138,13 @@ impl Assembly<'_, '_> {
         let path = table.path_of("curve");
         if points[0] != [0.0, 0.0] {
             let message =
-                format!("`{path}` must begin with [0, 0]: without deflection no reaction");
+                format!("`{path}` must begin with [0, 0]: zero deflection, zero reaction");
             return Err(self.sources.error(&item.span, &path, message));
         }
         Ok(points)
     }
 
-    /// The fender of the data that the table means.
+    /// The catalogue fender that the table names.
     pub(super) fn catalogue(
         &self,
         table: &Table,
@@ -237,7 +238,7 @@ impl Assembly<'_, '_> {
         let factors = &fender.temperature_factors;
         let (Some(first), Some(last)) = (factors.first(), factors.last()) else {
             let message = format!(
-                "`{path}`: no factors by temperature are known for {} fenders",
+                "`{path}`: no temperature factors are known for {} fenders",
                 quoted(&fender.family)
             );
             return Err(self.sources.error(&item.span, &path, message));
@@ -266,7 +267,7 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// How a fender of the data presses on the hull.
+/// The pressure of a catalogue fender on the hull.
 pub(super) fn hull_pressure(fender: &CatalogueFender) -> HullPressure {
     match (fender.has_panel, fender.initial_pressure_npm2, fender.hull_pressure_npm2) {
         (true, _, _) => HullPressure::OverFace,

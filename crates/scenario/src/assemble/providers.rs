@@ -4,7 +4,6 @@ use fenderline_sim::{BodySetup, ProviderSetup};
 
 use super::{Assembly, Checked, Names};
 use crate::checked::Table;
-use crate::sources::quoted;
 
 impl Assembly<'_, '_> {
     pub(super) fn providers(
@@ -22,14 +21,7 @@ impl Assembly<'_, '_> {
         bodies: &[BodySetup],
         names: &Names,
     ) -> Checked<ProviderSetup> {
-        let item = table.given("body");
-        let body = self.body_named(table, item, item.name(), names)?;
-        if bodies[body].mass.is_none() {
-            let path = table.path_of("body");
-            let message =
-                format!("`{path}`: body {} is fixed, no force moves it", quoted(item.name()));
-            return Err(self.sources.error(&item.span, &path, message));
-        }
+        let body = self.floating_body(table, "body", bodies, names, "no force moves it")?;
         let command = table.given("command");
         if command.texts().is_empty() {
             let path = table.path_of("command");

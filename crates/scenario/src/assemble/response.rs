@@ -1,4 +1,4 @@
-//! How a vessel answers waves: by a table of her own, or by the estimate.
+//! How a vessel moves in waves: by a table of response amplitude operators, or by an estimate.
 
 use fenderline_sim::Float;
 use fenderline_sim::environment::waves::{BoxShip, Complex, MotionResponse, RaoTable};
@@ -9,39 +9,62 @@ use crate::checked::Table;
 use crate::csv::Csv;
 use crate::error::Notice;
 
-/// Each motion: its column of amplitudes, that of its phases, and whether the amplitude is an angle. In the order of
-/// [`RaoTable`].
-const MOTIONS: [(&str, &str, bool); 6] = [
-    ("surge_mpm", "surge_phase_deg", false),
-    ("sway_mpm", "sway_phase_deg", false),
-    ("heave_mpm", "heave_phase_deg", false),
-    ("roll_degpm", "roll_phase_deg", true),
-    ("pitch_degpm", "pitch_phase_deg", true),
-    ("yaw_degpm", "yaw_phase_deg", true),
+/// A motion of a response table.
+struct Motion {
+    /// Its column of amplitudes.
+    amplitude: &'static str,
+    /// Its column of phases.
+    phase: &'static str,
+    /// Its amplitude is in degrees.
+    is_angle: bool,
+    /// The table must have it.
+    is_needed: bool,
+}
+
+const HEAVE: usize = 2;
+
+/// The motions in the order of [`RaoTable`].
+const MOTIONS: [Motion; 6] = [
+    motion("surge_mpm", "surge_phase_deg", false, false),
+    motion("sway_mpm", "sway_phase_deg", false, false),
+    motion("heave_mpm", "heave_phase_deg", false, true),
+    motion("roll_degpm", "roll_phase_deg", true, true),
+    motion("pitch_degpm", "pitch_phase_deg", true, true),
+    motion("yaw_degpm", "yaw_phase_deg", true, false),
 ];
-/// Heave, roll and pitch have to be there.
-const NEEDED: core::ops::RangeInclusive<usize> = 2..=4;
-/// How far from 0 and 180 degrees a table may begin and end (deg).
+
+const fn motion(
+    amplitude: &'static str,
+    phase: &'static str,
+    is_angle: bool,
+    is_needed: bool,
+) -> Motion {
+    Motion { amplitude, phase, is_angle, is_needed }
+}
+
+/// Tolerance for the first and last heading of a table, which must be 0 and 180 degrees (deg).
 const SLACK_DEG: f64 = 0.01;
 
 impl Assembly<'_, '_> {
-    /// The table that a kind of vessel names, if she does.
+    /// The table that a kind of vessel names, if any.
     pub(super) fn rao_table(&mut self, table: &Table) -> Checked<Option<RaoTable>> {
         let Some(item) = table.item("wave_response") else { return Ok(None) };
         let key = table.path_of("wave_response");
-        let named = MOTIONS.iter().flat_map(|(amplitude, phase, _)| [*amplitude, *phase]);
+        let named = MOTIONS.iter().flat_map(|motion| [motion.amplitude, motion.phase]);
         let known: Vec<&str> = ["omega_radps", "heading_deg"].into_iter().chain(named).collect();
         let csv = Csv::parse(self.files.text(item.text()), item.text(), &key, &known)?;
         let [omega, heading] = [csv.column("omega_radps")?, csv.column("heading_deg")?];
         let mut columns = [None; 6];
-        for (index, (amplitude, phase, _)) in MOTIONS.iter().enumerate() {
-            if NEEDED.contains(&index) || csv.has(amplitude) || csv.has(phase) {
-                columns[index] = Some([csv.column(amplitude)?, csv.column(phase)?]);
+        for (columns, Motion { amplitude, phase, is_needed, .. }) in
+            columns.iter_mut().zip(&MOTIONS)
+        {
+            if *is_needed || csv.has(amplitude) || csv.has(phase) {
+                *columns = Some([csv.column(amplitude)?, csv.column(phase)?]);
             }
         }
         for row in 0..csv.len() {
             csv.number(row, omega, [1e-3, 100.0])?;
-            // From starboard is the mirror of from port.
+            // Waves from starboard are the mirror image of waves from port.
             csv.number(row, heading, [0.0, 180.0])?;
         }
         let grid = csv.grid(&[omega, heading])?;
@@ -56,27 +79,25 @@ impl Assembly<'_, '_> {
         let mut operators = Vec::with_capacity(csv.len());
         for &row in &grid.rows {
             let mut six = [Complex::default(); 6];
-            for (operator, (column, (_, _, is_angle))) in
-                six.iter_mut().zip(columns.iter().zip(&MOTIONS))
-            {
+            for (operator, (column, motion)) in six.iter_mut().zip(columns.iter().zip(&MOTIONS)) {
                 let Some([amplitude, phase]) = *column else { continue };
                 let size = csv.number(row, amplitude, [0.0, 1000.0])?;
-                let size = if *is_angle { size.to_radians() } else { size };
+                let size = if motion.is_angle { size.to_radians() } else { size };
                 let angle = csv.number(row, phase, [-720.0, 720.0])?.to_radians();
                 *operator = Complex::polar(size, angle);
             }
             operators.push(six);
         }
-        // In a wave much longer than she is a ship goes up on the crest: her heave, which is positive down, is
-        // opposite to it.
+        // In waves much longer than the ship, she rises with the crest. Heave is positive down here, so its real part
+        // must be negative.
         let longest = &operators[..headings.len()];
-        if longest.iter().all(|six| six[2].re > 0.3) {
+        if longest.iter().all(|six| six[HEAVE].re > 0.3) {
             self.notices.push(Notice {
                 place: self.sources.place(&item.span),
                 key: key.clone(),
                 message: format!(
-                    "in the longest waves of {} she goes down on the crest; is heave positive up there? \
-                     Here it is positive down",
+                    "in the longest waves of {} the ship sinks on the crest; heave must be positive down, is it \
+                     positive up in the file?",
                     item.text()
                 ),
             });
@@ -88,7 +109,7 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// The directions with their ends where the mirror is.
+/// The directions with the first and last at exactly 0 and π.
 fn snapped(mut headings_rad: Vec<f64>) -> Vec<f64> {
     if let [first, .., last] = headings_rad.as_mut_slice() {
         (*first, *last) = (0.0, core::f64::consts::PI);
@@ -96,7 +117,7 @@ fn snapped(mut headings_rad: Vec<f64>) -> Vec<f64> {
     headings_rad
 }
 
-/// How a box of her size answers.
+/// The estimate for a box-shaped hull of the ship's size.
 pub(super) fn estimate(ship: &Particulars, float: &Float) -> MotionResponse {
     MotionResponse::Estimate(BoxShip {
         length_m: ship.length_m,

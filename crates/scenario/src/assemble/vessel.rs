@@ -1,4 +1,4 @@
-//! Kinds of vessels, and the vessels that bodies are.
+//! Kinds of vessels, and the vessel of each body.
 
 use std::collections::BTreeMap;
 use std::fmt::Display;
@@ -16,11 +16,11 @@ use crate::error::{Notice, ScenarioError};
 use crate::sources::{Span, quoted};
 use crate::vessels::{Belting, DeckPoint, VesselData, VesselLibrary, hydrostatics, own_vessel};
 
-/// A kind of vessel, without a body.
+/// A kind of vessel; several bodies may be of one kind.
 pub(super) struct Kind {
     pub(super) setup: VesselSetup,
-    /// What the scenario says of her first: her table, or her name in a body.
-    pub(super) said_at: (Span, String),
+    /// Where notices about it point: its table, or the body that names it.
+    pub(super) place: (Span, String),
     pub(super) mass: MassProperties,
     /// Her added mass at the lowest water of the run.
     pub(super) low_water_mass: AddedMass,
@@ -30,35 +30,38 @@ pub(super) struct Kind {
 /// Kinds of vessels by their names.
 #[derive(Default)]
 pub(super) struct Kinds {
-    /// In the order in which the scenario speaks of them.
+    /// In the order in which the scenario names them first.
     pub(super) all: Vec<(String, Kind)>,
-    /// Places in `all`.
+    /// Index in `all` by name.
     by_name: BTreeMap<String, usize>,
+    /// Index in `all` by body; `None`: a body that is not a vessel.
+    of_bodies: Vec<Option<usize>>,
 }
 
 impl Kinds {
-    fn add(&mut self, name: &str, kind: Kind) {
-        self.by_name.insert(name.to_owned(), self.all.len());
+    /// Adds a kind and returns its index.
+    fn add(&mut self, name: &str, kind: Kind) -> usize {
+        let index = self.all.len();
+        self.by_name.insert(name.to_owned(), index);
         self.all.push((name.to_owned(), kind));
+        index
     }
 
-    /// The kind that a body names: [`Assembly::kinds`] has every one.
-    pub(super) fn named(&self, item: &Item) -> &Kind {
-        let place = self.by_name.get(item.text());
-        let place = place.unwrap_or_else(|| unreachable!("the kind of every body is there"));
-        &self.all[*place].1
+    /// The kind of each body that is a vessel, in the order of the bodies.
+    pub(super) fn of_bodies(&self) -> impl Iterator<Item = Option<&Kind>> {
+        self.of_bodies.iter().map(|index| index.map(|index| &self.all[index].1))
     }
 }
 
-/// What a body is, where she is a vessel, by the index of the body.
+/// The kind of each body that is a vessel, by the index of the body.
 pub(super) type Decks<'k> = Vec<Option<&'k Kind>>;
 
 impl Kind {
-    /// Of a vessel in her water.
+    /// A vessel in the water of a scenario.
     fn new(
         data: VesselData,
         environment: &Environment,
-        said_at: (Span, String),
+        place: (Span, String),
     ) -> Result<Kind, Box<dyn Display>> {
         let deep = &data.ship;
         let water = environment.water_density_kgpm3;
@@ -105,7 +108,7 @@ impl Kind {
             added_sway_kg: water * ship.added_mass.sway_m3,
             added_yaw_kgm2: water * ship.added_mass.yaw_m5,
         };
-        Ok(Kind { setup, said_at, mass, low_water_mass, data })
+        Ok(Kind { setup, place, mass, low_water_mass, data })
     }
 
     /// From midship to the centre of gravity, which is a body's origin.
@@ -126,7 +129,7 @@ impl Kind {
     }
 }
 
-/// The key at which a ratio of a vessel is told of.
+/// The key that a notice about a ratio points at.
 fn key_of(ratio: Ratio) -> &'static str {
     match ratio {
         Ratio::BlockCoefficient => "block_coefficient",
@@ -136,8 +139,8 @@ fn key_of(ratio: Ratio) -> &'static str {
 }
 
 impl Assembly<'_, '_> {
-    /// Tells of particulars outside the range of the formulas by which a scenario's own vessel is estimated.
-    fn tell_outside(&mut self, table: &Table, data: &VesselData) {
+    /// Adds notices for particulars outside the range of the formulas that estimate a vessel.
+    fn note_outside_range(&mut self, table: &Table, data: &VesselData) {
         for outside in &data.origin.outside {
             let item = table.item_if_any(key_of(outside.ratio)).or(table.item_if_any("from"));
             let (span, key) = match item {
@@ -163,23 +166,27 @@ impl Assembly<'_, '_> {
                 let message = format!("the library has a vessel named {} already", quoted(name));
                 let error = self.sources.error(&table.span, &table.path, message);
                 return Err(error.with_help(format!(
-                    "take another name, with from = \"{name}\" in it where she is that vessel"
+                    "take another name, and from = \"{name}\" if it is that vessel"
                 )));
             }
             let data = own_vessel(self.sources, name, table, library)?;
-            self.tell_outside(table, &data);
-            let said_at = (table.span.clone(), table.path.clone());
+            self.note_outside_range(table, &data);
+            let place = (table.span.clone(), table.path.clone());
             let mut kind =
-                Kind::new(data, environment, said_at).map_err(|error| self.wrong(table, &error))?;
+                Kind::new(data, environment, place).map_err(|error| self.wrong(table, &error))?;
             if let Some(table) = self.rao_table(table)? {
                 kind.setup.response = Some(MotionResponse::Table(table));
             }
             kinds.add(name, kind);
         }
         for (_, body) in file.given("body").named() {
-            let Some(item) = body.item("vessel") else { continue };
+            let Some(item) = body.item("vessel") else {
+                kinds.of_bodies.push(None);
+                continue;
+            };
             let name = item.text();
-            if kinds.by_name.contains_key(name) {
+            if let Some(index) = kinds.by_name.get(name) {
+                kinds.of_bodies.push(Some(*index));
                 continue;
             }
             let Ok(data) = library.vessel(name) else {
@@ -194,10 +201,11 @@ impl Assembly<'_, '_> {
                     message: outside.to_string(),
                 });
             }
-            let said_at = (item.span.clone(), body.path_of(item.name));
-            let kind = Kind::new(data.clone(), environment, said_at)
+            let place = (item.span.clone(), body.path_of(item.name));
+            let kind = Kind::new(data.clone(), environment, place)
                 .map_err(|error| self.refused(body, item, &error))?;
-            kinds.add(name, kind);
+            let index = kinds.add(name, kind);
+            kinds.of_bodies.push(Some(index));
         }
         Ok(kinds)
     }
@@ -213,9 +221,8 @@ impl Assembly<'_, '_> {
         kinds: &Kinds,
     ) -> Checked<Vec<VesselSetup>> {
         let mut vessels = Vec::new();
-        for (index, (_, body)) in bodies.iter().enumerate() {
-            let Some(item) = body.item("vessel") else { continue };
-            let kind = kinds.named(item);
+        for (index, ((_, body), kind)) in bodies.iter().zip(kinds.of_bodies()).enumerate() {
+            let Some(kind) = kind else { continue };
             let mut setup = kind.setup.clone();
             setup.body = index;
             if let Some(running) = body.item("running") {
@@ -282,7 +289,7 @@ impl Assembly<'_, '_> {
     }
 
     fn deck<'k>(&self, table: &Table, item: &Item, deck: Option<&'k Kind>) -> Checked<&'k Kind> {
-        deck.ok_or_else(|| self.refused(table, item, &"its body is no vessel"))
+        deck.ok_or_else(|| self.refused(table, item, &"its body is not a vessel"))
     }
 
     fn not_on_her<'n>(
@@ -296,14 +303,9 @@ impl Assembly<'_, '_> {
         let error = self.unknown(what, table, item, item.text(), known.clone());
         match known.clone().next() {
             None => {
-                error.with_help(format!("{} has no {what} in her file", kind.data.origin.title))
+                error.with_help(format!("the data of {} have no {what}", kind.data.origin.title))
             }
             Some(_) => error,
         }
     }
-}
-
-/// What each body is, where she is a vessel.
-pub(super) fn decks<'k>(bodies: &[(String, Table)], kinds: &'k Kinds) -> Decks<'k> {
-    bodies.iter().map(|(_, body)| body.item("vessel").map(|item| kinds.named(item))).collect()
 }

@@ -1,4 +1,4 @@
-//! A vessel's wind areas and the method that makes forces of them.
+//! A vessel's wind areas, and the method that computes wind forces from them.
 
 use fenderline_sim::environment::wind::{
     BLENDERMANN_TYPES, Blendermann, Fujiwara, Isherwood, ShipWindage, WindMethod,
@@ -47,7 +47,7 @@ impl Assembly<'_, '_> {
         Ok(Some(windage))
     }
 
-    /// A method has all of its own particulars and none of another's.
+    /// Checks that the table has all particulars of its method and none of another method.
     fn only_particulars_of(
         &self,
         of: &Table,

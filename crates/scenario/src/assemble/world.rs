@@ -20,7 +20,7 @@ use crate::sources::quoted;
 use crate::suggest::nearest;
 
 impl Assembly<'_, '_> {
-    /// An error of a computation about a key.
+    /// An error at a key's value.
     pub(super) fn refused(&self, table: &Table, item: &Item, error: &dyn Display) -> ScenarioError {
         let path = table.path_of(item.name);
         self.sources.error(&item.span, &path, format!("`{path}`: {error}"))
@@ -46,7 +46,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// The place among the vessels of the body that an item names.
+    /// The index of the vessel that a key names by its body.
     pub(super) fn vessel_named(
         &self,
         table: &Table,
@@ -57,7 +57,7 @@ impl Assembly<'_, '_> {
         let body = self.body_named(table, item, item.name(), names)?;
         vessel_of_body.get(&body).copied().ok_or_else(|| {
             let path = table.path_of(item.name);
-            let message = format!("`{path}`: body {} is no vessel", quoted(item.name()));
+            let message = format!("`{path}`: body {} is not a vessel", quoted(item.name()));
             let error = self.sources.error(&item.span, &path, message);
             error.with_help("give it a `vessel` in its own table")
         })
@@ -176,7 +176,7 @@ impl Assembly<'_, '_> {
         Ok(setup)
     }
 
-    /// A line's end by its coordinates or by name, one of the two.
+    /// A line's end, by coordinates or by the name of a point of the vessel.
     fn one_of<'t>(
         &self,
         table: &'t Table,

@@ -1,17 +1,18 @@
 //! A file of reactions over deflections: loading, unloading, several speeds or temperatures.
 
+use core::fmt::Write as _;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::csv::Csv;
 use crate::error::ScenarioError;
-use crate::printable::printable_number as shown;
+use crate::printable::printable_number;
 
 type Read<T> = Result<T, ScenarioError>;
 
-/// Rows of deflection (m) and reaction (N), deflections rising.
+/// Points of deflection (m) and reaction (N), deflections rising.
 pub type Branch = Vec<(f64, f64)>;
 
-/// The loading of one speed and temperature, with what else is known of it.
+/// The loading curve at one speed and temperature, with its unloading curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadingCurve {
     /// Speed of compression (m/s), where the file has speeds.
@@ -20,17 +21,17 @@ pub struct LoadingCurve {
     pub temperature_c: Option<f64>,
     /// From (0, 0).
     pub loading: Branch,
-    /// From (0, 0) to where the fender was let go; empty where the file has none. Nowhere above the loading.
+    /// From (0, 0) to the deflection where unloading began, nowhere above `loading`; empty where the file has none.
     pub unloading: Branch,
 }
 
-/// All curves of a file, in the order in which their first rows stand.
+/// All curves of a file, in the order of their first rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FenderCurves {
     pub(super) curves: Vec<LoadingCurve>,
 }
 
-/// Columns of such a file: one of the deflections, one of the reactions, and any of the others.
+/// Columns of such a file: one deflection, one reaction, and any of the others.
 const COLUMNS: [&str; 7] = [
     "deflection_m",
     "deflection_mm",
@@ -41,9 +42,9 @@ const COLUMNS: [&str; 7] = [
     "temperature_c",
 ];
 
-/// Key of errors: what the file is.
+/// The key in error messages.
 const KEY: &str = "curves";
-/// Rows that a loading curve has at least, the first of no deflection apart.
+/// Least number of rows of a curve, not counting zero deflection.
 const FEWEST: usize = 3;
 const LARGEST_DEFLECTION_M: f64 = 100.0;
 const LARGEST_REACTION_N: f64 = 1e9;
@@ -53,20 +54,34 @@ struct Group {
     speed_mps: Option<f64>,
     temperature_c: Option<f64>,
     is_unloading: bool,
-    /// Deflection (m), reaction (N) and number of the row.
+    /// Deflection (m), reaction (N) and index of the row in the file.
     rows: Vec<(f64, f64, usize)>,
+}
+
+impl LoadingCurve {
+    /// How messages refer to the curve.
+    pub(super) fn name(&self) -> String {
+        let mut name = "the loading curve".to_owned();
+        if let Some(speed_mps) = self.speed_mps {
+            let _ = write!(name, " at {speed_mps} m/s");
+        }
+        if let Some(temperature_c) = self.temperature_c {
+            let _ = write!(name, " at {temperature_c} °C");
+        }
+        name
+    }
 }
 
 impl FenderCurves {
     /// Reads the text of a file; `name` is for messages.
     ///
-    /// The first line names the columns: `deflection_m` or `deflection_mm`; `reaction_n` or `reaction_kn`; and, where
-    /// wanted, `unloading` (0 on the way in, 1 on the way out), `speed_mps`, `temperature_c`.
+    /// The first line names the columns: `deflection_m` or `deflection_mm`; `reaction_n` or `reaction_kn`; and
+    /// optionally `unloading` (0 for loading, 1 for unloading), `speed_mps`, `temperature_c`.
     ///
     /// # Errors
-    /// Wrong columns, a cell that is no number; a negative deflection or reaction, two rows at one deflection, loading
-    /// rows whose deflection does not rise, a reaction without deflection; fewer than three rows of a loading curve;
-    /// an unloading curve without its loading one, beyond its end, above it or of no energy.
+    /// Unknown or missing columns, a cell that is not a number; a negative deflection or reaction, two rows at one
+    /// deflection, loading rows whose deflection does not rise, a reaction at zero deflection; a loading curve of fewer
+    /// than three rows; an unloading curve that has no loading curve, goes beyond or above it, or returns no energy.
     pub fn parse(text: &str, name: &str) -> Read<FenderCurves> {
         let csv = Csv::parse(text, name, KEY, &COLUMNS)?;
         let groups = groups(&csv)?;
@@ -94,13 +109,13 @@ impl FenderCurves {
     }
 }
 
-/// The column of two that measure the same, and what makes SI of it.
+/// Which of two alternative columns the file has, and its factor to SI.
 fn one_of(csv: &Csv<'_>, [plain, scaled]: [&str; 2], factor: f64) -> Read<(usize, f64)> {
     match (csv.has(plain), csv.has(scaled)) {
         (true, false) => Ok((csv.column(plain)?, 1.0)),
         (false, true) => Ok((csv.column(scaled)?, factor)),
         (true, true) => {
-            let message = format!("the columns `{plain}` and `{scaled}` say the same");
+            let message = format!("the columns `{plain}` and `{scaled}` give the same quantity");
             Err(csv.header_error(message).with_help("give one of them"))
         }
         (false, false) => {
@@ -110,14 +125,16 @@ fn one_of(csv: &Csv<'_>, [plain, scaled]: [&str; 2], factor: f64) -> Read<(usize
     }
 }
 
+/// Sorts the rows into groups by branch, speed and temperature.
 fn groups(csv: &Csv<'_>) -> Read<Vec<Group>> {
     let (deflection, to_m) = one_of(csv, ["deflection_m", "deflection_mm"], 1e-3)?;
     let (reaction, to_n) = one_of(csv, ["reaction_n", "reaction_kn"], 1e3)?;
-    let wanted = |name: &str| csv.has(name).then(|| csv.column(name)).transpose();
+    let optional = |name: &str| csv.has(name).then(|| csv.column(name)).transpose();
     let (unloading, speed, temperature) =
-        (wanted("unloading")?, wanted("speed_mps")?, wanted("temperature_c")?);
+        (optional("unloading")?, optional("speed_mps")?, optional("temperature_c")?);
     let mut groups: Vec<Group> = Vec::new();
-    // Of what speed, temperature and branch each group is, and which deflections it has: by bits, as no cell is -0.
+    // Index of each group by branch, speed and temperature, and the deflections that each group has. Numbers are
+    // compared by their bits: no cell is -0.
     let mut places: BTreeMap<(bool, Option<u64>, Option<u64>), usize> = BTreeMap::new();
     let mut seen: BTreeSet<(usize, u64)> = BTreeSet::new();
     for row in 0..csv.len() {
@@ -125,8 +142,10 @@ fn groups(csv: &Csv<'_>) -> Read<Vec<Group>> {
             to_m * csv.number(row, deflection, [0.0, LARGEST_DEFLECTION_M / to_m])?;
         let reaction_n = to_n * csv.number(row, reaction, [0.0, LARGEST_REACTION_N / to_n])?;
         if deflection_m == 0.0 && reaction_n != 0.0 {
-            let message =
-                format!("a reaction of {} kN without deflection", shown(reaction_n / 1e3));
+            let message = format!(
+                "a reaction of {} kN at zero deflection",
+                printable_number(reaction_n / 1e3)
+            );
             return Err(csv.cell_error(row, reaction, message));
         }
         let is_unloading =
@@ -136,7 +155,7 @@ fn groups(csv: &Csv<'_>) -> Read<Vec<Group>> {
                 Some((_, Ok(0.0))) => false,
                 Some((_, Ok(1.0))) => true,
                 Some((column, Ok(other))) => {
-                    let message = format!("`unloading` is 0 or 1, not {}", shown(other));
+                    let message = format!("`unloading` is 0 or 1, not {}", printable_number(other));
                     return Err(csv.cell_error(row, column, message));
                 }
             };
@@ -161,15 +180,15 @@ fn groups(csv: &Csv<'_>) -> Read<Vec<Group>> {
             let message =
                 format!("the deflection falls from {before_m} to {deflection_m} m while loading");
             let error = csv.cell_error(row, deflection, message);
-            return Err(error.with_help("rows of the way out have 1 in a column `unloading`"));
+            return Err(error.with_help("mark unloading rows with 1 in a column `unloading`"));
         }
         rows.push((deflection_m, reaction_n, row));
     }
     Ok(groups)
 }
 
-/// With its beginning at rest, whether the file has it or not.
-fn from_rest(rows: &[(f64, f64, usize)]) -> Branch {
+/// A curve sorted by deflection, with (0, 0) added where the file does not have it.
+fn from_origin(rows: &[(f64, f64, usize)]) -> Branch {
     let mut branch: Branch = rows.iter().map(|(d, r, _)| (*d, *r)).collect();
     branch.sort_by(|one, other| one.0.total_cmp(&other.0));
     if branch.first().is_none_or(|first| first.0 > 0.0) {
@@ -179,11 +198,11 @@ fn from_rest(rows: &[(f64, f64, usize)]) -> Branch {
 }
 
 fn loading_curve(csv: &Csv<'_>, group: Group) -> Read<LoadingCurve> {
-    let loading = from_rest(&group.rows);
+    let loading = from_origin(&group.rows);
     if loading.len() <= FEWEST {
         let (_, _, row) = group.rows[group.rows.len() - 1];
         let message = format!(
-            "a loading curve of {} rows beyond no deflection, but {FEWEST} are the fewest",
+            "the loading curve has {} rows beyond zero deflection, but needs at least {FEWEST}",
             loading.len() - 1
         );
         return Err(csv.cell_error(row, 0, message));
@@ -202,7 +221,8 @@ fn add_unloading(csv: &Csv<'_>, group: Group, curves: &mut [LoadingCurve]) -> Re
         curve.speed_mps == group.speed_mps && curve.temperature_c == group.temperature_c
     });
     let Some(curve) = loading else {
-        let message = "an unloading curve without a loading one of its speed and temperature";
+        let message =
+            "there is no loading curve at the speed and temperature of this unloading curve";
         return Err(csv.cell_error(first_row, 0, message.to_owned()));
     };
     for (deflection_m, reaction_n, row) in &group.rows {
@@ -214,29 +234,37 @@ fn add_unloading(csv: &Csv<'_>, group: Group, curves: &mut [LoadingCurve]) -> Re
         };
         if *reaction_n > bound_n * (1.0 + 1e-9) {
             let message = format!(
-                "the unloading reaction {} kN lies above the loading one, {} kN, at {deflection_m} m",
+                "the unloading reaction of {} kN is above the loading reaction of {} kN at {deflection_m} m",
                 reaction_n / 1e3,
                 bound_n / 1e3
             );
             return Err(csv.cell_error(*row, 0, message));
         }
     }
-    let unloading = from_rest(&group.rows);
+    let unloading = from_origin(&group.rows);
     if unloading.len() <= FEWEST {
-        let message = format!("an unloading curve of fewer than {FEWEST} rows");
+        let message =
+            format!("the unloading curve has fewer than {FEWEST} rows beyond zero deflection");
         return Err(csv.cell_error(first_row, 0, message));
     }
     let end_m = unloading[unloading.len() - 1].0;
     let share = integral(&unloading, end_m) / integral(&curve.loading, end_m);
     if !(share > 0.0 && share <= 1.0) {
-        let message = format!("the unloading curve returns {share} of the energy");
-        return Err(csv.cell_error(first_row, 0, message).with_help("between 0 and 1"));
+        let message = format!("the unloading curve returns {share} times the energy");
+        return Err(csv
+            .cell_error(first_row, 0, message)
+            .with_help("the factor must be above 0 and at most 1"));
     }
     curve.unloading = unloading;
     Ok(())
 }
 
-/// The value at `x` of a curve of straight pieces; `None` outside it.
+/// The deflection at which a branch ends; 0 for an empty one.
+pub(super) fn end(branch: &Branch) -> f64 {
+    branch.last().map_or(0.0, |last| last.0)
+}
+
+/// The value at `x` of a piecewise linear curve; `None` outside it.
 pub(super) fn value(points: &[(f64, f64)], x: f64) -> Option<f64> {
     crate::library::curve_value(points, x)
 }
@@ -257,7 +285,7 @@ mod tests {
     const HEAD: &str = "deflection_mm,reaction_kn,unloading\n";
 
     #[test]
-    fn millimetres_and_kilonewtons_become_si_and_rest_is_added() {
+    fn millimetres_and_kilonewtons_become_si_and_the_origin_is_added() {
         let text = format!("{HEAD}100,10,0\n200,30,0\n300,60,0\n300,60,1\n200,20,1\n100,5,1\n");
         let curves = FenderCurves::parse(&text, "bench.csv").unwrap();
         let [curve] = curves.curves() else { panic!("{curves:?}") };
@@ -269,7 +297,7 @@ mod tests {
     }
 
     #[test]
-    fn each_mistake_is_told_at_its_line() {
+    fn each_mistake_is_reported_at_its_line() {
         let good = "100,10,0\n200,30,0\n300,60,0\n";
         for (text, fragments) in [
             (
@@ -282,7 +310,7 @@ mod tests {
             ),
             (
                 "deflection_m,deflection_mm,reaction_n\n1,1,1\n".to_owned(),
-                ["say the same", "bench.csv:1", "one of them"],
+                ["give the same quantity", "bench.csv:1", "one of them"],
             ),
             (
                 format!("{HEAD}100,10,0\n200,-3,0\n"),
@@ -300,19 +328,19 @@ mod tests {
                 format!("{HEAD}100,10,0\n90,12,0\n"),
                 ["falls from 0.1 to 0.09 m", "bench.csv:3:1", "column `unloading`"],
             ),
-            (format!("{HEAD}0,10,0\n"), ["without deflection", "bench.csv:2:3", ""]),
+            (format!("{HEAD}0,10,0\n"), ["at zero deflection", "bench.csv:2:3", ""]),
             (
                 format!("{HEAD}100,10,0\n200,30,0\n"),
-                ["2 rows beyond no deflection", "bench.csv:3:1", "3 are the fewest"],
+                ["2 rows beyond zero deflection", "bench.csv:3:1", "at least 3"],
             ),
             (
                 format!("{HEAD}{good}200,31,1\n"),
-                ["31 kN lies above the loading one, 30 kN", "bench.csv:5:1", ""],
+                ["31 kN is above the loading reaction of 30 kN", "bench.csv:5:1", ""],
             ),
             (format!("{HEAD}{good}400,31,1\n"), ["ends at 0.3 m", "bench.csv:5:1", ""]),
             (
                 format!("{HEAD}{good}300,0,1\n200,0,1\n100,0,1\n"),
-                ["returns 0 of the energy", "bench.csv:5:1", "between 0 and 1"],
+                ["returns 0 times the energy", "bench.csv:5:1", "above 0"],
             ),
             (
                 format!("{HEAD}{good}100,5,2\n"),
@@ -325,8 +353,11 @@ mod tests {
                 ["`speed_mps` must be between", "bench.csv:2:7", ""],
             ),
         ] {
-            let said = refused(&text);
-            assert!(fragments.iter().all(|fragment| said.contains(fragment)), "{said}\nfor {text}");
+            let message = refused(&text);
+            assert!(
+                fragments.iter().all(|fragment| message.contains(fragment)),
+                "{message}\nfor {text}"
+            );
         }
     }
 }

@@ -1,108 +1,19 @@
-//! A family with one size of measured curves: normalised, with as few points as the tolerance allows.
+//! A fender family with one size, fitted to measured curves: normalised, with as few points as the tolerance allows.
 
-use fenderline_contact::number::lesser;
-
-use core::fmt;
-use core::fmt::Write as _;
-
-use super::curves::{Branch, FenderCurves, LoadingCurve, integral, value};
-use crate::Standing;
+use super::curves::{Branch, FenderCurves, LoadingCurve, end, integral, value};
+use super::factors::{temperature, velocity};
+use super::options::{FitError, FitOptions};
+use super::thinning::{below, insert, thinned};
 use crate::printable::printable_number;
 
-/// Temperature for which catalogues rate fenders (°C): the factor is 1 at the one nearest to it.
+/// Temperature for which catalogues rate fenders (°C). The reference curve is the one nearest to it.
 const RATED_TEMPERATURE_C: f64 = 23.0;
 
-/// What the file of curves does not say.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FitOptions {
-    /// Name of the family.
-    pub family: String,
-    /// Designation of the size.
-    pub designation: String,
-    /// Extent in the direction of compression, uncompressed (m).
-    pub height_m: f64,
-    /// Length along the berth (m).
-    pub length_m: Option<f64>,
-    /// Rated deflection (m); `None`: where the reference loading curve ends.
-    pub rated_deflection_m: Option<f64>,
-    /// Share of the energy that comes back, where the file has no unloading curve.
-    pub returned_energy: Option<f64>,
-    /// Largest difference of the straight pieces from the rows, as a share of the rated reaction.
-    pub tolerance: f64,
-    /// Where the curves come from.
-    pub source: String,
-    /// How well that is known.
-    pub standing: Standing,
-}
-
-/// Why no fender can be made of good curves.
-#[derive(Clone, Debug, PartialEq)]
-pub enum FitError {
-    /// A number outside its range.
-    OutOfRange {
-        /// Which.
-        quantity: &'static str,
-        /// Its value.
-        value: f64,
-        /// Smallest good value.
-        low: f64,
-        /// Largest good value.
-        high: f64,
-    },
-    /// A curve is deflected by more than the height, or its end lies before the rated deflection.
-    Ends {
-        /// Which curve.
-        curve: String,
-        /// Where it ends (m).
-        end_m: f64,
-        /// Where it would have to (m).
-        wanted: String,
-    },
-    /// The reaction at the rated deflection is none.
-    NoReaction {
-        /// The rated deflection (m).
-        rated_deflection_m: f64,
-    },
-    /// The file has an unloading curve and the returned energy is given as well.
-    ReturnedTwice,
-    /// Several loading curves of the same speed: temperature and speed must be varied one at a time.
-    NotOneAtATime {
-        /// Which curve.
-        curve: String,
-    },
-}
-
-impl fmt::Display for FitError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            FitError::OutOfRange { quantity, value, low, high } => {
-                let [value, low, high] = [*value, *low, *high].map(printable_number);
-                write!(f, "{quantity} is {value}, but must be between {low} and {high}")
-            }
-            FitError::Ends { curve, end_m, wanted } => {
-                write!(f, "{curve} ends at {end_m} m; {wanted}")
-            }
-            FitError::NoReaction { rated_deflection_m } => {
-                write!(f, "at the rated deflection of {rated_deflection_m} m there is no reaction")
-            }
-            FitError::ReturnedTwice => {
-                write!(f, "the file has an unloading curve; the returned energy is that curve's")
-            }
-            FitError::NotOneAtATime { curve } => write!(
-                f,
-                "{curve} differs from the reference curve in speed and in temperature: vary one at a time"
-            ),
-        }
-    }
-}
-
-impl core::error::Error for FitError {}
-
-/// A fender made of curves.
+/// A fender fitted to curves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FittedFender {
-    options: FitOptions,
-    /// The curve that the family has: speed and temperature nearest to those of a rating.
+    pub(super) options: FitOptions,
+    /// The measured curve that the fit follows.
     reference: LoadingCurve,
     /// Rated deflection (m).
     pub rated_deflection_m: f64,
@@ -110,7 +21,7 @@ pub struct FittedFender {
     pub rated_reaction_n: f64,
     /// Deflection over height against reaction over rated reaction.
     pub points: Branch,
-    /// The same of the unloading curve; empty where there is none.
+    /// The unloading curve in the same form; empty where there is none.
     pub unloading: Branch,
     /// Time to rated deflection (s) against factor on the reaction; empty where the file has no speeds.
     pub velocity: Branch,
@@ -123,24 +34,25 @@ impl FittedFender {
     /// speed and temperature are the ratios of the energies to the rated deflection.
     ///
     /// # Errors
-    /// An option out of its range, a curve that ends too soon or goes beyond the height, no reaction at the rated
-    /// deflection, an unloading curve beside a returned energy, speed and temperature varied together.
+    /// An option out of range, a curve that ends before the rated deflection or goes beyond the height, a reaction of
+    /// zero at the rated deflection, an unloading curve together with a returned energy, curves that differ in both
+    /// speed and temperature.
     pub fn fit(curves: &FenderCurves, options: &FitOptions) -> Result<FittedFender, FitError> {
-        check(options)?;
+        options.check()?;
         let reference = reference(curves);
         let end_m = end(&reference.loading);
         if end_m > options.height_m {
             return Err(FitError::Ends {
-                curve: name(reference),
+                curve: reference.name(),
                 end_m,
-                wanted: format!("the fender is {} m high", printable_number(options.height_m)),
+                conflict: format!("the fender is {} m high", printable_number(options.height_m)),
             });
         }
         let rated_m = options.rated_deflection_m.unwrap_or(end_m);
         let rated_n = value(&reference.loading, rated_m).ok_or_else(|| FitError::Ends {
-            curve: name(reference),
+            curve: reference.name(),
             end_m,
-            wanted: format!("the rated deflection is {} m", printable_number(rated_m)),
+            conflict: format!("the rated deflection is {} m", printable_number(rated_m)),
         })?;
         if rated_n <= 0.0 {
             return Err(FitError::NoReaction { rated_deflection_m: rated_m });
@@ -193,7 +105,7 @@ impl FittedFender {
             .map(|r| r * self.rated_reaction_n)
     }
 
-    /// Share of the energy that the fitted unloading curve returns; the given one where there is no curve.
+    /// Fraction of the energy that unloading returns: by the fitted unloading curve, or as given where there is none.
     #[must_use]
     pub fn returned_energy(&self) -> Option<f64> {
         if self.unloading.is_empty() {
@@ -202,72 +114,9 @@ impl FittedFender {
         let end = end(&self.unloading);
         Some(integral(&self.unloading, end) / integral(&self.points, end))
     }
-
-    /// The fender as a file of the library.
-    #[must_use]
-    pub fn to_toml(&self) -> String {
-        let FitOptions { family, designation, height_m, length_m, source, standing, .. } =
-            &self.options;
-        let family = quoted(family);
-        let origin = format!("source = {}\nstanding = \"{}\"\n", quoted(source), standing.word());
-        let mut text = format!(
-            "# Fitted by `fenderline fender fit`.\n\n[family.{family}]\nrated_deflection = {}\nreference = {}\n",
-            number(self.rated_deflection_m / height_m),
-            quoted(designation),
-        );
-        let mut table = |title: &str, comment: &str, points: &Branch| {
-            if !points.is_empty() {
-                let _ = write!(text, "\n[family.{family}.{title}]\n# {comment}\npoints = [\n");
-                text.push_str(&rows(points));
-                let _ = write!(text, "]\n{origin}");
-            }
-        };
-        table("curve", "[deflection over height, reaction over rated reaction]", &self.points);
-        table(
-            "unloading",
-            "[deflection over height, reaction over rated reaction]",
-            &self.unloading,
-        );
-        table("temperature", "[degrees Celsius, factor on the reaction]", &self.temperature);
-        table(
-            "velocity",
-            "[time to rated deflection in s, factor on the reaction]",
-            &self.velocity,
-        );
-        if let Some(share) = self.options.returned_energy {
-            let _ = write!(
-                text,
-                "\n[family.{family}.unloading]\nreturned_energy = {}\n{origin}",
-                number(share)
-            );
-        }
-        let _ = write!(
-            text,
-            "\n[[family.{family}.size]]\ndesignation = {}\nheight = \"{} m\"\n",
-            quoted(designation),
-            number(*height_m)
-        );
-        if let Some(length_m) = length_m {
-            let _ = writeln!(text, "length = \"{} m\"", number(*length_m));
-        }
-        let _ = write!(text, "reaction = \"{} N\"\n{origin}", number(self.rated_reaction_n));
-        text
-    }
 }
 
-fn check(options: &FitOptions) -> Result<(), FitError> {
-    let within = |quantity, value: f64, low, high| {
-        let good = (low..=high).contains(&value);
-        good.then_some(()).ok_or(FitError::OutOfRange { quantity, value, low, high })
-    };
-    within("the height [m]", options.height_m, 1e-3, 100.0)?;
-    within("the length [m]", options.length_m.unwrap_or(1.0), 1e-3, 100.0)?;
-    within("the rated deflection [m]", options.rated_deflection_m.unwrap_or(1e-6), 1e-6, 100.0)?;
-    within("the returned energy", options.returned_energy.unwrap_or(1.0), 0.05, 1.0)?;
-    within("the tolerance", options.tolerance, 0.0, 0.2)
-}
-
-/// The slowest curve at the temperature nearest to that of ratings; the first of equal ones.
+/// The slowest curve at the temperature nearest to the rated one; the first of equal ones.
 fn reference(curves: &FenderCurves) -> &LoadingCurve {
     let away =
         |curve: &LoadingCurve| curve.temperature_c.map_or(0.0, |c| (c - RATED_TEMPERATURE_C).abs());
@@ -282,154 +131,10 @@ fn reference(curves: &FenderCurves) -> &LoadingCurve {
         .expect("a file without a loading curve is refused")
 }
 
-/// What a message calls a curve.
-fn name(curve: &LoadingCurve) -> String {
-    let mut name = "the loading curve".to_owned();
-    if let Some(speed_mps) = curve.speed_mps {
-        let _ = write!(name, " at {speed_mps} m/s");
-    }
-    if let Some(temperature_c) = curve.temperature_c {
-        let _ = write!(name, " at {temperature_c} °C");
-    }
-    name
-}
-
-fn end(branch: &Branch) -> f64 {
-    branch.last().map_or(0.0, |last| last.0)
-}
-
-/// Energy of a curve to the rated deflection over that of the reference.
-fn factor(curve: &LoadingCurve, reference: &LoadingCurve, rated_m: f64) -> Result<f64, FitError> {
-    let end_m = end(&curve.loading);
-    if end_m < rated_m {
-        let wanted = format!("the rated deflection is {} m", printable_number(rated_m));
-        return Err(FitError::Ends { curve: name(curve), end_m, wanted });
-    }
-    Ok(integral(&curve.loading, rated_m) / integral(&reference.loading, rated_m))
-}
-
-fn velocity(
-    curves: &FenderCurves,
-    reference: &LoadingCurve,
-    rated_m: f64,
-) -> Result<Branch, FitError> {
-    let mut rows = Branch::new();
-    for curve in &curves.curves {
-        let Some(speed_mps) = curve.speed_mps else { continue };
-        if curve.temperature_c == reference.temperature_c {
-            rows.push((rated_m / speed_mps, factor(curve, reference, rated_m)?));
-        } else if curve.speed_mps != reference.speed_mps {
-            return Err(FitError::NotOneAtATime { curve: name(curve) });
-        }
-    }
-    rows.sort_by(|one, other| one.0.total_cmp(&other.0));
-    // One speed is no dependence on it.
-    Ok(if rows.len() > 1 { rows } else { Branch::new() })
-}
-
-fn temperature(
-    curves: &FenderCurves,
-    reference: &LoadingCurve,
-    rated_m: f64,
-) -> Result<Branch, FitError> {
-    let mut rows = Branch::new();
-    for curve in curves.curves.iter().filter(|curve| curve.speed_mps == reference.speed_mps) {
-        if let Some(temperature_c) = curve.temperature_c {
-            rows.push((temperature_c, factor(curve, reference, rated_m)?));
-        }
-    }
-    rows.sort_by(|one, other| one.0.total_cmp(&other.0));
-    Ok(if rows.len() > 1 { rows } else { Branch::new() })
-}
-
-/// Adds a point to a curve on which it lies, unless one is there.
-fn insert(branch: &mut Branch, point: (f64, f64)) {
-    let after = branch.partition_point(|known| known.0 < point.0);
-    if branch.get(after).is_none_or(|known| known.0 > point.0) {
-        branch.insert(after, point);
-    }
-}
-
-/// As few of the points as keep all others within the tolerance of the straight pieces (Ramer, 1972; Douglas and
-/// Peucker, 1973, with the distance in reaction). The one at `kept` stays.
-fn thinned(points: &Branch, tolerance: f64, kept: f64) -> Branch {
-    let Some(last) = points.len().checked_sub(1) else { return Branch::new() };
-    let mut stays = vec![false; points.len()];
-    let fixed = points.iter().position(|point| (point.0 - kept).abs() <= 1e-12);
-    let mut pieces = vec![(0, fixed.unwrap_or(last)), (fixed.unwrap_or(last), last)];
-    for (from, to) in &pieces {
-        stays[*from] = true;
-        stays[*to] = true;
-    }
-    while let Some((from, to)) = pieces.pop() {
-        let ends = [points[from], points[to]];
-        let off = |index: usize| {
-            let straight = value(&ends, points[index].0).unwrap_or(ends[0].1);
-            (points[index].1 - straight).abs()
-        };
-        let farthest = (from + 1..to).max_by(|one, other| off(*one).total_cmp(&off(*other)));
-        if let Some(index) = farthest.filter(|index| off(*index) > tolerance) {
-            stays[index] = true;
-            pieces.push((from, index));
-            pieces.push((index, to));
-        }
-    }
-    let kept = points.iter().zip(stays).filter(|(_, stays)| *stays);
-    kept.map(|(point, _)| *point).collect()
-}
-
-/// The unloading curve held down to the loading one, which thinning may have put below it.
-fn below(unloading: Branch, loading: &Branch) -> Branch {
-    let mut all = unloading.clone();
-    if let Some(end) = unloading.last().map(|last| last.0) {
-        // Where the loading curve has a corner below a straight piece of the unloading one.
-        for corner in loading.iter().filter(|corner| corner.0 < end) {
-            if value(&unloading, corner.0).is_some_and(|reaction| reaction > corner.1) {
-                insert(&mut all, *corner);
-            }
-        }
-    }
-    // The file has six figures: off the corners of the loading curve a hair below it, so that rounding puts none above.
-    let is_corner = |d: f64| loading.iter().any(|corner| corner.0 == d);
-    let hair = |d: f64| if is_corner(d) { 1.0 } else { 1.0 - 2e-5 };
-    let held =
-        |(d, r): (f64, f64)| (d, value(loading, d).map_or(r, |bound| lesser(r, hair(d) * bound)));
-    all.into_iter().map(held).collect()
-}
-
-/// Six figures: finer than any test bench.
-fn number(value: f64) -> String {
-    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    format!("{rounded}")
-}
-
-fn rows(points: &Branch) -> String {
-    points.iter().map(|(d, r)| format!("    [{}, {}],\n", number(*d), number(*r))).collect()
-}
-
-/// A basic string of TOML.
-fn quoted(text: &str) -> String {
-    let mut quoted = String::from('"');
-    for letter in text.chars() {
-        match letter {
-            '"' | '\\' => {
-                quoted.push('\\');
-                quoted.push(letter);
-            }
-            control if control.is_control() => {
-                let _ = write!(quoted, "\\u{:04X}", u32::from(control));
-            }
-            other => quoted.push(other),
-        }
-    }
-    quoted.push('"');
-    quoted
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::FenderLibrary;
+    use crate::{FenderLibrary, Standing};
 
     fn options() -> FitOptions {
         FitOptions {
@@ -504,14 +209,14 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_made_a_fender_is_refused() {
+    fn curves_and_options_that_make_no_fender_are_refused() {
         let good = curves(&parabola(COLUMNS, "", 1.0));
         let refused = |change: fn(&mut FitOptions)| {
             let mut options = options();
             change(&mut options);
             FittedFender::fit(&good, &options).unwrap_err().to_string()
         };
-        for (said, fragment) in [
+        for (message, fragment) in [
             (refused(|o| o.height_m = 0.2), "the fender is 0.2 m high"),
             (refused(|o| o.height_m = f64::NAN), "the height"),
             (
@@ -523,11 +228,11 @@ mod tests {
             (refused(|o| o.returned_energy = Some(-0.1)), "the returned energy is -0.1"),
             (refused(|o| o.tolerance = 0.5), "the tolerance is 0.5"),
         ] {
-            assert!(said.contains(fragment), "{said}");
+            assert!(message.contains(fragment), "{message}");
         }
         let nothing = curves("deflection_m,reaction_n\n0.1,0\n0.2,0\n0.3,0\n");
-        let said = FittedFender::fit(&nothing, &options()).unwrap_err().to_string();
-        assert!(said.contains("no reaction"), "{said}");
+        let message = FittedFender::fit(&nothing, &options()).unwrap_err().to_string();
+        assert!(message.contains("is zero"), "{message}");
     }
 
     #[test]
@@ -555,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn a_returned_energy_of_the_user_goes_into_the_file() {
+    fn a_given_returned_energy_goes_into_the_file() {
         let options = FitOptions { returned_energy: Some(0.6), ..options() };
         let fitted = FittedFender::fit(&curves(&parabola(COLUMNS, "", 1.0)), &options).unwrap();
         let library = FenderLibrary::built_in().with_file(&fitted.to_toml(), "fit.toml").unwrap();

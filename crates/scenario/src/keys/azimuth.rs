@@ -1,16 +1,14 @@
 //! Keys of azimuth units.
 
-use super::world::key;
+use super::quantities::PLACE;
 use crate::spec::Absent::{Is, Means, Refused};
-use crate::spec::{Kind, Quantity, TableSpec};
+use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
-
-const PLACE: Quantity = Quantity { measure: &unit::LENGTH, low: -5000.0, high: 5000.0 };
 
 pub(crate) static AZIMUTH: TableSpec = TableSpec {
     what: "an azimuth unit",
-    doc: "A propeller that turns about the vertical. At speed it loses thrust as an open Wageningen B4-70 of \
-          pitch 1.0 does; one in a nozzle loses more.",
+    doc: "A propeller that turns about the vertical. Its thrust falls with speed like that of an open Wageningen \
+          B4-70 of pitch ratio 1.0; a ducted propeller loses more.",
     keys: &[
         key(
             "along",
@@ -30,21 +28,21 @@ pub(crate) static AZIMUTH: TableSpec = TableSpec {
             "force",
             Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e8 }),
             Refused,
-            "Thrust at rest and full power: its part of the bollard pull.",
+            "Thrust at zero speed and full power: its part of the bollard pull.",
             &["\"30 tf\""],
         ),
         key(
             "diameter",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.01, high: 50.0 }),
             Refused,
-            "Diameter of the propeller: the smaller, the less it loses with speed.",
+            "Diameter of the propeller; a smaller one loses less thrust with speed.",
             &["\"2.4 m\""],
         ),
         key(
             "rate",
             Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-4, high: 10.0 }),
             Is("\"12 deg/s\""),
-            "How fast it turns about the vertical.",
+            "Rate of turning about the vertical.",
             &["\"18 deg/s\""],
         ),
         key(
@@ -58,7 +56,7 @@ pub(crate) static AZIMUTH: TableSpec = TableSpec {
             "stop",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.01, high: 3.1 }),
             Means("it turns all the way round"),
-            "How far it turns to either side of ahead.",
+            "Largest angle to either side of ahead.",
             &["\"120 deg\""],
         ),
     ],

@@ -4,77 +4,71 @@ use fenderline_sim::berthing::{Configuration, Softness};
 
 use crate::choices::{Choice, Choices};
 use crate::spec::Absent::{Is, Means, Refused};
-use crate::spec::{KeySpec, Kind, Quantity, TableSpec};
+use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
 pub(super) static BERTHING: TableSpec = TableSpec {
     what: "a berthing",
-    doc: "Particulars of a ship and her berth, for the berthing energy by PIANC's formula that the \
-          report shows beside the energy of the run.",
+    doc: "Particulars of a ship and her berth. The report shows the berthing energy by PIANC's formula beside \
+          that of the run.",
     keys: &[
-        KeySpec {
-            name: "ship",
-            kind: Kind::BodyName,
-            absent: Refused,
-            doc: "The floating body that berths.",
-            examples: &["\"ship\""],
-        },
-        KeySpec {
-            name: "length_bp",
-            kind: Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.1, high: 5000.0 }),
-            absent: Refused,
-            doc: "Length between perpendiculars.",
-            examples: &["\"285 m\""],
-        },
-        KeySpec {
-            name: "beam",
-            kind: Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.1, high: 1000.0 }),
-            absent: Refused,
-            doc: "Beam.",
-            examples: &["\"46 m\""],
-        },
-        KeySpec {
-            name: "draught",
-            kind: Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.01, high: 100.0 }),
-            absent: Refused,
-            doc: "Draught.",
-            examples: &["\"9 m\""],
-        },
-        KeySpec {
-            name: "under_keel_clearance",
-            kind: Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 2e4 }),
-            absent: Refused,
-            doc: "Water under the keel.",
-            examples: &["\"3 m\""],
-        },
-        KeySpec {
-            name: "block_coefficient",
-            kind: Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 1.0 }),
-            absent: Refused,
-            doc: "Volume over length, beam and draught.",
-            examples: &["0.71"],
-        },
-        KeySpec {
-            name: "softness",
-            kind: Kind::Choice(&SOFTNESSES),
-            absent: Is("\"soft\""),
-            doc: "Fender against hull, for the factor Cs.",
-            examples: &["\"soft\""],
-        },
-        KeySpec {
-            name: "configuration",
-            kind: Kind::Choice(&CONFIGURATIONS),
-            absent: Is("\"open\""),
-            doc: "The berth, for the factor Cc.",
-            examples: &["\"solid\""],
-        },
-        KeySpec {
-            name: "abnormal_factor",
-            kind: Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.25, high: 2.0 }),
-            absent: Means("no abnormal berthing"),
-            doc: "Energy of an abnormal berthing over that of a normal one.",
-            examples: &["1.5"],
-        },
+        key("ship", Kind::BodyName, Refused, "The floating body that berths.", &["\"ship\""]),
+        key(
+            "length_bp",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.1, high: 5000.0 }),
+            Refused,
+            "Length between perpendiculars.",
+            &["\"285 m\""],
+        ),
+        key(
+            "beam",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.1, high: 1000.0 }),
+            Refused,
+            "Beam.",
+            &["\"46 m\""],
+        ),
+        key(
+            "draught",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.01, high: 100.0 }),
+            Refused,
+            "Draught.",
+            &["\"9 m\""],
+        ),
+        key(
+            "under_keel_clearance",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 2e4 }),
+            Refused,
+            "Water under the keel.",
+            &["\"3 m\""],
+        ),
+        key(
+            "block_coefficient",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 1.0 }),
+            Refused,
+            "Displaced volume over length, beam and draught.",
+            &["0.71"],
+        ),
+        key(
+            "softness",
+            Kind::Choice(&SOFTNESSES),
+            Is("\"soft\""),
+            "Fender against hull, for the factor Cs.",
+            &["\"soft\""],
+        ),
+        key(
+            "configuration",
+            Kind::Choice(&CONFIGURATIONS),
+            Is("\"open\""),
+            "The berth, for the factor Cc.",
+            &["\"solid\""],
+        ),
+        key(
+            "abnormal_factor",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.25, high: 2.0 }),
+            Means("no abnormal berthing"),
+            "Energy of an abnormal berthing over that of a normal one.",
+            &["1.5"],
+        ),
     ],
     rules: None,
 };

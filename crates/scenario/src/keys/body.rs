@@ -2,97 +2,94 @@
 
 use serde_json::json;
 
-use crate::spec::Absent::{Is, Means};
-use crate::spec::{KeySpec, Kind, Quantity, TableSpec};
+use super::quantities::{POSITION, SPEED};
+use crate::spec::Absent::{Is, Means, Unless};
+use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
 pub(super) static BODY: TableSpec = TableSpec {
     what: "a body",
     doc: "A ship, tug, quay or fender: fixed, or floating with a mass.",
     keys: &[
-        KeySpec {
-            name: "fixed",
-            kind: Kind::Flag,
-            absent: Is("false"),
-            doc: "True for a body that never moves; it has no mass and no velocity.",
-            examples: &["true"],
-        },
-        KeySpec {
-            name: "outline",
-            kind: Kind::Outline(Quantity { measure: &unit::LENGTH, low: -1e8, high: 1e8 }),
-            absent: Means("the outline of the vessel"),
-            doc: "Vertices, forward and to starboard of the centre of gravity, in either direction \
+        key(
+            "fixed",
+            Kind::Flag,
+            Is("false"),
+            "True for a body that never moves; it has no mass and no velocity.",
+            &["true"],
+        ),
+        key(
+            "outline",
+            Kind::Outline(POSITION),
+            Means("the outline of the vessel"),
+            "Vertices, forward and to starboard of the centre of gravity, in either direction \
                   round; need not be convex.",
-            examples: &["[[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]"],
-        },
-        KeySpec {
-            name: "vessel",
-            kind: Kind::Text,
-            absent: Means("a plain body"),
-            doc: "Kind of vessel: from this scenario, from the library (`fenderline vessels`) or from \
-                  `vessel_files`: it gives mass, added mass, outline and her coefficients.",
-            examples: &["\"container-ship\""],
-        },
-        KeySpec {
-            name: "running",
-            kind: Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -1.0, high: 1.0 }),
-            absent: Means("engine stopped"),
-            doc: "Shaft revolutions at the start, as a fraction of full revolutions.",
-            examples: &["0.3"],
-        },
-        KeySpec {
-            name: "mass",
-            kind: Kind::Quantity(Quantity { measure: &unit::MASS, low: 1e-3, high: 1e15 }),
-            absent: Means("a fixed body"),
-            doc: "Displacement, without added mass.",
-            examples: &["\"87800 t\""],
-        },
-        KeySpec {
-            name: "gyradius",
-            kind: Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 1e5 }),
-            absent: Means("`yaw_inertia` is given"),
-            doc: "Radius of gyration about the vertical through the centre of gravity.",
-            examples: &["\"74.5 m\""],
-        },
-        KeySpec {
-            name: "yaw_inertia",
-            kind: Kind::Quantity(Quantity {
-                measure: &unit::MOMENT_OF_INERTIA,
-                low: 1e-9,
-                high: 1e25,
-            }),
-            absent: Means("`gyradius` is given"),
-            doc: "Moment of inertia about the vertical through the centre of gravity.",
-            examples: &["\"4.87e8 t.m^2\""],
-        },
-        KeySpec {
-            name: "added_mass",
-            kind: Kind::Table(&ADDED_MASS),
-            absent: Means("no added mass"),
-            doc: "Added mass as fractions of mass and of yaw inertia.",
-            examples: &["{ surge = 0.031, sway = 0.506, yaw = 0.72 }"],
-        },
-        KeySpec {
-            name: "position",
-            kind: Kind::Vector(POSITION_M),
-            absent: Is("[0, 0]"),
-            doc: "Initial position of the centre of gravity: north, east.",
-            examples: &["[0, 30]", "[\"1 km\", 0]"],
-        },
-        KeySpec {
-            name: "heading",
-            kind: Kind::Quantity(Quantity { measure: &unit::ANGLE, low: -1e6, high: 1e6 }),
-            absent: Is("0"),
-            doc: "Initial heading, clockwise from north.",
-            examples: &["\"270 deg\""],
-        },
-        KeySpec {
-            name: "velocity",
-            kind: Kind::Table(&VELOCITY),
-            absent: Means("at rest"),
-            doc: "Initial velocity in the body's axes.",
-            examples: &["{ surge = \"4 kn\" }"],
-        },
+            &["[[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]"],
+        ),
+        key(
+            "vessel",
+            Kind::Text,
+            Means("a plain body"),
+            "Kind of vessel: from this scenario, from the library (`fenderline vessels`) or from `vessel_files`. It \
+                  gives mass, added mass, outline and coefficients.",
+            &["\"container-ship\""],
+        ),
+        key(
+            "running",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -1.0, high: 1.0 }),
+            Means("engine stopped"),
+            "Shaft revolutions at the start, as a fraction of full revolutions.",
+            &["0.3"],
+        ),
+        key(
+            "mass",
+            Kind::Quantity(Quantity { measure: &unit::MASS, low: 1e-3, high: 1e15 }),
+            Unless("the body is fixed or a vessel"),
+            "Displacement, without added mass.",
+            &["\"87800 t\""],
+        ),
+        key(
+            "gyradius",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 1e5 }),
+            Unless("`yaw_inertia` is given, or the body is fixed or a vessel"),
+            "Radius of gyration about the vertical through the centre of gravity.",
+            &["\"74.5 m\""],
+        ),
+        key(
+            "yaw_inertia",
+            Kind::Quantity(Quantity { measure: &unit::MOMENT_OF_INERTIA, low: 1e-9, high: 1e25 }),
+            Unless("`gyradius` is given, or the body is fixed or a vessel"),
+            "Moment of inertia about the vertical through the centre of gravity.",
+            &["\"4.87e8 t.m^2\""],
+        ),
+        key(
+            "added_mass",
+            Kind::Table(&ADDED_MASS),
+            Means("no added mass"),
+            "Added mass as fractions of mass and of yaw inertia.",
+            &["{ surge = 0.031, sway = 0.506, yaw = 0.72 }"],
+        ),
+        key(
+            "position",
+            Kind::Vector(POSITION),
+            Is("[0, 0]"),
+            "Initial position of the centre of gravity: north, east.",
+            &["[0, 30]", "[\"1 km\", 0]"],
+        ),
+        key(
+            "heading",
+            Kind::Quantity(Quantity { measure: &unit::ANGLE, low: -1e6, high: 1e6 }),
+            Is("0"),
+            "Initial heading, clockwise from north.",
+            &["\"270 deg\""],
+        ),
+        key(
+            "velocity",
+            Kind::Table(&VELOCITY),
+            Means("at rest"),
+            "Initial velocity in the body's axes.",
+            &["{ surge = \"4 kn\" }"],
+        ),
     ],
     rules: Some(|| {
         json!({
@@ -121,33 +118,31 @@ pub(super) static BODY: TableSpec = TableSpec {
     }),
 };
 
-pub(super) const POSITION_M: Quantity = Quantity { measure: &unit::LENGTH, low: -1e8, high: 1e8 };
-
 pub(super) static ADDED_MASS: TableSpec = TableSpec {
     what: "an added mass",
     doc: "Added mass as fractions of mass and of yaw inertia.",
     keys: &[
-        KeySpec {
-            name: "surge",
-            kind: Kind::Quantity(ADDED_FRACTION),
-            absent: Is("0"),
-            doc: "Added mass in surge over mass.",
-            examples: &["0.031"],
-        },
-        KeySpec {
-            name: "sway",
-            kind: Kind::Quantity(ADDED_FRACTION),
-            absent: Is("0"),
-            doc: "Added mass in sway over mass.",
-            examples: &["0.506"],
-        },
-        KeySpec {
-            name: "yaw",
-            kind: Kind::Quantity(ADDED_FRACTION),
-            absent: Is("0"),
-            doc: "Added moment of inertia in yaw over yaw inertia.",
-            examples: &["0.72"],
-        },
+        key(
+            "surge",
+            Kind::Quantity(ADDED_FRACTION),
+            Is("0"),
+            "Added mass in surge over mass.",
+            &["0.031"],
+        ),
+        key(
+            "sway",
+            Kind::Quantity(ADDED_FRACTION),
+            Is("0"),
+            "Added mass in sway over mass.",
+            &["0.506"],
+        ),
+        key(
+            "yaw",
+            Kind::Quantity(ADDED_FRACTION),
+            Is("0"),
+            "Added moment of inertia in yaw over yaw inertia.",
+            &["0.72"],
+        ),
     ],
     rules: None,
 };
@@ -158,29 +153,15 @@ pub(super) static VELOCITY: TableSpec = TableSpec {
     what: "a velocity",
     doc: "Velocity in the body's axes.",
     keys: &[
-        KeySpec {
-            name: "surge",
-            kind: Kind::Quantity(SPEED),
-            absent: Is("0"),
-            doc: "Forward.",
-            examples: &["\"4 kn\""],
-        },
-        KeySpec {
-            name: "sway",
-            kind: Kind::Quantity(SPEED),
-            absent: Is("0"),
-            doc: "To starboard.",
-            examples: &["\"-0.15 m/s\""],
-        },
-        KeySpec {
-            name: "yaw",
-            kind: Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: -1e3, high: 1e3 }),
-            absent: Is("0"),
-            doc: "Rate of turn, to starboard.",
-            examples: &["\"3 deg/s\""],
-        },
+        key("surge", Kind::Quantity(SPEED), Is("0"), "Forward.", &["\"4 kn\""]),
+        key("sway", Kind::Quantity(SPEED), Is("0"), "To starboard.", &["\"-0.15 m/s\""]),
+        key(
+            "yaw",
+            Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: -1e3, high: 1e3 }),
+            Is("0"),
+            "Rate of turn, to starboard.",
+            &["\"3 deg/s\""],
+        ),
     ],
     rules: None,
 };
-
-pub(super) const SPEED: Quantity = Quantity { measure: &unit::SPEED, low: -1e4, high: 1e4 };

@@ -3,11 +3,10 @@
 use fenderline_sim::hydro::Squat;
 use serde_json::json;
 
-use super::POSITION_M;
-use super::world::{DIRECTION, key};
+use super::quantities::{DIRECTION, POSITION};
 use crate::choices::{Choice, Choices};
-use crate::spec::Absent::{Is, Means, Refused};
-use crate::spec::{Kind, Quantity, TableSpec};
+use crate::spec::Absent::{Is, Means, Refused, Unless};
+use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
 pub(super) static ENVIRONMENT: TableSpec = TableSpec {
@@ -18,9 +17,9 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
             "depth",
             Kind::Quantity(DEPTH),
             Means("deep water"),
-            "Depth of the water below datum, negative where the bottom lies above it: shallow water slows and stiffens a vessel and makes her squat; no deeper \
-             than her draught and her squat, she is aground. Corrections are made for 1.2 draughts and more, and what \
-             shallow water does is held below 1.1.",
+            "Depth of the water below datum; negative if the bottom is above datum. Shallow water changes hull forces and \
+             added mass and makes a vessel squat; she is aground where the depth is less than draught and squat. \
+             The corrections cover 1.2 draughts and more; below 1.1 draughts they keep their values there.",
             &["\"14 m\""],
         ),
         key(
@@ -34,14 +33,14 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
             "squat",
             Kind::Choice(&SQUATS),
             Means("\"icorels\" where `depth` is given"),
-            "How much deeper a vessel under way sits in shallow water, by formulas as PIANC has them for open water. \
-             They are for the deepest point of the hull; it is taken for the whole: she does not trim.",
+            "Sinkage of a vessel under way in shallow water, by one of PIANC's formulas for open water. The formulas give \
+             the deepest point of the hull; here the whole hull sinks by that much, without trim.",
             &["\"icorels\""],
         ),
         key(
             "tide",
             Kind::Table(&TIDE),
-            Means("the water stands at datum"),
+            Means("the water level is at datum"),
             "Level of the water above datum: it is added to `depth`, and heights on bodies that do not float \
              (`above_water` of a fender, `bollard_height` of a line) count from datum.",
             &["{ level = \"1.8 m\" }"],
@@ -53,9 +52,9 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
             "bank",
             Kind::List(&BANK),
             Is("[]"),
-            "UNVALIDATED: banks that draw a vessel under way to them and turn her bow away, by Norrbin's formulas for \
-             a vertical wall, which are recalled; no source of them could be read. A bank is no obstacle: give it a \
-             fixed body too.",
+            "UNVALIDATED. Banks that attract a vessel under way and turn her bow away, by Norrbin's formulas for a \
+             vertical wall, which are written from memory; no source could be read. A bank is not an obstacle: add \
+             a fixed body for it.",
             &["[{ from = [-500, 40], to = [500, 40] }]"],
         ),
     ],
@@ -64,14 +63,14 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
 
 static TIDE: TableSpec = TableSpec {
     what: "a tide",
-    doc: "Level of the water above datum: a `level`, always the same or with constituents about it, or a `file`. A \
-          vessel's hull forces, her squat and the water under her keel follow the tide; her added mass is that of \
-          the start, and so is the depth that waves feel.",
+    doc: "Level of the water above datum: a constant `level`, constituents about a mean `level`, or a `file`. A \
+          vessel's hull forces, squat and under-keel clearance follow the tide. Her added mass and the depth that \
+          waves feel stay those of the start.",
     keys: &[
         key(
             "level",
             Kind::Quantity(LEVEL),
-            Means("`file` is given"),
+            Unless("`file` is given"),
             "Level above datum; the mean level where there are constituents.",
             &["\"1.8 m\""],
         ),
@@ -79,13 +78,13 @@ static TIDE: TableSpec = TableSpec {
             "constituent",
             Kind::List(&CONSTITUENT),
             Is("[]"),
-            "What is added to the level: amplitude x cos(2 pi t / period - lag) each.",
+            "Each adds amplitude x cos(2 pi t / period - lag) to the level.",
             &["[{ amplitude = \"1.5 m\", period = \"12.4206 h\", lag = \"90 deg\" }]"],
         ),
         key(
             "file",
             Kind::FileName,
-            Means("`level` is given"),
+            Unless("`level` is given"),
             "The level in time: a CSV file beside this one with the columns t_s and level_m. Straight lines between \
              the rows; held before the first and after the last.",
             &["\"tide.csv\""],
@@ -110,7 +109,7 @@ static CONSTITUENT: TableSpec = TableSpec {
             "amplitude",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 30.0 }),
             Refused,
-            "Amplitude: half of what it rises.",
+            "Amplitude: half the range.",
             &["\"1.5 m\""],
         ),
         key(
@@ -138,21 +137,21 @@ static WIND: TableSpec = TableSpec {
         key(
             "speed",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.0, high: 120.0 }),
-            Means("`file` is given"),
+            Unless("`file` is given"),
             "Mean speed.",
             &["\"12 m/s\""],
         ),
         key(
             "from",
             Kind::Quantity(DIRECTION),
-            Means("`file` is given"),
+            Unless("`file` is given"),
             "Where it comes from, clockwise from north.",
             &["\"270 deg\""],
         ),
         key(
             "file",
             Kind::FileName,
-            Means("`speed` and `from` are given"),
+            Unless("`speed` and `from` are given"),
             "A wind that changes in time: a CSV file beside this one with the columns t_s, speed_mps and from_deg. \
              Straight lines between the rows, the shorter way round for the direction; held before the first and \
              after the last.",
@@ -188,20 +187,20 @@ const SEED: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 
 
 static CURRENT: TableSpec = TableSpec {
     what: "a current",
-    doc: "A current: the same everywhere and always (`speed`, `towards`), by depth (`profile`), or by place and \
-          time (`file`). A vessel meets that of her centre of gravity, by depth the mean over her draught.",
+    doc: "A current: uniform and steady (`speed`, `towards`), by depth (`profile`), or by place and time (`file`). A \
+          vessel feels the current at her centre of gravity, averaged over her draught.",
     keys: &[
         key(
             "speed",
             Kind::Quantity(CURRENT_SPEED),
-            Means("`profile` or `file` is given"),
-            "Speed, the same everywhere and always.",
+            Unless("`profile` or `file` is given"),
+            "Speed, uniform and steady.",
             &["\"0.5 kn\""],
         ),
         key(
             "towards",
             Kind::Quantity(DIRECTION),
-            Means("`profile` or `file` is given"),
+            Unless("`profile` or `file` is given"),
             "Where it runs to, clockwise from north.",
             &["\"10 deg\""],
         ),
@@ -218,12 +217,11 @@ static CURRENT: TableSpec = TableSpec {
         key(
             "file",
             Kind::FileName,
-            Means("`speed` and `towards`, or `profile`, are given"),
+            Unless("`speed` and `towards`, or `profile`, are given"),
             "A current by place and time: a CSV file beside this one. Columns: the velocity as north_mps and \
-             east_mps, or as speed_mps and towards_deg; north_m and east_m, without which it is the same \
-             everywhere; t_s, without which it is the same always. One row for each combination of the places' \
-             northings, their eastings and the times, in any order, and no holes. Linear in time, bilinear in \
-             place; beyond the edges the edge is held.",
+             east_mps, or as speed_mps and towards_deg; north_m and east_m, without which it is uniform; \
+             t_s, without which it is steady. One row for each combination of north_m, east_m and t_s, in any \
+             order. Linear in time, bilinear in place; outside the grid the value at its edge is used.",
             &["\"current.csv\""],
         ),
     ],
@@ -312,8 +310,8 @@ static WAVES: TableSpec = TableSpec {
             "spreading",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 100.0 }),
             Means("long crests: all waves run in one direction"),
-            "Short crests: waves run in directions about the mean one, their energy by cos^n of the angle off it. n 2 for a \
-             sea under wind, more for swell. Mean forces are less than in long crests. Not for a regular wave.",
+            "Short crests: the exponent n of a cos^n spreading of the energy about the mean direction; 2 for a wind sea, \
+             more for swell. Mean forces are smaller than in long crests. Not for a regular wave.",
             &["2"],
         ),
         key("seed", Kind::Quantity(SEED), Is("1"), "Seed of the phases.", &["7"]),
@@ -349,18 +347,18 @@ static BANK: TableSpec = TableSpec {
     what: "a bank",
     doc: "A straight vertical bank. Its effect is UNVALIDATED.",
     keys: &[
-        key("from", Kind::Vector(POSITION_M), Refused, "One end: north, east.", &["[-500, 40]"]),
-        key("to", Kind::Vector(POSITION_M), Refused, "The other end: north, east.", &["[500, 40]"]),
+        key("from", Kind::Vector(POSITION), Refused, "One end: north, east.", &["[-500, 40]"]),
+        key("to", Kind::Vector(POSITION), Refused, "The other end: north, east.", &["[500, 40]"]),
     ],
     rules: None,
 };
 
-/// What the file of a vessel's response in waves is.
+/// The description of `wave_response`.
 pub(super) const WAVE_RESPONSE_DOC: &str = "Her first-order motion in waves by a table of response amplitude \
     operators: a CSV file beside this one. Columns: omega_radps, the waves' own frequency; heading_deg, where they run \
     to from the bow: 0 from astern, 90 from port, 180 from ahead, from 0 to 180 (from starboard is the mirror); \
-    heave_mpm, roll_degpm and pitch_degpm, and if there are any surge_mpm, sway_mpm and yaw_degpm: amplitude for a \
-    wave of 1 m amplitude; and to each its phase, heave_phase_deg and so on: by how much the motion's greatest value \
-    is ahead of the crest's passage amidships. Motions of midship: surge forward, sway to starboard, heave DOWN, roll \
-    to starboard, pitch bow up, yaw to starboard. One row for each combination of frequency and heading, and no holes. \
-    Linear between the rows, held at the edges.";
+    heave_mpm, roll_degpm and pitch_degpm, and optionally surge_mpm, sway_mpm and yaw_degpm: amplitude in a wave of \
+    1 m amplitude; and the phase of each, heave_phase_deg and so on: the lead of the motion's maximum over the \
+    crest's passage amidships. Motions of midship: surge forward, sway to starboard, heave DOWN, roll \
+    to starboard, pitch bow up, yaw to starboard. One row for each combination of frequency and heading. \
+    Linear between the rows; outside the grid the value at its edge is used.";

@@ -7,70 +7,96 @@ use fenderline_sim::order::{
 };
 use serde_json::{Value as Json, json};
 
-use super::world::{TIME, key};
+use super::quantities::TIME;
 use crate::choices::{Choice, Choices};
 use crate::spec::Absent::{self, Is, Means, Refused};
-use crate::spec::{KeySpec, Kind, Quantity, TableSpec};
+use crate::spec::{KeySpec, Kind, Quantity, TableSpec, key};
 use crate::units::Measure;
 use crate::units::measures as unit;
 
-/// An order to a vessel's engine by a word of the telegraph.
+/// An order to a vessel's engine in a word of the telegraph.
 pub(crate) const TELEGRAPH: &str = "telegraph";
+
+/// The argument of a tug's push or pull that is a key beside the order.
+pub(crate) const DIRECTION: &str = "direction";
 
 pub(crate) static ORDER: TableSpec = TableSpec {
     what: "an order",
-    doc: "What a vessel (`vessel`), a tug (`tug`) or a line (`line`) is ordered at a time: one thing for each order.",
+    doc: "An order to a vessel (`vessel`), a tug (`tug`) or a line (`line`) at a time; each [[order]] has one.",
     keys: &KEYS,
     rules: Some(rules),
 };
 
 /// How many orders there are.
 const ORDERS: usize = OrderName::ALL.len();
-/// The keys that come before the orders.
-const HEAD: usize = 6;
 /// The most arguments of an order.
 const MOST_ARGUMENTS: usize = 4;
 const ANOTHER: Absent = Means("another order");
+/// Fills an array until its keys are known.
+const PLACEHOLDER: KeySpec = key("", Kind::Flag, ANOTHER, "", &[]);
 
-static KEYS: [KeySpec; HEAD + ORDERS] = {
-    let mut keys = [const { key("", Kind::Flag, ANOTHER, "", &[]) }; HEAD + ORDERS];
-    keys[0] = key("at", Kind::Quantity(TIME), Is("0"), "When.", &["\"90 s\""]);
-    keys[1] = key(
+/// The keys that come before the orders: time, target, telegraph, and the direction of a push or pull.
+const HEAD: &[KeySpec] = &[
+    key("at", Kind::Quantity(TIME), Is("0"), "Time of the order.", &["\"90 s\""]),
+    key(
         "vessel",
         Kind::BodyName,
         Means("it is for a tug or a line"),
         "The body of the vessel.",
         &["\"ship\""],
-    );
-    keys[2] =
-        key("tug", Kind::Text, Means("it is for a vessel or a line"), "The tug.", &["\"bow tug\""]);
-    keys[3] = key(
-        "line",
-        Kind::Text,
-        Means("it is for a vessel or a tug"),
-        "The line.",
-        &["\"head line\""],
-    );
-    keys[4] = key(
+    ),
+    key("tug", Kind::Text, Means("it is for a vessel or a line"), "The tug.", &["\"bow tug\""]),
+    key("line", Kind::Text, Means("it is for a vessel or a tug"), "The line.", &["\"head line\""]),
+    key(
         TELEGRAPH,
         Kind::Choice(&TELEGRAPH_WORDS),
         ANOTHER,
-        "Engine by the words of the telegraph.",
+        "Engine order in the words of the telegraph.",
         &["\"slow astern\""],
-    );
-    keys[5] = argument_key(&OrderName::Push.spec().arguments[1]);
+    ),
+    argument_key(argument(OrderName::Push, DIRECTION)),
+];
+
+static KEYS: [KeySpec; HEAD.len() + ORDERS] = {
+    let mut keys = [PLACEHOLDER; HEAD.len() + ORDERS];
     let mut index = 0;
-    while index < ORDERS {
-        keys[HEAD + index] = key_of(OrderName::ALL[index]);
+    while index < keys.len() {
+        keys[index] = if index < HEAD.len() {
+            HEAD[index]
+        } else {
+            key_of(OrderName::ALL[index - HEAD.len()])
+        };
         index += 1;
     }
     keys
 };
 
-/// The arguments of the orders that are tables.
+/// The argument of this name. The compiler refuses an order without it.
+const fn argument(order: OrderName, name: &str) -> &'static Argument {
+    let arguments = order.spec().arguments;
+    let mut index = 0;
+    while index < arguments.len() {
+        if is_same(arguments[index].name, name) {
+            return &arguments[index];
+        }
+        index += 1;
+    }
+    panic!("the order has no argument of this name")
+}
+
+/// Equality of texts at compile time.
+const fn is_same(one: &str, other: &str) -> bool {
+    let (one, other) = (one.as_bytes(), other.as_bytes());
+    let mut index = 0;
+    while index < one.len() && index < other.len() && one[index] == other[index] {
+        index += 1;
+    }
+    index == one.len() && index == other.len()
+}
+
+/// The keys of the arguments of each order.
 static ARGUMENTS: [[KeySpec; MOST_ARGUMENTS]; ORDERS] = {
-    let mut all =
-        [const { [const { key("", Kind::Flag, ANOTHER, "", &[]) }; MOST_ARGUMENTS] }; ORDERS];
+    let mut all = [[PLACEHOLDER; MOST_ARGUMENTS]; ORDERS];
     let mut order = 0;
     while order < ORDERS {
         let arguments = OrderName::ALL[order].spec().arguments;
@@ -84,7 +110,7 @@ static ARGUMENTS: [[KeySpec; MOST_ARGUMENTS]; ORDERS] = {
     all
 };
 
-/// The tables of the orders that have more than one number.
+/// The tables of the orders of form [`Form::Table`].
 static TABLES: [TableSpec; ORDERS] = {
     let mut all =
         [const { TableSpec { what: "an order", doc: "", keys: &[], rules: None } }; ORDERS];
@@ -108,11 +134,11 @@ static TABLES: [TableSpec; ORDERS] = {
 /// How the key of an order holds its arguments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
-    /// `true`: it has none.
+    /// `true`: it has no arguments.
     Flag,
-    /// The first of them, a number; others stand beside it.
+    /// The first argument, a number. The others are keys beside the order.
     Number,
-    /// All of them, by name.
+    /// A table of all arguments.
     Table,
 }
 
@@ -194,7 +220,7 @@ fn power_or_direction() -> Json {
     json!({ "anyOf": [{ "required": ["power"] }, { "required": ["direction"] }] })
 }
 
-/// One order for one target; a flag that is false would ask for nothing.
+/// One order for one target. A flag must be true: false would order nothing.
 fn rules() -> Json {
     let flags = OrderName::ALL.iter().filter(|order| form(**order) == Form::Flag);
     let flags: serde_json::Map<String, Json> =
@@ -208,7 +234,7 @@ fn rules() -> Json {
             .map(|word| (word.to_owned(), json!(false)))
             .collect();
         if kind != TargetKind::Tug {
-            refused.insert("direction".to_owned(), json!(false));
+            refused.insert(DIRECTION.to_owned(), json!(false));
         }
         json!({ "allOf": [{ "required": [kind.word()], "oneOf": own }, { "properties": refused }] })
     };

@@ -1,43 +1,39 @@
-//! Keys of programs that put forces on bodies.
+//! Keys of external programs that apply forces to bodies.
 
+use super::load::FLOATING_BODY;
+use super::quantities::TIME;
 use crate::spec::Absent::{Is, Refused};
-use crate::spec::{KeySpec, Kind, Quantity, TableSpec};
+use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
 pub(super) static PROVIDER: TableSpec = TableSpec {
     what: "a provider",
-    doc: "Another program that puts a force on a body each step. It is started with the run and asked once \
-          a step by one line of JSON on its standard input; its answer is one line on its standard \
-          output (examples/provider shows one in Python).",
+    doc: "An external program that applies a force to a body. It is started with the run. Each step it gets one \
+          line of JSON on its standard input and answers with one line on its standard output \
+          (examples/provider has one in Python).",
     keys: &[
-        KeySpec {
-            name: "body",
-            kind: Kind::BodyName,
-            absent: Refused,
-            doc: "The floating body that it acts on.",
-            examples: &["\"ship\""],
-        },
-        KeySpec {
-            name: "command",
-            kind: Kind::Texts,
-            absent: Refused,
-            doc: "Program and arguments; relative paths start where the run was started.",
-            examples: &["[\"python3\", \"examples/provider/drag.py\"]"],
-        },
-        KeySpec {
-            name: "timeout",
-            kind: Kind::Quantity(Quantity { measure: &unit::TIME, low: 1e-3, high: 3600.0 }),
-            absent: Is("1"),
-            doc: "How long a step waits for its answer.",
-            examples: &["\"0.5 s\""],
-        },
-        KeySpec {
-            name: "hold",
-            kind: Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 1e9 }),
-            absent: Is("5"),
-            doc: "How long its last force is held when it falls silent; then it is dropped.",
-            examples: &["\"2 s\""],
-        },
+        FLOATING_BODY,
+        key(
+            "command",
+            Kind::Texts,
+            Refused,
+            "Program and arguments. Relative paths start from the folder in which the run was started.",
+            &["[\"python3\", \"examples/provider/drag.py\"]"],
+        ),
+        key(
+            "timeout",
+            Kind::Quantity(Quantity { measure: &unit::TIME, low: 1e-3, high: 3600.0 }),
+            Is("1"),
+            "Longest time that a step waits for the answer.",
+            &["\"0.5 s\""],
+        ),
+        key(
+            "hold",
+            Kind::Quantity(TIME),
+            Is("5"),
+            "How long the last force stays in effect when answers stop; after that there is no force.",
+            &["\"2 s\""],
+        ),
     ],
     rules: None,
 };

@@ -4,34 +4,34 @@ use fenderline_sim::{Integrator, Method};
 
 use crate::choices::{Choice, Choices};
 use crate::spec::Absent::{Is, Refused};
-use crate::spec::{KeySpec, Kind, Quantity, TableSpec};
+use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
 pub(super) static TIME: TableSpec = TableSpec {
     what: "a time table",
     doc: "Time step and length of the run.",
     keys: &[
-        KeySpec {
-            name: "step",
-            kind: Kind::Quantity(Quantity { measure: &unit::TIME, low: 1e-6, high: 1e4 }),
-            absent: Refused,
-            doc: "Time step.",
-            examples: &["\"0.1 s\"", "0.1"],
-        },
-        KeySpec {
-            name: "duration",
-            kind: Kind::Quantity(Quantity { measure: &unit::TIME, low: 1e-6, high: 1e9 }),
-            absent: Refused,
-            doc: "Length of the run: at most 1e9 steps.",
-            examples: &["\"20 s\"", "\"15 min\""],
-        },
-        KeySpec {
-            name: "integrator",
-            kind: Kind::Choice(&INTEGRATORS),
-            absent: Is("\"semi_implicit\""),
-            doc: "How states advance from step to step.",
-            examples: &["\"euler\""],
-        },
+        key(
+            "step",
+            Kind::Quantity(Quantity { measure: &unit::TIME, low: 1e-6, high: 1e4 }),
+            Refused,
+            "Time step.",
+            &["\"0.1 s\"", "0.1"],
+        ),
+        key(
+            "duration",
+            Kind::Quantity(Quantity { measure: &unit::TIME, low: 1e-6, high: 1e9 }),
+            Refused,
+            "Length of the run: at most 1e9 steps.",
+            &["\"20 s\"", "\"15 min\""],
+        ),
+        key(
+            "integrator",
+            Kind::Choice(&INTEGRATORS),
+            Is("\"semi_implicit\""),
+            "How states advance from step to step.",
+            &["\"euler\""],
+        ),
     ],
     rules: None,
 };
@@ -53,13 +53,13 @@ static INTEGRATORS: Choices<Integrator> = Choices(&[
 pub(super) static CONTACT: TableSpec = TableSpec {
     what: "a contact table",
     doc: "How contact forces are computed.",
-    keys: &[KeySpec {
-        name: "method",
-        kind: Kind::Choice(&METHODS),
-        absent: Is("\"coupled\""),
-        doc: "Which method limits contact forces.",
-        examples: &["\"coupled\""],
-    }],
+    keys: &[key(
+        "method",
+        Kind::Choice(&METHODS),
+        Is("\"coupled\""),
+        "Method for contact forces.",
+        &["\"coupled\""],
+    )],
     rules: None,
 };
 
@@ -67,11 +67,11 @@ pub(super) static METHODS: Choices<Method> = Choices(&[
     Choice {
         word: "coupled",
         value: Method::Coupled,
-        doc: "one solve for all contacts of a step with the loads in it, and sub-steps",
+        doc: "solves all contacts of a step together with the loads, in sub-steps",
     },
     Choice {
         word: "paper",
         value: Method::Paper,
-        doc: "the paper's impulse-momentum limiter, each pair by itself",
+        doc: "the paper's impulse-momentum limit, for each pair separately",
     },
 ]);

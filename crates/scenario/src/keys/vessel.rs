@@ -4,24 +4,25 @@ use serde_json::json;
 
 use super::azimuth::AZIMUTH;
 use super::environment::WAVE_RESPONSE_DOC;
+use super::quantities::{FORCE, LENGTH, PLACE};
 use super::windage::WINDAGE;
-use super::world::{FORCE, LENGTH, PLACE, key};
+
 use crate::spec::Absent::{Is, Means, Refused};
-use crate::spec::{Kind, Quantity, TableSpec};
+use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
 pub(super) static VESSEL: TableSpec = TableSpec {
     what: "a vessel",
-    doc: "A kind of vessel of the scenario's own: from main particulars, with everything else estimated and said \
-          so, or from one of the library with other machinery, wind areas or stability. Bodies name it by their key \
+    doc: "A kind of vessel: from main particulars, with everything else estimated and reported as an estimate, or a \
+          vessel of the library with other machinery, wind areas or stability. Bodies name it by their key \
           `vessel`; several may be of one kind.",
     keys: &[
         key(
             "from",
             Kind::Text,
-            Means("she has particulars of her own"),
-            "A vessel of the library or of `vessel_files`: she keeps her hull, propeller and rudder; thrusters, azimuth \
-             units, wind areas and stability given here replace hers.",
+            Means("it has its own particulars"),
+            "A vessel of the library or of `vessel_files`. Its hull, propeller and rudder stay; thrusters, azimuth \
+             units, wind areas and stability given here replace its own.",
             &["\"kvlcc2\""],
         ),
         key(
@@ -167,7 +168,7 @@ static RUDDER: TableSpec = TableSpec {
             "stop",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.01, high: 1.57 }),
             Means("that of `from`, or 35 deg"),
-            "Its stop to either side.",
+            "Largest angle to either side.",
             &["\"35 deg\""],
         ),
     ],

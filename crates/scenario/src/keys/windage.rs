@@ -1,18 +1,19 @@
-//! Keys of a vessel's wind areas and of the method that makes forces of them.
+//! Keys of a vessel's wind areas and of the method that computes wind forces from them.
 
 use serde_json::{Value as Json, json};
 
-use super::world::{LENGTH, PLACE, key};
+use super::quantities::{LENGTH, PLACE};
+
 use crate::choices::{Choice, Choices};
 use crate::spec::Absent::{Is, Means, Refused};
-use crate::spec::{Kind, Quantity, TableSpec};
+use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
 const AREA: Quantity = Quantity { measure: &unit::AREA, low: 1e-4, high: 1e6 };
 
 pub(crate) static WINDAGE: TableSpec = TableSpec {
     what: "a windage",
-    doc: "Wind areas, and the method that makes forces of them.",
+    doc: "Wind areas, and the method that computes wind forces from them.",
     keys: &[
         key(
             "method",
@@ -39,7 +40,7 @@ pub(crate) static WINDAGE: TableSpec = TableSpec {
             "length_overall",
             Kind::Quantity(LENGTH),
             Means("the length between perpendiculars"),
-            "Length overall, which the coefficients are made for.",
+            "Length overall, to which the coefficients refer.",
             &["\"298 m\""],
         ),
         key(
@@ -168,6 +169,6 @@ pub(crate) static METHODS: Choices<WindageMethod> = Choices(&[
         word: "fujiwara",
         value: WindageMethod::Fujiwara,
         doc: "Fujiwara, Ueno & Nimura 1998: a regression over ships with a superstructure; coefficients read in a \
-             public code, not in the paper; no printed number was found to hold them against",
+             public code, not in the paper; no printed number was found to compare with",
     },
 ]);

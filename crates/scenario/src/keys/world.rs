@@ -3,39 +3,23 @@
 use fenderline_sim::mooring::RopeCurve;
 use serde_json::json;
 
-use super::POSITION_M;
+use super::quantities::{FORCE, LENGTH, PLACE, POSITION, TIME};
 use crate::choices::{Choice, Choices};
-use crate::spec::Absent::{Is, Means, Refused};
-use crate::spec::{KeySpec, Kind, Quantity, TableSpec};
+use crate::spec::Absent::{Is, Means, Refused, Unless};
+use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
-
-pub(crate) const LENGTH: Quantity = Quantity { measure: &unit::LENGTH, low: 0.01, high: 5000.0 };
-pub(crate) const PLACE: Quantity = Quantity { measure: &unit::LENGTH, low: -5000.0, high: 5000.0 };
-pub(super) const DIRECTION: Quantity = Quantity { measure: &unit::ANGLE, low: -100.0, high: 100.0 };
-pub(super) const TIME: Quantity = Quantity { measure: &unit::TIME, low: 0.0, high: 1e9 };
-pub(super) const FORCE: Quantity = Quantity { measure: &unit::FORCE, low: 1.0, high: 1e8 };
-
-pub(crate) const fn key(
-    name: &'static str,
-    kind: Kind,
-    absent: crate::spec::Absent,
-    doc: &'static str,
-    examples: &'static [&'static str],
-) -> KeySpec {
-    KeySpec { name, kind, absent, doc, examples }
-}
 
 pub(super) static TUG: TableSpec = TableSpec {
     what: "a tug",
-    doc: "A tug that is a force at a point of a vessel: what she can give falls with speed (derived, \
-          unvalidated). For one that pushes through her own bow fender use a vessel with azimuth units and the \
+    doc: "A tug as a force at a point of a vessel. Her largest force falls with speed (derived, \
+          unvalidated). For a tug that pushes through her own bow fender, use a vessel with azimuth units and the \
           orders `push_ship`, `pull_ship` and `follow_ship`.",
     keys: &[
         key(
             "vessel",
             Kind::BodyName,
             Refused,
-            "The body of the vessel that she serves.",
+            "The body of the vessel that the tug serves.",
             &["\"ship\""],
         ),
         key("bollard_pull", Kind::Quantity(FORCE), Refused, "Bollard pull.", &["\"60 tf\""]),
@@ -60,7 +44,7 @@ pub(super) static TUG: TableSpec = TableSpec {
             "delay",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 3600.0 }),
             Is("5"),
-            "From an order to its beginning.",
+            "Time from an order to its start.",
             &["\"5 s\""],
         ),
         key(
@@ -82,13 +66,13 @@ pub(super) static LINE: TableSpec = TableSpec {
             "from",
             Kind::BodyName,
             Refused,
-            "The body that has the winch or the bitts.",
+            "The body that holds the line, with a winch or bitts.",
             &["\"ship\""],
         ),
         key(
             "fairlead",
-            Kind::Point(POSITION_M),
-            Means("`chock` is given instead"),
+            Kind::Point(POSITION),
+            Unless("`chock` is given"),
             "Fairlead, forward and starboard of the body's origin.",
             &["[140, 5]"],
         ),
@@ -102,7 +86,7 @@ pub(super) static LINE: TableSpec = TableSpec {
         key(
             "chock",
             Kind::Text,
-            Means("`fairlead` is given instead"),
+            Unless("`fairlead` is given"),
             "A chock of the vessel that `from` is, instead of `fairlead` and `fairlead_height`.",
             &["\"head\""],
         ),
@@ -110,13 +94,13 @@ pub(super) static LINE: TableSpec = TableSpec {
             "to",
             Kind::BodyName,
             Refused,
-            "The body that the other end is fast to: a quay, a ship.",
+            "The body at the other end: a quay, a ship.",
             &["\"quay\""],
         ),
         key(
             "bollard",
-            Kind::Point(POSITION_M),
-            Means("`bitts` is given instead"),
+            Kind::Point(POSITION),
+            Unless("`bitts` is given"),
             "Bollard, forward and starboard of that body's origin.",
             &["[170, 4]"],
         ),
@@ -130,11 +114,11 @@ pub(super) static LINE: TableSpec = TableSpec {
         key(
             "bitts",
             Kind::Text,
-            Means("`bollard` is given instead"),
+            Unless("`bollard` is given"),
             "Bitts of the vessel that `to` is, instead of `bollard` and `bollard_height`.",
             &["\"fore\""],
         ),
-        key("rope", Kind::Choice(&ROPES), Refused, "What it is made of.", &["\"hmpe\""]),
+        key("rope", Kind::Choice(&ROPES), Refused, "Material of the rope.", &["\"hmpe\""]),
         key(
             "break_load",
             Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
@@ -152,14 +136,14 @@ pub(super) static LINE: TableSpec = TableSpec {
         key(
             "length",
             Kind::Quantity(LENGTH),
-            Means("`pretension` is given"),
+            Unless("`pretension` is given"),
             "Unstretched length outboard, tail included.",
             &["\"45 m\""],
         ),
         key(
             "pretension",
             Kind::Quantity(FORCE),
-            Means("`length` is given"),
+            Unless("`length` is given"),
             "Tension with which it is made fast.",
             &["\"100 kN\""],
         ),
@@ -194,7 +178,7 @@ static TAIL: TableSpec = TableSpec {
     what: "a tail",
     doc: "A softer tail in series.",
     keys: &[
-        key("rope", Kind::Choice(&ROPES), Is("\"nylon\""), "What it is made of.", &["\"nylon\""]),
+        key("rope", Kind::Choice(&ROPES), Is("\"nylon\""), "Material of the rope.", &["\"nylon\""]),
         key(
             "break_load",
             Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),

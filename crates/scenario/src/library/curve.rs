@@ -1,4 +1,4 @@
-//! Curves of straight pieces.
+//! Piecewise linear curves.
 
 use fenderline_contact::number::lesser;
 

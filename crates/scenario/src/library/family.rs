@@ -1,4 +1,4 @@
-//! What a fender file says, in SI units. A fender stands as its weakest part does.
+//! The contents of a fender file, in SI units. The standing of a fender is that of its weakest part.
 
 use fenderline_contact::Unloading;
 use fenderline_sim::hydro::vessels::Standing;
@@ -10,17 +10,15 @@ pub struct Family {
     pub name: String,
     /// Rated deflection over height.
     pub rated_deflection: f64,
-    /// Deflection over height against reaction over rated reaction, from (0, 0), deflections rising;
-    /// straight between.
+    /// Deflection over height against reaction over rated reaction, from (0, 0), deflections rising; piecewise linear.
     pub curve: Vec<(f64, f64)>,
-    /// Deflection over height against energy over rated energy as published; empty where none was.
-    /// Nothing is computed from it.
+    /// Deflection over height against energy over rated energy as published; empty where none was. For comparison only.
     pub published_energy: Vec<(f64, f64)>,
     /// Where the curve comes from.
     pub source: String,
     /// How well that is known.
     pub standing: Standing,
-    /// How the reaction falls when the hull retreats.
+    /// How the reaction falls in unloading.
     pub unloading: Option<FamilyUnloading>,
     /// Temperature (°C) against factor on the reaction.
     pub temperature: Option<FactorTable>,
@@ -32,16 +30,17 @@ pub struct Family {
     pub angle_reaction: Option<FactorTable>,
     /// Manufacturing tolerance of reaction and energy.
     pub tolerance: Option<Tolerance>,
-    /// Index into `sizes` of the one from which others are scaled.
+    /// Index of the size from which others are scaled.
     pub reference: Option<usize>,
     /// Sizes, in the order of the file.
     pub sizes: Vec<FenderSize>,
 }
 
-/// How the reaction of a family falls when the hull retreats.
+/// How the reaction of a family falls in unloading.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FamilyUnloading {
-    /// The energy given back, or the unloading curve with deflections over height and reactions over rated reaction.
+    /// The share of energy returned, or the unloading curve with deflections over height and reactions over rated
+    /// reaction.
     pub law: Unloading,
     /// Where it comes from.
     pub source: String,
@@ -54,7 +53,7 @@ pub struct FamilyUnloading {
 pub struct FactorTable {
     /// Rows, the first number rising.
     pub points: Vec<(f64, f64)>,
-    /// Where the factors hold, where the file says so.
+    /// For which fenders the factors hold, if the file says so.
     pub holds: Option<String>,
     /// Where they come from.
     pub source: String,
@@ -84,11 +83,11 @@ pub struct FenderSize {
     pub length_m: Option<f64>,
     /// Rated reaction (N).
     pub rated_reaction_n: f64,
-    /// Rated energy as published (J); nothing is computed from it.
+    /// Rated energy as published (J); for comparison only.
     pub published_energy_j: Option<f64>,
     /// Pressure on the hull at the rated deflection (N/m²).
     pub hull_pressure_npm2: Option<f64>,
-    /// Pressure of a fender blown up at no deflection (N/m²).
+    /// Inner pressure of a pneumatic fender at zero deflection (N/m²).
     pub initial_pressure_npm2: Option<f64>,
     /// Where it comes from.
     pub source: String,

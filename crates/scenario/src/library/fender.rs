@@ -11,7 +11,7 @@ use super::family::{FactorTable, Family, FenderSize};
 pub struct CatalogueFender {
     /// Family.
     pub family: String,
-    /// Size within the family, or how it was made where it is none of the catalogue's.
+    /// Size within the family; for a size that the catalogue does not have, how it was derived.
     pub designation: String,
     /// Extent in the direction of compression (m).
     pub height_m: f64,
@@ -26,10 +26,10 @@ pub struct CatalogueFender {
     /// Rated energy as published (J), where it was. It differs from the integral by several per cent
     /// (13 % for the smallest pneumatic fender) and is not used.
     pub published_energy_j: Option<f64>,
-    /// Deflection (m) against reaction (N), from (0, 0), deflections rising; straight between. It may
-    /// reach beyond the rated deflection.
+    /// Deflection (m) against reaction (N), from (0, 0), deflections rising; piecewise linear. It may reach beyond the
+    /// rated deflection.
     pub curve: Vec<(f64, f64)>,
-    /// How the reaction falls when the hull retreats, where the family says it.
+    /// How the reaction falls in unloading, where the family has it.
     pub unloading: Option<Unloading>,
     /// Temperature (°C) against factor on the reaction; empty where none is known.
     pub temperature_factors: Vec<(f64, f64)>,
@@ -43,15 +43,15 @@ pub struct CatalogueFender {
     pub tolerance: Option<f64>,
     /// Pressure on the hull at the rated deflection (N/m²); `None` where the panel sets it.
     pub hull_pressure_npm2: Option<f64>,
-    /// Pressure of a fender blown up at no deflection (N/m²).
+    /// Inner pressure of a pneumatic fender at zero deflection (N/m²).
     pub initial_pressure_npm2: Option<f64>,
-    /// Whether a panel presses on the hull. Not in a family of which any size has a hull pressure of its own.
+    /// Whether a panel presses on the hull. False in a family of which any size has its own hull pressure.
     pub has_panel: bool,
     /// Where curve and rating come from.
     pub source: String,
-    /// The weaker of their standings, and at best `Derived` where the published energy and the
-    /// integral differ by more than [`CatalogueFender::TOLERANCE`]: such a curve is not this size's own.
-    /// Unloading, factors and tolerance keep their own standings in the family.
+    /// The weaker standing of curve and rating. At best `Derived` where the published energy and the integral differ by
+    /// more than [`CatalogueFender::TOLERANCE`]: the curve was then not measured on this size. Unloading, factors and
+    /// tolerance have their own standings in the family.
     pub standing: Standing,
 }
 
@@ -125,8 +125,8 @@ fn scaled_law(law: &Unloading, height_m: f64, reaction_n: f64) -> Unloading {
     }
 }
 
-/// A size of another height, alike in shape and rubber: lengths grow with the height, reaction with
-/// its square and so energy with its cube, pressures stay.
+/// A geometrically similar size of another height: lengths scale with height, reaction with its square, and so energy
+/// with its cube; pressures stay the same.
 pub(super) fn scaled(reference: &FenderSize, height_m: f64) -> FenderSize {
     let ratio = height_m / reference.height_m;
     FenderSize {

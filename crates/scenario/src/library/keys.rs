@@ -1,4 +1,4 @@
-//! Every key of a fender file, as [`crate::keys`] says those of a scenario.
+//! Every key of a fender file, in the form of [`crate::keys`].
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -6,8 +6,8 @@ use fenderline_contact::Unloading;
 use serde_json::json;
 
 use crate::keys::STANDINGS;
-use crate::spec::Absent::{Is, Means, Refused};
-use crate::spec::{CurveSpec, KeySpec, Kind, Quantity, TableSpec};
+use crate::spec::Absent::{Is, Means, Refused, Unless};
+use crate::spec::{CurveSpec, KeySpec, Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
 /// The whole file.
@@ -16,115 +16,103 @@ pub(crate) static FENDER_FILE: TableSpec = TableSpec {
     doc: "Families of fenders with their performance curves and sizes, and hull pressure limits. A \
           plain number is in SI units (angles in radians); a string carries its unit, as \"3 m\".",
     keys: &[
-        KeySpec {
-            name: "family",
-            kind: Kind::Named(&FAMILY),
-            absent: Is("{}"),
-            doc: "Families of fenders, by name.",
-            examples: &[],
-        },
-        KeySpec {
-            name: "hull_pressure",
-            kind: Kind::Named(&HULL_PRESSURE),
-            absent: Is("{}"),
-            doc: "What a ship's side bears, by type of ship.",
-            examples: &[],
-        },
+        key("family", Kind::Named(&FAMILY), Is("{}"), "Families of fenders, by name.", &[]),
+        key(
+            "hull_pressure",
+            Kind::Named(&HULL_PRESSURE),
+            Is("{}"),
+            "What a ship's side bears, by type of ship.",
+            &[],
+        ),
     ],
     rules: None,
 };
 
-const SOURCE: KeySpec = KeySpec {
-    name: "source",
-    kind: Kind::Text,
-    absent: Refused,
-    doc: "Where the numbers come from.",
-    examples: &["\"the maker's catalogue of 2021, page 12\""],
-};
+const SOURCE: KeySpec = key(
+    "source",
+    Kind::Text,
+    Refused,
+    "Where the numbers come from.",
+    &["\"the maker's catalogue of 2021, page 12\""],
+);
 
-const STANDING: KeySpec = KeySpec {
-    name: "standing",
-    kind: Kind::Choice(&STANDINGS),
-    absent: Refused,
-    doc: "How well the source is known.",
-    examples: &["\"found\""],
-};
+const STANDING: KeySpec = key(
+    "standing",
+    Kind::Choice(&STANDINGS),
+    Refused,
+    "How well the source is known.",
+    &["\"found\""],
+);
 
 static FAMILY: TableSpec = TableSpec {
     what: "a family of fenders",
-    doc: "Fenders of one shape: a curve that all sizes share, and sizes. Under the name of a family \
-          that is known already, sizes alone.",
+    doc: "Fenders of one shape: a curve that all sizes share, and sizes. A table with the name of a known \
+          family may only add sizes.",
     keys: &[
-        KeySpec {
-            name: "rated_deflection",
-            kind: Kind::Quantity(OF_HEIGHT),
-            absent: Means("the family is known already"),
-            doc: "Rated deflection over height.",
-            examples: &["0.72"],
-        },
-        KeySpec {
-            name: "reference",
-            kind: Kind::Text,
-            absent: Means("no sizes are derived from others"),
-            doc: "Designation of the size from which others are scaled, reaction by height squared.",
-            examples: &["\"1000 A\""],
-        },
-        KeySpec {
-            name: "curve",
-            kind: Kind::Table(&CURVE),
-            absent: Means("the family is known already"),
-            doc: "Reaction against deflection, normalised.",
-            examples: &[],
-        },
-        KeySpec {
-            name: "unloading",
-            kind: Kind::Table(&UNLOADING),
-            absent: Means("the reaction falls by the material's restitution"),
-            doc: "How the reaction falls when the hull retreats.",
-            examples: &[],
-        },
-        KeySpec {
-            name: "temperature",
-            kind: Kind::Table(&TEMPERATURE),
-            absent: Means("no correction"),
-            doc: "Factor on the reaction by temperature.",
-            examples: &[],
-        },
-        KeySpec {
-            name: "velocity",
-            kind: Kind::Table(&VELOCITY),
-            absent: Means("no correction"),
-            doc: "Factor on the reaction by the time to rated deflection.",
-            examples: &[],
-        },
-        KeySpec {
-            name: "angle_energy",
-            kind: Kind::Table(&ANGLE),
-            absent: Means("no correction"),
-            doc: "Factor on the energy by the angle of compression.",
-            examples: &[],
-        },
-        KeySpec {
-            name: "angle_reaction",
-            kind: Kind::Table(&ANGLE),
-            absent: Means("no correction"),
-            doc: "Factor on the reaction by the angle of compression.",
-            examples: &[],
-        },
-        KeySpec {
-            name: "tolerance",
-            kind: Kind::Table(&TOLERANCE),
-            absent: Means("it is not known"),
-            doc: "Manufacturing tolerance of reaction and energy.",
-            examples: &[],
-        },
-        KeySpec {
-            name: "size",
-            kind: Kind::List(&SIZE),
-            absent: Is("[]"),
-            doc: "Sizes with their rated reaction.",
-            examples: &[],
-        },
+        key(
+            "rated_deflection",
+            Kind::Quantity(OF_HEIGHT),
+            Means("the family is known already"),
+            "Rated deflection over height.",
+            &["0.72"],
+        ),
+        key(
+            "reference",
+            Kind::Text,
+            Means("no sizes are derived from others"),
+            "Designation of the size from which others are scaled, reaction by height squared.",
+            &["\"1000 A\""],
+        ),
+        key(
+            "curve",
+            Kind::Table(&CURVE),
+            Means("the family is known already"),
+            "Reaction against deflection, normalised.",
+            &[],
+        ),
+        key(
+            "unloading",
+            Kind::Table(&UNLOADING),
+            Means("the reaction falls by the material's restitution"),
+            "How the reaction falls in unloading.",
+            &[],
+        ),
+        key(
+            "temperature",
+            Kind::Table(&TEMPERATURE),
+            Means("no correction"),
+            "Factor on the reaction by temperature.",
+            &[],
+        ),
+        key(
+            "velocity",
+            Kind::Table(&VELOCITY),
+            Means("no correction"),
+            "Factor on the reaction by the time to rated deflection.",
+            &[],
+        ),
+        key(
+            "angle_energy",
+            Kind::Table(&ANGLE),
+            Means("no correction"),
+            "Factor on the energy by the angle of compression.",
+            &[],
+        ),
+        key(
+            "angle_reaction",
+            Kind::Table(&ANGLE),
+            Means("no correction"),
+            "Factor on the reaction by the angle of compression.",
+            &[],
+        ),
+        key(
+            "tolerance",
+            Kind::Table(&TOLERANCE),
+            Means("it is not known"),
+            "Manufacturing tolerance of reaction and energy.",
+            &[],
+        ),
+        key("size", Kind::List(&SIZE), Is("[]"), "Sizes with their rated reaction.", &[]),
     ],
     rules: None,
 };
@@ -138,30 +126,30 @@ static CURVE: TableSpec = TableSpec {
     what: "a performance curve",
     doc: "Reaction against deflection, normalised.",
     keys: &[
-        KeySpec {
-            name: "points",
-            kind: Kind::Curve(&CurveSpec {
+        key(
+            "points",
+            Kind::Curve(&CurveSpec {
                 from: ("deflection", OF_HEIGHT),
                 to: ("reaction", OF_RATED),
                 fewest: 2,
             }),
-            absent: Refused,
-            doc: "Rows of deflection over height and reaction over rated reaction, from [0, 0] to \
+            Refused,
+            "Rows of deflection over height and reaction over rated reaction, from [0, 0] to \
                   the rated deflection or beyond; straight between them.",
-            examples: &["[[0, 0], [0.25, 0.9], [0.5, 1]]"],
-        },
-        KeySpec {
-            name: "published_energy",
-            kind: Kind::Curve(&CurveSpec {
+            &["[[0, 0], [0.25, 0.9], [0.5, 1]]"],
+        ),
+        key(
+            "published_energy",
+            Kind::Curve(&CurveSpec {
                 from: ("deflection", OF_HEIGHT),
                 to: ("energy", OF_RATED),
                 fewest: 2,
             }),
-            absent: Means("none was published"),
-            doc: "Rows of deflection over height and energy over rated energy as published: for \
+            Means("none was published"),
+            "Rows of deflection over height and energy over rated energy as published: for \
                   comparison only, the energy is the integral of the reaction.",
-            examples: &["[[0, 0], [0.25, 0.4], [0.5, 1]]"],
-        },
+            &["[[0, 0], [0.25, 0.4], [0.5, 1]]"],
+        ),
         SOURCE,
         STANDING,
     ],
@@ -170,28 +158,28 @@ static CURVE: TableSpec = TableSpec {
 
 static UNLOADING: TableSpec = TableSpec {
     what: "an unloading law",
-    doc: "How the reaction falls when the hull retreats: `returned_energy` or `points`.",
+    doc: "How the reaction falls in unloading: `returned_energy` or `points`.",
     keys: &[
-        KeySpec {
-            name: "returned_energy",
-            kind: Kind::Quantity(RETURNED_ENERGY),
-            absent: Means("`points` say it"),
-            doc: "Share of the energy taken that compressing to any deflection and letting go gives back.",
-            examples: &["\"55 %\""],
-        },
-        KeySpec {
-            name: "points",
-            kind: Kind::Curve(&CurveSpec {
+        key(
+            "returned_energy",
+            Kind::Quantity(RETURNED_ENERGY),
+            Unless("`points` is given"),
+            "Share of the absorbed energy that unloading from any deflection returns.",
+            &["\"55 %\""],
+        ),
+        key(
+            "points",
+            Kind::Curve(&CurveSpec {
                 from: ("deflection", OF_HEIGHT),
                 to: ("reaction", OF_RATED),
                 fewest: 2,
             }),
-            absent: Means("`returned_energy` is given instead"),
-            doc: "Rows of deflection over height and reaction over rated reaction that a retreat comes down to, \
-                  from [0, 0]; straight between them, nowhere above the curve. Beyond the last row the reaction \
-                  comes down to the same share of the curve as there.",
-            examples: &["[[0, 0], [0.25, 0.4], [0.5, 0.9]]"],
-        },
+            Unless("`returned_energy` is given"),
+            "The unloading curve: rows of deflection over height and reaction over rated reaction, from [0, 0]; \
+             straight between them, nowhere above the curve. Beyond the last row it keeps the same share of the \
+             curve as there.",
+            &["[[0, 0], [0.25, 0.4], [0.5, 0.9]]"],
+        ),
         SOURCE,
         STANDING,
     ],
@@ -202,25 +190,25 @@ static UNLOADING: TableSpec = TableSpec {
     }),
 };
 
-/// Energy given back over energy taken.
+/// Energy returned over energy absorbed.
 pub(crate) const RETURNED_ENERGY: Quantity =
     Quantity { measure: &unit::PLAIN_NUMBER, low: Unloading::MIN_RETURNED_SHARE, high: 1.0 };
 
-const HOLDS: KeySpec = KeySpec {
-    name: "holds",
-    kind: Kind::Text,
-    absent: Means("wherever the family is used"),
-    doc: "Where the factors hold.",
-    examples: &["\"blended rubber\""],
-};
+const HOLDS: KeySpec = key(
+    "holds",
+    Kind::Text,
+    Means("wherever the family is used"),
+    "Where the factors hold.",
+    &["\"blended rubber\""],
+);
 
 static TEMPERATURE: TableSpec = TableSpec {
     what: "a temperature table",
     doc: "Factor on the reaction by temperature.",
     keys: &[
-        KeySpec {
-            name: "points",
-            kind: Kind::Curve(&CurveSpec {
+        key(
+            "points",
+            Kind::Curve(&CurveSpec {
                 from: (
                     "temperature",
                     Quantity { measure: &unit::PLAIN_NUMBER, low: -100.0, high: 150.0 },
@@ -228,10 +216,10 @@ static TEMPERATURE: TableSpec = TableSpec {
                 to: FACTOR,
                 fewest: 1,
             }),
-            absent: Refused,
-            doc: "Rows of temperature in degrees Celsius, a plain number, and factor.",
-            examples: &["[[-10, 1.13], [23, 1], [50, 0.916]]"],
-        },
+            Refused,
+            "Rows of temperature in degrees Celsius, a plain number, and factor.",
+            &["[[-10, 1.13], [23, 1], [50, 0.916]]"],
+        ),
         HOLDS,
         SOURCE,
         STANDING,
@@ -243,17 +231,17 @@ static VELOCITY: TableSpec = TableSpec {
     what: "a velocity table",
     doc: "Factor on the reaction by the time to rated deflection.",
     keys: &[
-        KeySpec {
-            name: "points",
-            kind: Kind::Curve(&CurveSpec {
+        key(
+            "points",
+            Kind::Curve(&CurveSpec {
                 from: ("time", Quantity { measure: &unit::TIME, low: 0.0, high: 1e6 }),
                 to: FACTOR,
                 fewest: 1,
             }),
-            absent: Refused,
-            doc: "Rows of the time to rated deflection and factor.",
-            examples: &["[[\"1 s\", 1.2], [\"20 s\", 1.03]]"],
-        },
+            Refused,
+            "Rows of the time to rated deflection and factor.",
+            &["[[\"1 s\", 1.2], [\"20 s\", 1.03]]"],
+        ),
         HOLDS,
         SOURCE,
         STANDING,
@@ -265,17 +253,17 @@ static ANGLE: TableSpec = TableSpec {
     what: "an angle table",
     doc: "Factor by the angle of compression.",
     keys: &[
-        KeySpec {
-            name: "points",
-            kind: Kind::Curve(&CurveSpec {
+        key(
+            "points",
+            Kind::Curve(&CurveSpec {
                 from: ("angle", Quantity { measure: &unit::ANGLE, low: 0.0, high: FRAC_PI_2 }),
                 to: FACTOR,
                 fewest: 1,
             }),
-            absent: Refused,
-            doc: "Rows of the angle between hull and panel and factor.",
-            examples: &["[[\"0 deg\", 1], [\"20 deg\", 0.739]]"],
-        },
+            Refused,
+            "Rows of the angle between hull and panel and factor.",
+            &["[[\"0 deg\", 1], [\"20 deg\", 0.739]]"],
+        ),
         HOLDS,
         SOURCE,
         STANDING,
@@ -287,13 +275,13 @@ static TOLERANCE: TableSpec = TableSpec {
     what: "a tolerance",
     doc: "Manufacturing tolerance of reaction and energy.",
     keys: &[
-        KeySpec {
-            name: "value",
-            kind: Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 0.9 }),
-            absent: Refused,
-            doc: "To either side.",
-            examples: &["\"10 %\""],
-        },
+        key(
+            "value",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 0.9 }),
+            Refused,
+            "To either side.",
+            &["\"10 %\""],
+        ),
         SOURCE,
         STANDING,
     ],
@@ -306,55 +294,55 @@ static SIZE: TableSpec = TableSpec {
     what: "a size",
     doc: "One fender of a catalogue.",
     keys: &[
-        KeySpec {
-            name: "designation",
-            kind: Kind::Text,
-            absent: Refused,
-            doc: "Its name within the family.",
-            examples: &["\"1000x1500 50kPa\""],
-        },
-        KeySpec {
-            name: "height",
-            kind: Kind::Quantity(METRES),
-            absent: Refused,
-            doc: "Extent in the direction of compression: height, or diameter.",
-            examples: &["\"1000 mm\""],
-        },
-        KeySpec {
-            name: "length",
-            kind: Kind::Quantity(METRES),
-            absent: Means("it has none of its own"),
-            doc: "Length along the berth.",
-            examples: &["\"1500 mm\""],
-        },
-        KeySpec {
-            name: "reaction",
-            kind: Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
-            absent: Refused,
-            doc: "Rated reaction.",
-            examples: &["\"182 kN\""],
-        },
-        KeySpec {
-            name: "published_energy",
-            kind: Kind::Quantity(Quantity { measure: &unit::MOMENT, low: 1.0, high: 1e10 }),
-            absent: Means("none was published"),
-            doc: "Rated energy as published: for comparison only.",
-            examples: &["\"32 kJ\""],
-        },
-        KeySpec {
-            name: "hull_pressure",
-            kind: Kind::Quantity(PRESSURE),
-            absent: Means("the panel sets it"),
-            doc: "Pressure on the hull at the rated deflection.",
-            examples: &["\"122 kPa\""],
-        },
-        KeySpec {
-            name: "initial_pressure",
-            kind: Kind::Quantity(PRESSURE),
-            absent: Means("pressures below the rated deflection are not known"),
-            doc: "Inner pressure of a fender blown up, at no deflection.",
-            examples: &["\"50 kPa\""],
-        },
+        key(
+            "designation",
+            Kind::Text,
+            Refused,
+            "Its name within the family.",
+            &["\"1000x1500 50kPa\""],
+        ),
+        key(
+            "height",
+            Kind::Quantity(METRES),
+            Refused,
+            "Extent in the direction of compression: height, or diameter.",
+            &["\"1000 mm\""],
+        ),
+        key(
+            "length",
+            Kind::Quantity(METRES),
+            Means("it has none of its own"),
+            "Length along the berth.",
+            &["\"1500 mm\""],
+        ),
+        key(
+            "reaction",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
+            Refused,
+            "Rated reaction.",
+            &["\"182 kN\""],
+        ),
+        key(
+            "published_energy",
+            Kind::Quantity(Quantity { measure: &unit::MOMENT, low: 1.0, high: 1e10 }),
+            Means("none was published"),
+            "Rated energy as published: for comparison only.",
+            &["\"32 kJ\""],
+        ),
+        key(
+            "hull_pressure",
+            Kind::Quantity(PRESSURE),
+            Means("the panel sets it"),
+            "Pressure on the hull at the rated deflection.",
+            &["\"122 kPa\""],
+        ),
+        key(
+            "initial_pressure",
+            Kind::Quantity(PRESSURE),
+            Means("pressures below the rated deflection are not known"),
+            "Inner pressure of a pneumatic fender at zero deflection.",
+            &["\"50 kPa\""],
+        ),
         SOURCE,
         STANDING,
     ],
@@ -367,13 +355,13 @@ static HULL_PRESSURE: TableSpec = TableSpec {
     what: "a hull pressure limit",
     doc: "What the side of a type of ship bears.",
     keys: &[
-        KeySpec {
-            name: "limit",
-            kind: Kind::Quantity(PRESSURE),
-            absent: Refused,
-            doc: "Greatest mean pressure under a panel.",
-            examples: &["\"150 kN/m^2\""],
-        },
+        key(
+            "limit",
+            Kind::Quantity(PRESSURE),
+            Refused,
+            "Greatest mean pressure under a panel.",
+            &["\"150 kN/m^2\""],
+        ),
         SOURCE,
         STANDING,
     ],

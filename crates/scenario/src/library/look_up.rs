@@ -1,4 +1,4 @@
-//! Looking for a fender that is not there.
+//! Errors of looking up a fender.
 
 use core::fmt;
 
@@ -6,20 +6,20 @@ use crate::printable::printable_number;
 use crate::sources::quoted;
 use crate::suggest::nearest;
 
-/// A name or a rating that the library cannot serve. Displays in one line; [`LookUpError::help`] says
-/// what to write in its place.
+/// A name or rating that the library does not have. Displays in one line; [`LookUpError::help`] says what to write
+/// instead.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum LookUpError {
-    /// There is nothing of this name.
+    /// The name is unknown.
     Unknown {
-        /// What was looked for: `family`, `size of cone fenders`, `type of ship`.
+        /// What it should name: `family`, `size of cone fenders`, `type of ship`.
         what: String,
         /// The name.
         name: String,
-        /// The nearest name that is there, where one is near.
+        /// The nearest known name, if one is near.
         nearest: Option<String>,
-        /// All names that are there.
+        /// All known names.
         known: Vec<String>,
     },
     /// The family has no size from which others may be scaled.
@@ -27,9 +27,9 @@ pub enum LookUpError {
         /// The family.
         family: String,
     },
-    /// A height or a reaction that no fender has.
+    /// A height or reaction out of range.
     OutOfRange {
-        /// Which, with its unit.
+        /// Which of them, with its unit.
         quantity: &'static str,
         /// Its value.
         value: f64,
@@ -37,7 +37,7 @@ pub enum LookUpError {
 }
 
 impl LookUpError {
-    /// Nothing of this name among the known ones.
+    /// The error for a name that is not among the known ones.
     pub(crate) fn unknown<'a>(
         what: String,
         name: &str,
@@ -51,7 +51,7 @@ impl LookUpError {
         }
     }
 
-    /// What to write in its place.
+    /// What to write instead.
     #[must_use]
     pub fn help(&self) -> String {
         match self {

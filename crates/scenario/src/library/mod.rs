@@ -37,7 +37,7 @@ use crate::syntax;
 /// // The integral of the reaction, not the published 1814 kJ.
 /// assert!((fender.rated_energy_j - 1980e3).abs() < 1e3);
 ///
-/// // No table of cone sizes was found: with your own rating the curve serves.
+/// // No table of cone sizes was found. With your own rating the curve can be used.
 /// let cone = library.rated("cone", 1.2, 900e3)?;
 /// assert_eq!(cone.rated_deflection_m, 0.72 * 1.2);
 ///
@@ -52,7 +52,7 @@ pub struct FenderLibrary {
     places: Places,
 }
 
-/// Where the things of a name stand in the lists of a library.
+/// Index of each name in the lists of a library.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Places {
     families: BTreeMap<String, usize>,
@@ -62,7 +62,7 @@ struct Places {
 }
 
 impl FenderLibrary {
-    /// The files that the program carries in itself.
+    /// The built-in fender files.
     #[must_use]
     pub fn built_in() -> FenderLibrary {
         // Read once: a batch checks thousands of scenarios.
@@ -80,8 +80,8 @@ impl FenderLibrary {
     /// `name` is for messages.
     ///
     /// # Errors
-    /// The first mistake found: what is no TOML, then unknown keys and bad values in the order of
-    /// the file, then what does not fit together or is there already.
+    /// The first mistake found: TOML syntax, then unknown keys and bad values in the order of the file, then keys that
+    /// contradict each other and names that exist already.
     pub fn with_file(mut self, text: &str, name: &str) -> Result<FenderLibrary, ScenarioError> {
         let sources = Sources::new(name, text, &[]);
         let document = syntax::parse(&sources)?;
@@ -99,13 +99,13 @@ impl FenderLibrary {
         Ok(self)
     }
 
-    /// All families, in the order in which their files came.
+    /// All families, in the order in which they were added.
     #[must_use]
     pub fn families(&self) -> &[Family] {
         &self.families
     }
 
-    /// All hull pressure limits, in the order in which their files came.
+    /// All hull pressure limits, in the order in which they were added.
     #[must_use]
     pub fn hull_pressure_limits(&self) -> &[HullPressureLimit] {
         &self.hull_pressures
@@ -141,12 +141,11 @@ impl FenderLibrary {
         Ok(CatalogueFender::new(family, size))
     }
 
-    /// A fender of another height than the catalogue's, scaled from the family's reference size:
-    /// lengths by height, reaction by its square, energy so by its cube. Its standing is `Derived` at
-    /// best.
+    /// A fender of a height that the catalogue does not have, scaled from the family's reference size: lengths by height,
+    /// reaction by its square, and so energy by its cube. Its standing is `Derived` at best.
     ///
     /// # Errors
-    /// No such family, a family without a reference size, or a height that no fender has.
+    /// No such family, a family without a reference size, or a height out of range.
     pub fn scaled(&self, family: &str, height_m: f64) -> Result<CatalogueFender, LookUpError> {
         let family = self.family(family)?;
         let Some(reference) = family.reference else {
@@ -160,7 +159,7 @@ impl FenderLibrary {
     /// A fender with a rating of the user's own on the curve of a family.
     ///
     /// # Errors
-    /// No such family, or a height (m) or rated reaction (N) that no fender has.
+    /// No such family, or a height (m) or rated reaction (N) out of range.
     pub fn rated(
         &self,
         family: &str,
@@ -182,7 +181,7 @@ impl FenderLibrary {
         Ok(CatalogueFender::new(family, &size))
     }
 
-    /// What the side of a type of ship bears.
+    /// The hull pressure that the side of a type of ship bears.
     ///
     /// # Errors
     /// There is no such type.

@@ -71,7 +71,7 @@ pub(super) fn hull_pressures(
     Ok(())
 }
 
-/// A name that may be a slip for a family that is there, or a family that lacks its curve.
+/// The error for a family without a curve: it lacks one, or its name is a misspelt known one.
 fn without_curve(
     sources: &Sources<'_>,
     name: &str,
@@ -93,7 +93,6 @@ fn more_sizes(
     family: &mut Family,
     places: &mut BTreeMap<String, usize>,
 ) -> Read<()> {
-    // A default stands at its table's place: only what the file gives is looked at.
     let given = table.items.iter().find(|item| item.name != "size");
     if let Some(item) = given {
         let path = table.path_of(item.name);
@@ -162,7 +161,7 @@ fn rated_deflection(sources: &Sources<'_>, table: &Table, curve: &[(f64, f64)]) 
     };
     if (reaction - 1.0).abs() > ROUNDING {
         return complain(format!(
-            "at `{path}` = {rated} the curve's reaction is {reaction}, not 1 as it must be there"
+            "at `{path}` = {rated} the curve's reaction is {reaction}, but must be 1"
         ));
     }
     Ok(rated)
@@ -188,7 +187,7 @@ fn reference(
     })
 }
 
-/// Adds the sizes that a family's table has; `places` has where each stands.
+/// Adds the sizes of a family's table; `places` holds the index of each by designation.
 fn sizes(
     sources: &Sources<'_>,
     family: &Table,
@@ -264,7 +263,7 @@ fn unloading(sources: &Sources<'_>, table: &Table, curve: &[(f64, f64)]) -> Read
     Ok(FamilyUnloading { law, source, standing })
 }
 
-/// The points of an unloading curve, which begins at (0, 0) and is nowhere above this loading curve.
+/// The points of an unloading curve. It must begin at (0, 0) and be nowhere above the loading curve.
 pub(crate) fn unloading_curve(
     sources: &Sources<'_>,
     item: &Item,
@@ -274,7 +273,7 @@ pub(crate) fn unloading_curve(
     let pairs = |points: &[(f64, f64)]| points.iter().map(|&(x, y)| [x, y]).collect();
     let (points, loading): (Vec<[f64; 2]>, Vec<[f64; 2]>) = (pairs(item.curve()), pairs(loading));
     if points[0] != [0.0, 0.0] {
-        let message = format!("`{path}` must begin with [0, 0]: without deflection no reaction");
+        let message = format!("`{path}` must begin with [0, 0]: zero deflection, zero reaction");
         return Err(sources.error(&item.span, path, message));
     }
     let Some([at, reaction]) = Unloading::first_point_above(&points, &loading) else {

@@ -153,7 +153,7 @@ pub(super) fn outline(
         return Err(wrong_type(sources, "a list of [forward, starboard] points", path, node));
     };
     let point = |(index, node): (usize, &Node<'_>)| {
-        // A path is only built for an error: outlines may be long.
+        // The point's path is built only for an error: outlines may be long.
         let at = |path: &str| vector(sources, quantity, path, node, ["forward", "starboard"]);
         at(path).or_else(|_| at(&key_path::item(path, index)))
     };
@@ -192,7 +192,7 @@ pub(super) fn number(
     let Some(value) = value.filter(|value: &f64| value.is_finite()) else {
         return Err(complain(format!("`{path}` is not a finite number")));
     };
-    // Written so that NaN, were it ever to come here, fails.
+    // Written so that NaN would fail.
     if value >= quantity.low && value <= quantity.high {
         return Ok(value);
     }

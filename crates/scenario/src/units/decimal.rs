@@ -49,14 +49,14 @@ fn greatest_common_divisor(a: u64, b: u64) -> u64 {
 }
 
 impl Decimal {
-    /// The number that `text` starts with, and what follows it.
+    /// The number that `text` starts with, and the rest of the text.
     pub(super) fn split(text: &str) -> Result<(Decimal, &str), UnitError> {
         let unsigned = text.strip_prefix(['+', '-', '\u{2212}']);
         let negative = text.starts_with(['-', '\u{2212}']);
         let unsigned = unsigned.unwrap_or(text);
         let (whole, rest) = split_digits(unsigned);
         let (fraction, rest) = match rest.strip_prefix('.') {
-            // "4.kn" has no digits after its point: the point is then the unit's trouble.
+            // "4.kn" has no digits after its point: the point then belongs to the unit, which refuses it.
             Some(after) if !split_digits(after).0.is_empty() => split_digits(after),
             _ => ("", rest),
         };
@@ -94,8 +94,8 @@ impl Decimal {
         value
     }
 
-    /// The correctly rounded product, one division of two integers that `f64` holds exactly;
-    /// `None` where they are too long for that.
+    /// The correctly rounded product, by one division of two integers that `f64` holds exactly; `None` where they are too
+    /// long for that.
     fn exact_times(&self, scale: &Scale, ten: i32) -> Option<f64> {
         const EXACT: u64 = 1 << 53;
         let power_of_ten = 10_u64.checked_pow(ten.unsigned_abs())?;

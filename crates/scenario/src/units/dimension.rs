@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-/// Exponents of the base units. The plane angle counts as one, so that a rate of turn is no
-/// frequency and a heading is no plain number.
+/// Exponents of the base units. The plane angle counts as a base unit, so that a rate of turn is not a frequency and a
+/// heading is not a plain number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Dimension {
     metre: i8,
@@ -70,14 +70,14 @@ pub(crate) mod measures {
     use super::Dimension;
     use core::fmt;
 
-    /// A kind of quantity that a key may want.
+    /// A kind of quantity that a key may hold.
     #[derive(Debug, PartialEq, Eq)]
     pub(crate) struct Measure {
         /// Name with its article: `a speed`.
         pub(crate) name: &'static str,
         /// Its SI unit, empty for a plain number.
         pub(crate) unit: &'static str,
-        /// A value to imitate.
+        /// An example value.
         pub(crate) example: &'static str,
         /// Its dimension.
         pub(crate) dimension: Dimension,
@@ -95,7 +95,7 @@ pub(crate) mod measures {
         }
     }
 
-    /// A temperature: a plain number, whose unit is for messages alone.
+    /// A temperature: a plain number, whose unit appears only in messages.
     pub(crate) static CELSIUS: Measure = Measure {
         name: "a plain number of degrees Celsius",
         unit: "°C",

@@ -17,7 +17,7 @@ pub(crate) struct Quantity {
     pub(crate) si: f64,
     /// Its dimension.
     pub(crate) dimension: Dimension,
-    /// True when the text gave a unit, be it `1`.
+    /// Whether the text gave a unit, `1` included.
     pub(crate) has_unit: bool,
 }
 
@@ -26,7 +26,7 @@ pub(crate) struct Quantity {
 pub(crate) struct UnitError {
     /// What is wrong.
     pub(crate) message: String,
-    /// What to write in its place.
+    /// What to write instead.
     pub(crate) help: Option<String>,
 }
 
@@ -40,13 +40,13 @@ impl UnitError {
     }
 }
 
-/// Longest text that may be a quantity, in bytes: bounds the work and the depth of parentheses.
+/// Longest text of a quantity, in bytes. Bounds the work and the depth of parentheses.
 const LONGEST: usize = 120;
 
 /// Parses a number and its unit.
 ///
-/// The result is the correctly rounded value of number times unit while both are short (numerator
-/// and denominator of the exact result below 2^53, no π in the unit), else a few roundings off.
+/// The result is the correctly rounded product of number and unit if numerator and denominator of the exact result are
+/// below 2^53 and the unit has no π; otherwise it has a few rounding errors.
 pub(crate) fn parse(text: &str) -> Result<Quantity, UnitError> {
     if text.len() > LONGEST {
         return Err(UnitError::new(format!("a quantity has at most {LONGEST} characters")));

@@ -8,7 +8,7 @@ pub(super) struct NamedUnit {
     pub(super) symbol: &'static str,
     pub(super) scale: Scale,
     pub(super) dimension: Dimension,
-    /// Spellings that are not accepted but lead to this unit as a suggestion.
+    /// Spellings that are refused with this unit as the suggestion.
     pub(super) also: &'static [&'static str],
 }
 

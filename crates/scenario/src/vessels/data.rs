@@ -1,4 +1,4 @@
-//! A vessel as the simulation needs her, about midship and in SI.
+//! The data of a vessel for the simulation, about midship and in SI.
 
 use fenderline_contact::Vec2;
 use fenderline_sim::environment::wind::ShipWindage;
@@ -7,7 +7,7 @@ use fenderline_sim::hydro::vessels::{Origin, Vessel};
 use fenderline_sim::hydro::{LowSpeedHull, Mmg, Polynomial, SternCoefficients};
 use fenderline_sim::{AzimuthSetup, ThrusterSetup};
 
-/// A vessel of the data: everything that does not change from one scenario to the next.
+/// A vessel of the library: everything that does not depend on the scenario.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VesselData {
     /// Her key.
@@ -16,7 +16,7 @@ pub struct VesselData {
     pub origin: Origin,
     /// A model in a tank of fresh water.
     pub is_model: bool,
-    /// Length of the model whose resistance a full-scale ship has in `ship` (m), where it is known.
+    /// Length of the model that the resistance in `ship` was measured on (m), where it is known.
     pub resistance_of_model_m: Option<f64>,
     /// Length overall (m), where it is known.
     pub length_overall_m: Option<f64>,
@@ -34,7 +34,7 @@ pub struct VesselData {
     pub azimuths: Vec<AzimuthSetup>,
     /// Wind areas.
     pub windage: Option<ShipWindage>,
-    /// What heave, roll and pitch need.
+    /// Data for heave, roll and pitch.
     pub stability: Option<Stability>,
     /// Her outline, forward and to starboard of midship (m).
     pub outline_m: Option<Vec<Vec2>>,
@@ -44,7 +44,7 @@ pub struct VesselData {
     pub bitts: Vec<DeckPoint>,
     /// Strips that a fender may lie on.
     pub beltings: Vec<Belting>,
-    /// Coefficients that a geometrically similar vessel may take over.
+    /// Coefficients that a geometrically similar vessel may use.
     pub(crate) coefficients: Coefficients,
 }
 
@@ -57,7 +57,7 @@ pub struct Shaft {
     pub reversal_s: f64,
 }
 
-/// What heave, roll and pitch need.
+/// Data for heave, roll and pitch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stability {
     /// Metacentric height GM (m).

@@ -1,4 +1,4 @@
-//! The numbers of a table as text, each under its path.
+//! The numbers of a vessel's table as text, each with its path.
 
 use std::f64::consts::TAU;
 
@@ -10,10 +10,10 @@ use crate::sources::Span;
 use crate::spec::{Kind, Quantity};
 use crate::units::measures as unit;
 
-/// Keys of a vessel that are no numbers of hers.
+/// Keys of a vessel that do not hold numbers.
 const NO_FIGURES: [&str; 5] = ["title", "tank_model", "coefficients_of", "from", "source"];
 
-/// A number of a vessel, and where it stands.
+/// A number of a vessel, and its place in the file.
 pub(super) struct Leaf {
     /// Path below the vessel, as `propeller.wake`, and its value.
     pub(super) figure: Figure,
@@ -47,7 +47,7 @@ fn collect(table: &Table, item: &Item, path: &str, all: &mut Vec<Leaf>) {
         _ => {
             let kind = &table.spec.key(item.name).expect("it was read by its spec").kind;
             all.push(Leaf {
-                figure: Figure { name: path, text: shown(kind, item) },
+                figure: Figure { name: path, text: value_text(kind, item) },
                 is_default: item.is_default,
                 key_span: item.key_span.clone(),
             });
@@ -55,7 +55,7 @@ fn collect(table: &Table, item: &Item, path: &str, all: &mut Vec<Leaf>) {
     }
 }
 
-fn shown(kind: &Kind, item: &Item) -> String {
+fn value_text(kind: &Kind, item: &Item) -> String {
     match (kind, &item.value) {
         (Kind::Quantity(quantity), Value::Number(value)) => number(quantity, *value),
         (_, Value::Vector(at)) => format!("[{}, {}] m", digits(at.x), digits(at.y)),
@@ -63,11 +63,11 @@ fn shown(kind: &Kind, item: &Item) -> String {
         (_, Value::Choice(word)) => word.word.to_owned(),
         (_, Value::Text(text)) => text.clone(),
         (_, Value::Flag(flag)) => flag.to_string(),
-        (_, other) => unreachable!("a vessel has no {other:?}"),
+        (_, other) => unreachable!("no key of a vessel holds {other:?}"),
     }
 }
 
-/// A number in the unit that a seaman would use.
+/// A number in the unit that seamen use.
 fn number(quantity: &Quantity, value: f64) -> String {
     let of = quantity.measure;
     let (value, unit) = match of {
@@ -86,7 +86,7 @@ fn number(quantity: &Quantity, value: f64) -> String {
     }
 }
 
-/// A number as it was written, but for what conversion added: nine digits at most.
+/// A number with at most nine digits, which hides rounding errors of the unit conversion.
 pub(super) fn digits(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();

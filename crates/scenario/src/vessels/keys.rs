@@ -1,4 +1,4 @@
-//! Every key of a vessel file, as [`crate::keys`] says those of a scenario.
+//! Every key of a vessel file, in the form of [`crate::keys`].
 
 mod deck;
 mod hull;
@@ -11,9 +11,10 @@ use self::deck::{BELTING, DECK_POINT, OUTLINE};
 use self::hull::{ADDED_MASS, DRIFT_POLYNOMIAL, LOW_SPEED, SWAY_POLYNOMIAL};
 use self::source::SOURCE;
 use self::stern::{PROPELLER, RUDDER};
-use crate::keys::{AZIMUTH, FORWARD_M, LENGTH_M, STABILITY, THRUSTER, WINDAGE, key};
-use crate::spec::Absent::{Is, Means, Refused};
-use crate::spec::{Kind, Quantity, TableSpec};
+use crate::keys::quantities::{LENGTH, PLACE};
+use crate::keys::{AZIMUTH, STABILITY, THRUSTER, WINDAGE};
+use crate::spec::Absent::{Is, Means, Refused, Unless};
+use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
 const COEFFICIENT: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: -1e3, high: 1e3 };
@@ -39,71 +40,71 @@ static VESSEL: TableSpec = TableSpec {
             "tank_model",
             Kind::Flag,
             Is("false"),
-            "A model in a tank: her manoeuvres are in fresh water, and IMO's limits are not for her.",
+            "A tank model: it manoeuvres in fresh water, and IMO's limits do not apply.",
             &["true"],
         ),
         key(
             "coefficients_of",
             Kind::Text,
             Means("her own, or estimated"),
-            "Another vessel, of which she is a model or a sister: coefficients that are not given here are those of \
-             that vessel; speed, revolutions and rudder rate follow by Froude's law.",
+            "Another vessel, of which this is a model or a sister: coefficients that are not given here are taken from \
+             it, and speed, revolutions and rudder rate are scaled by Froude's law.",
             &["\"kvlcc2\""],
         ),
         key(
             "length_bp",
-            Kind::Quantity(LENGTH_M),
+            Kind::Quantity(LENGTH),
             Refused,
             "Length between perpendiculars.",
             &["\"285 m\""],
         ),
         key(
             "length_overall",
-            Kind::Quantity(LENGTH_M),
+            Kind::Quantity(LENGTH),
             Means("not known"),
             "Length overall; the outline must have it.",
             &["\"298 m\""],
         ),
-        key("beam", Kind::Quantity(LENGTH_M), Refused, "Beam.", &["\"46 m\""]),
-        key("draught", Kind::Quantity(LENGTH_M), Refused, "Draught.", &["\"9 m\""]),
+        key("beam", Kind::Quantity(LENGTH), Refused, "Beam.", &["\"46 m\""]),
+        key("draught", Kind::Quantity(LENGTH), Refused, "Draught.", &["\"9 m\""]),
         key(
             "volume",
             Kind::Quantity(Quantity { measure: &unit::VOLUME, low: 1e-6, high: 1e8 }),
-            Means("another key gives it"),
+            Unless("another key gives the displacement"),
             "Displaced volume.",
             &["\"312600 m^3\""],
         ),
         key(
             "displacement",
             Kind::Quantity(Quantity { measure: &unit::MASS, low: 1e-3, high: 1e11 }),
-            Means("another key gives it"),
+            Unless("another key gives the displacement"),
             "Displacement in sea water of 1025 kg/m³.",
             &["\"87800 t\""],
         ),
         key(
             "block_coefficient",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 1.0 }),
-            Means("another key gives it"),
+            Unless("another key gives the displacement"),
             "Volume over length between perpendiculars, beam and draught.",
             &["0.71"],
         ),
         key(
             "mass_coefficient",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-3, high: 10.0 }),
-            Means("another key gives it"),
+            Unless("another key gives the displacement"),
             "m': mass over ½ρL²d.",
             &["0.2708"],
         ),
         key(
             "centre_of_gravity",
-            Kind::Quantity(FORWARD_M),
+            Kind::Quantity(PLACE),
             Means("amidships, assumed"),
             "Centre of gravity forward of midship.",
             &["\"-3.4 m\""],
         ),
         key(
             "gyradius",
-            Kind::Quantity(LENGTH_M),
+            Kind::Quantity(LENGTH),
             Means("a quarter of the length, assumed"),
             "Radius of gyration in yaw about the centre of gravity, without added mass.",
             &["\"72 m\""],
@@ -112,8 +113,8 @@ static VESSEL: TableSpec = TableSpec {
             "resistance_of_model",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.1, high: 100.0 }),
             Means("her resistance is that of the full-scale ship, or unknown"),
-            "Length of the model whose resistance she has: its friction is over a ship's share, and crash stops are \
-             shown without it too.",
+            "Length of the model that the resistance was measured on. A model has more friction than a ship, so crash \
+             stops are also shown without the excess.",
             &["\"7 m\""],
         ),
         key(
@@ -126,7 +127,7 @@ static VESSEL: TableSpec = TableSpec {
         key(
             "froude",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-3, high: 1.0 }),
-            Means("`speed` is given instead"),
+            Means("`speed`, if it is known"),
             "The same as a Froude number, with g = 9.81 m/s².",
             &["0.26"],
         ),

@@ -30,7 +30,7 @@ use crate::syntax;
 /// let library = VesselLibrary::built_in();
 /// let kcs = library.vessel("kcs")?;
 /// assert_eq!(kcs.ship.particulars.length_m, 230.0);
-/// // Her low-speed hull was never published: it is an estimate, and said to be one.
+/// // Her low-speed hull was never published: it is estimated, and listed as an estimate.
 /// assert!(kcs.origin.estimates().any(|source| source.group == "hull at low speed"));
 ///
 /// let error = library.vessel("kc").unwrap_err();
@@ -40,12 +40,12 @@ use crate::syntax;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct VesselLibrary {
     vessels: Vec<VesselData>,
-    /// Where each stands, by name.
+    /// Index by name.
     places: BTreeMap<String, usize>,
 }
 
 impl VesselLibrary {
-    /// The files that the program carries in itself.
+    /// The built-in vessel files.
     #[must_use]
     pub fn built_in() -> VesselLibrary {
         // Read once: a batch checks thousands of scenarios.
@@ -87,7 +87,7 @@ impl VesselLibrary {
         self.places.contains_key(name)
     }
 
-    /// All vessels, in the order in which their files came.
+    /// All vessels, in the order in which they were added.
     #[must_use]
     pub fn vessels(&self) -> &[VesselData] {
         &self.vessels

@@ -1,4 +1,4 @@
-//! Which number of a vessel comes from where: every one has one source, and every source some number.
+//! The source of each number of a vessel. Every number has one source, and every source has at least one number.
 
 use fenderline_sim::hydro::vessels::{Figure, Origin, Source, Standing};
 
@@ -8,7 +8,7 @@ use crate::checked::{Item, Table};
 use crate::error::ScenarioError;
 use crate::sources::{Sources, quoted};
 
-/// What a vessel may take from the one of `coefficients_of`.
+/// The keys that a vessel may take from the vessel of `coefficients_of`.
 const INHERITED: [&str; 20] = [
     "added_mass",
     "sway_polynomial",
@@ -32,7 +32,7 @@ const INHERITED: [&str; 20] = [
     "rudder.place",
 ];
 
-/// Does a key stand for a number?
+/// Whether a key of a source covers the number at a path.
 fn covers(key: &str, path: &str) -> bool {
     path.strip_prefix(key).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }
@@ -44,7 +44,7 @@ fn given(group: String, figures: Vec<Figure>, source: &str, standing: Standing) 
 /// The sources of a vessel of a file.
 ///
 /// # Errors
-/// A number without a source, a source that names nothing or what another names.
+/// A number without a source, a source that covers no number, a key with two sources.
 pub(super) fn of_file(sources: &Sources<'_>, table: &Table) -> Result<Vec<Source>, ScenarioError> {
     let entries = table.given("source").list();
     let leaves = leaves(table);
@@ -113,20 +113,20 @@ fn of_leaves(leaves: Vec<Leaf>) -> Vec<Source> {
     all
 }
 
-/// Defaults of the program.
+/// The source of default values.
 pub(super) fn defaults_of(figures: Vec<Figure>) -> Option<Source> {
     let source = "default of the program";
     (!figures.is_empty()).then(|| given("defaults".to_owned(), figures, source, Standing::Assumed))
 }
 
-/// What follows by Froude's law from another vessel.
+/// The source of values scaled by Froude's law from another vessel.
 pub(super) fn scaled(figures: Vec<Figure>, base: &VesselData) -> Option<Source> {
     let source = format!("by Froude's law from {}", base.origin.title);
     let group = figures.iter().map(|figure| figure.name.clone()).collect::<Vec<_>>().join(", ");
     (!figures.is_empty()).then(|| given(group, figures, &source, Standing::Derived))
 }
 
-/// Coefficients that are another vessel's, with their sources.
+/// The sources of coefficients taken from another vessel.
 pub(super) fn inherited(table: &Table, base: &VesselData) -> Vec<Source> {
     let own = leaves(table);
     let is_own =
@@ -143,8 +143,8 @@ pub(super) fn inherited(table: &Table, base: &VesselData) -> Vec<Source> {
         .collect()
 }
 
-/// The origin of a vessel that a scenario made from another: what it replaced is no longer that vessel's. Of
-/// propeller and rudder it replaces key by key, of everything else whole tables.
+/// The origin of a vessel that a scenario derives from another, without the sources of what it replaces. Propeller and
+/// rudder are replaced key by key, everything else by whole tables.
 pub(super) fn replaced(base: &Origin, table: &Table) -> Origin {
     let by_key = |name: &str| covers("propeller", name) || covers("rudder", name);
     let own = leaves(table);

@@ -1,5 +1,4 @@
-//! From a checked table to a vessel: rules that hold between keys, and particulars
-//! that are physically impossible.
+//! From a checked table to a vessel. Checks the rules between keys, and refuses impossible particulars.
 
 mod coefficients;
 mod machinery;
@@ -51,10 +50,10 @@ pub(super) fn file_vessel(
     })
 }
 
-/// A vessel of a scenario, of her own particulars or made from one of the library.
+/// A vessel of a scenario, with its own particulars or derived from one of the library.
 ///
 /// # Errors
-/// A vessel that is not known, particulars beside one, particulars that are missing or that no ship has.
+/// An unknown vessel in `from`, particulars beside `from`, missing or impossible particulars.
 pub(crate) fn own_vessel(
     sources: &Sources<'_>,
     name: &str,
@@ -102,7 +101,7 @@ impl Reading<'_, '_> {
         self.sources.error(&item.key_span, &path, message)
     }
 
-    /// Reads the whole vessel. The sources of her numbers come last.
+    /// Reads the whole vessel. `sources` is called last, so that mistakes in numbers are reported first.
     fn vessel(
         &self,
         name: &str,
@@ -125,7 +124,7 @@ impl Reading<'_, '_> {
         })
         .map_err(|error| self.impossible(&error))?;
         let mut scaled = Vec::new();
-        // Froude\'s law: times scale with the square root of the length.
+        // Froude's law: times scale with the square root of the length.
         let time_scale =
             base.map(|base| (base.ship.particulars.length_m / particulars.length_m).sqrt());
         let froude = base.zip(time_scale);
@@ -219,15 +218,15 @@ impl Reading<'_, '_> {
         }
         vessel.origin = provenance::replaced(&base.origin, table);
         if table.item("stability").is_some() {
-            let told = oscillators(vessel.stability.as_ref(), particulars);
+            let own = oscillators(vessel.stability.as_ref(), particulars);
             let all = &mut vessel.origin.sources;
-            all.retain(|source| !told.iter().any(|own| own.group == source.group));
-            all.extend(told);
+            all.retain(|source| !own.iter().any(|own| own.group == source.group));
+            all.extend(own);
         }
         Ok(vessel)
     }
 
-    /// Refuses a vessel of a scenario that lacks a key which vessels without `from` need.
+    /// Refuses a vessel without `from` that lacks a particular.
     fn refuse_what_is_missing(&self) -> Read<()> {
         for name in ["length_bp", "beam", "draught", "block_coefficient"] {
             if self.table.item(name).is_none() {
@@ -248,7 +247,7 @@ impl Reading<'_, '_> {
         Ok(())
     }
 
-    /// Refuses particulars beside `from`: a vessel of the library keeps her hull, propeller and rudder.
+    /// Refuses particulars beside `from`: they are those of the library's vessel.
     fn refuse_other_particulars(&self) -> Read<()> {
         let table = self.table;
         const HERS: [&str; 6] =
@@ -256,15 +255,18 @@ impl Reading<'_, '_> {
         for name in HERS {
             if let Some(item) = table.item(name) {
                 let error = self.together(table, item, "from");
-                return Err(error.with_help("remove it: that vessel has particulars of her own"));
+                return Err(
+                    error.with_help("remove it: the vessel of `from` has its own particulars")
+                );
             }
         }
         for (part, name) in [("propeller", "diameter"), ("rudder", "area"), ("rudder", "span")] {
             let Some(inner) = table.item(part).map(Item::table) else { continue };
             if let Some(item) = inner.item(name) {
                 let error = self.together(inner, item, "from");
-                return Err(error
-                    .with_help("remove it: that vessel has a propeller and a rudder of her own"));
+                return Err(error.with_help(
+                    "remove it: the vessel of `from` has its own propeller and rudder",
+                ));
             }
         }
         Ok(())

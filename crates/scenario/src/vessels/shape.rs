@@ -1,4 +1,4 @@
-//! Outline, chocks, bitts and belting: where they are, and that they are on her.
+//! Outline, chocks, bitts and belting, and the check that they are on the vessel.
 
 use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{Outline, Vec2, vec2};
@@ -11,14 +11,14 @@ use crate::sources::Sources;
 
 type Read<T> = Result<T, ScenarioError>;
 
-/// An outline's breadth, and its length where the length overall is known, may differ by this much.
+/// Relative tolerance of an outline's breadth, and of its length where the length overall is known.
 const FITS: f64 = 0.02;
-/// Length of an outline over the length between perpendiculars, where nothing else is known.
+/// Bounds of an outline's length over the length between perpendiculars, where the length overall is not known.
 const OVERALL: [f64; 2] = [0.95, 1.2];
-/// How far beyond the outline a chock may stand (m).
+/// How far outside the outline a chock may be (m).
 const OUTREACH_M: f64 = 1.0;
 
-/// Where the points of an outline are measured from.
+/// The origin of the points of an outline.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum OutlineOrigin {
     Midship,
@@ -64,13 +64,13 @@ pub(super) fn outline(
                 "it is {length_m} m long, but her length between perpendiculars is {} m",
                 ship.length_m
             );
-            Err(complain(message).with_help("give her `length_overall`, where that is so"))
+            Err(complain(message).with_help("give `length_overall` if that is right"))
         }
         _ => Ok(Some(points)),
     }
 }
 
-/// The corners of the smallest rectangle around points, after port and forward starboard.
+/// The after port and forward starboard corners of the bounding rectangle of points.
 fn extent(points: &[Vec2]) -> [Vec2; 2] {
     let start = [vec2(f64::INFINITY, f64::INFINITY), vec2(-f64::INFINITY, -f64::INFINITY)];
     points.iter().fold(start, |[low, high], point| {
@@ -115,7 +115,7 @@ pub(super) fn beltings(
         let middle_m = (from_m + to_m) * 0.5;
         let across = vec2(-along_m.y, along_m.x);
         let outward = if across.dot(middle_m) < 0.0 { across * -1.0 } else { across };
-        // Its line passes midship: neither of its sides is outward.
+        // If its line passes through midship, neither side is outward.
         if across.dot(middle_m).abs() < 1e-6 * along_m.length() || along_m.length() < 1e-3 {
             let path = &table.path;
             let message = format!("`{path}` must be a strip that has midship on one side of it");
@@ -133,7 +133,7 @@ pub(super) fn beltings(
     tables.iter().map(read).collect()
 }
 
-/// Where a point on deck may be.
+/// The hull that points on deck must be on.
 pub(super) struct Hull<'h> {
     /// The outline about midship, where it is known.
     pub(super) outline_m: Option<&'h [Vec2]>,
@@ -158,7 +158,7 @@ impl Hull<'_> {
             return Ok(());
         }
         let path = table.path_of(item.name);
-        let message = format!("`{path}`: [{}, {}] m is not on her", at.x, at.y);
+        let message = format!("`{path}`: [{}, {}] m is not on the vessel", at.x, at.y);
         Err(sources.error(&item.span, &path, message))
     }
 }

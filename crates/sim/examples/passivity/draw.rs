@@ -1,11 +1,11 @@
-//! Numbers drawn from a seed, the same everywhere.
+//! Random numbers from a seed, the same on every platform.
 
 /// Steele, Lea and Flood's SplitMix64.
 pub(crate) struct Draw(u64);
 
 impl Draw {
     pub(crate) fn new(seed: u64) -> Draw {
-        // Neighbouring seeds are neighbouring states: the first output would do, this parts them wide.
+        // Neighbouring seeds are neighbouring states: one output separates them.
         let mut draw = Draw(seed);
         draw.0 = draw.word();
         draw
@@ -19,7 +19,7 @@ impl Draw {
         z ^ (z >> 31)
     }
 
-    /// Evenly from `low` up to `high`.
+    /// A uniform number from `low` up to `high`.
     pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * ((self.word() >> 11) as f64 / (1_u64 << 53) as f64)
     }

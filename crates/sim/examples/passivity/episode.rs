@@ -1,4 +1,4 @@
-//! One hit: a tug at any heading, speed and spin meets fenders on a quay or a pontoon.
+//! One impact: a tug at any heading, velocity and rate of turn meets fenders on a quay or a pontoon.
 
 use std::f64::consts::PI;
 
@@ -11,10 +11,10 @@ use crate::draw::Draw;
 use crate::support::scenes::{FENDER_HEIGHT_M, berth_materials, cone_fender, quay, tug};
 use crate::support::{floating, rectangle, spring};
 
-/// What is drawn of an episode.
+/// The random parameters of an episode.
 #[derive(Clone, Debug)]
 pub(crate) struct Episode {
-    /// Of the pontoon that carries the fenders; `None`: a quay.
+    /// Mass of the pontoon that carries the fenders; `None`: a quay.
     host_kg: Option<f64>,
     /// Added masses in sway over the displacement, of tug and pontoon.
     added: [f64; 2],
@@ -30,7 +30,7 @@ pub(crate) struct Episode {
     shear_stiffness_npm: f64,
     law: Law,
     pub(crate) step_s: f64,
-    /// Of the fenders, where they have an unloading law.
+    /// Unloading law of the fenders.
     unloading: Option<UnloadsBy>,
 }
 
@@ -43,38 +43,38 @@ enum Law {
 
 #[derive(Clone, Copy, Debug)]
 enum UnloadsBy {
-    /// Share of the energy taken.
+    /// Returned share of the energy.
     Returned(f64),
-    /// An unloading curve, this high beside the loading curve; by an area law so much energy.
+    /// An unloading curve at this share of the loading curve; for an area law the returned share of the energy.
     Curve(f64),
 }
 
-/// What became of the energy, in parts of the kinetic energy before.
+/// The energy balance of an episode, over the kinetic energy before.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Outcome {
-    /// Lost to contact.
+    /// Energy lost in contact.
     lost: f64,
-    /// Made by what no contact and no load did: a momentum that turns with its body, within a step.
+    /// Residual of the ledger: the error of the Coriolis terms within a step.
     pub(crate) turning: f64,
     pub(crate) touched: bool,
-    /// Outline on outline besides.
+    /// The hull also touched the structure.
     pub(crate) touched_structure: bool,
 }
 
 impl Outcome {
-    /// By contact.
+    /// Gain by contact.
     pub(crate) fn gain(&self) -> f64 {
         -self.lost
     }
 
-    /// By all that there is.
+    /// Gain with the residual.
     pub(crate) fn gain_with_turning(&self) -> f64 {
         self.turning - self.lost
     }
 }
 
-/// The episode of a seed; with unloading laws it is the same hit on such fenders.
-pub(crate) fn drawn(seed: u64, anisotropic: bool, unloads: bool) -> Episode {
+/// The episode of a seed. With `unloads` it is the same impact on fenders with unloading laws.
+pub(crate) fn random(seed: u64, anisotropic: bool, unloads: bool) -> Episode {
     let mut draw = Draw::new(seed);
     let added = [draw.between(0.0, 0.9), draw.between(0.0, 0.9)];
     Episode {
@@ -99,7 +99,7 @@ pub(crate) fn drawn(seed: u64, anisotropic: bool, unloads: bool) -> Episode {
     }
 }
 
-/// Plays it for 20 s.
+/// Runs an episode of 20 s.
 pub(crate) fn play(episode: &Episode) -> Outcome {
     let mut simulation = Simulation::new(setup(episode)).expect("a good set-up");
     let before_j = simulation.energy().kinetic_j;
@@ -128,7 +128,7 @@ fn setup(episode: &Episode) -> Setup {
     });
     let own = tug();
     let outline = if episode.boxy { rectangle(32.0, 11.0) } else { own.outline };
-    // The hull's farthest point towards the quay, a little off the face.
+    // The point of the hull nearest to the quay is 0.05 m off the fender faces.
     let reach_m = farthest_east_m(outline.vertices(), episode.heading_rad);
     let mut tug = floating("tug", outline, 930e3, 8.0);
     tug.mass.as_mut().expect("she floats").added_sway_kg = 930e3 * episode.added[1];
@@ -173,7 +173,7 @@ fn unloading(unloads_by: UnloadsBy, law: &FenderLaw) -> Unloading {
         (UnloadsBy::Returned(share), _) | (UnloadsBy::Curve(share), FenderLaw::Area) => {
             Unloading::ReturnedEnergy(share)
         }
-        // Nothing at first, and at the end of the curve together with it.
+        // Zero at first, and equal to the loading curve at its end.
         (UnloadsBy::Curve(share), FenderLaw::Curve(points)) => {
             let [end_m, _] = points[points.len() - 1];
             let lower = |&[at_m, reaction_n]: &[f64; 2]| {
@@ -184,7 +184,7 @@ fn unloading(unloads_by: UnloadsBy, law: &FenderLaw) -> Unloading {
     }
 }
 
-/// Four of them, 4 m wide and half a metre apart.
+/// Fender `k` of four, each 4 m wide, with gaps of 0.5 m.
 fn fender(k: u32, episode: &Episode) -> FenderSetup {
     let along_m = 4.5 * (f64::from(k) - 1.5);
     let mut fender = cone_fender(&format!("fender {k}"), along_m, FENDER_HEIGHT_M, 1.2e6);

@@ -1,8 +1,8 @@
-//! Work of a closed, frictionless loop: the corner of a hull is taken round the corner of a quay and
-//! back to where it was, the bow into the quay on one side and out on the other.
+//! Work of a closed, frictionless loop: the corner of a hull moves round the corner of a quay and back, into the quay on one
+//! side and out on the other.
 //!
-//! Along the chord's normal kS is no gradient of anything (docs/contact_model.md, section 2), so that each round gains or
-//! loses; along a face it is one, and a round does nothing.
+//! Along the chord's normal the force kS is not the gradient of an energy (docs/contact_model.md, section 2), so that a loop
+//! gains or loses energy. Along a face it is, and a loop does no work.
 
 use std::f64::consts::{PI, TAU};
 
@@ -15,15 +15,14 @@ use crate::support::{outline, rectangle, spring};
 
 /// The paper's k (N/m²).
 const STIFFNESS_NPM2: f64 = 500e3;
-/// The ship's corner goes round a circle of this radius about a point this far within both sides of
-/// the quay (m).
+/// The ship's corner moves on a circle of this radius about a point at this distance inside both sides of the quay (m).
 const RADIUS_M: f64 = 2.0;
 const WITHIN_M: f64 = 0.5;
 const SHIP_CORNER_M: Vec2 = vec2(149.0, 23.0);
-/// Steps round the circle; their error falls with the square of their number.
+/// Steps round the circle. The error decreases with the square of their number.
 const STEPS: u32 = 20_000;
 
-/// Measures both; false where the face's loop did work.
+/// Measures both. Returns false if the loop along the face did work.
 pub(crate) fn report() -> bool {
     println!(
         "frictionless closed loops of {RADIUS_M} m round a corner, k = {:.0} kN/m²:",
@@ -46,11 +45,18 @@ pub(crate) fn report() -> bool {
         );
         closed &= face_j.abs() <= 1e-6 * face_most_j;
     }
-    println!("  {}", if closed { "a face's loop does no work" } else { "A FACE'S LOOP DID WORK" });
+    println!(
+        "  {}",
+        if closed {
+            "the loop along a face does no work"
+        } else {
+            "THE LOOP ALONG A FACE DID WORK"
+        }
+    );
     closed
 }
 
-/// Work on the ship round the loop, and the most that it had taken from her on the way (J).
+/// Work on the ship round the loop, and the greatest energy taken from her on the way (J).
 fn round(model: &Model, heading_rad: f64, steps: u32) -> (f64, f64) {
     let turned = Rotation::from_angle(heading_rad);
     let middle_m = vec2(WITHIN_M, WITHIN_M) - turned.apply(SHIP_CORNER_M);
@@ -68,7 +74,7 @@ fn round(model: &Model, heading_rad: f64, steps: u32) -> (f64, f64) {
     (work_j, -least_j)
 }
 
-/// The springs' force, before any limiter.
+/// The spring force, before any limiter.
 fn force_on_ship_n(model: &Model, position_m: Vec2, heading_rad: f64) -> Vec2 {
     let (mut memory, mut work) = (Memory::new(model), Workspace::new(model));
     let ship = BodyState { position_m, heading_rad, ..BodyState::default() };
@@ -85,7 +91,7 @@ fn corner() -> Model {
     model(outline(&square), None, spring(STIFFNESS_NPM2, 1.0))
 }
 
-/// The same corner as the end of a fender's face, the quay 4 m behind it.
+/// A fender whose face ends at the same corner, with the quay 4 m behind.
 fn face() -> Model {
     let quay = [vec2(4.0, 0.0), vec2(60.0, 0.0), vec2(60.0, 60.0), vec2(4.0, 60.0)];
     let fender = Fender {

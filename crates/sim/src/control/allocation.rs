@@ -1,21 +1,21 @@
-//! Which of several thrusters and tugs gives how much of a lateral force and a yaw moment.
+//! Allocation of a lateral force and a yaw moment to thrusters and tugs.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 
-/// A device that pushes sideways at a place along the hull.
+/// A device that gives a lateral force at a position along the hull.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LateralDevice {
-    /// Place ahead of the centre of gravity (m).
+    /// Position ahead of the centre of gravity (m).
     pub forward_m: f64,
-    /// Least and greatest force to starboard that it can give now (N).
+    /// Least and greatest force to starboard at present (N).
     pub limits_n: [f64; 2],
 }
 
-/// Forces to starboard of all devices (N) that together give a lateral force (N) and a yaw moment (N·m),
-/// with the least sum of squares; what one cannot give the others take as far as they can.
+/// Computes forces to starboard of all devices (N) that together give a lateral force (N) and a yaw moment (N·m), with the
+/// least sum of squares and within their limits.
 ///
-/// Least squares with two conditions: f_i = λ + μ x_i. A device at its limit keeps it, and the rest is
-/// shared again among the others: at most as many rounds as there are devices.
+/// Least squares with two conditions: f_i = λ + μ x_i. A device beyond its limit is set to it, and the rest is allocated again
+/// to the others, at most once for each device.
 ///
 /// ```
 /// use fenderline_sim::control::{LateralDevice, allocate};
@@ -26,7 +26,7 @@ pub struct LateralDevice {
 /// ```
 ///
 /// # Panics
-/// Without one place for each device's force.
+/// If `forces_n` has not one entry for each device.
 pub fn allocate(devices: &[LateralDevice], force_n: f64, moment_nm: f64, forces_n: &mut [f64]) {
     assert_eq!(devices.len(), forces_n.len(), "one force a device");
     forces_n.fill(f64::NAN);
@@ -45,7 +45,7 @@ pub fn allocate(devices: &[LateralDevice], force_n: f64, moment_nm: f64, forces_
             second += x * x;
         }
         let determinant = count * second - first * first;
-        // Devices at one place cannot turn her: the force comes first.
+        // Devices at one position give no moment about it: the force has priority.
         let (level, slope) = if determinant > 1e-9 * (second + 1.0) * count {
             (
                 (rest_n * second - rest_nm * first) / determinant,
@@ -56,7 +56,7 @@ pub fn allocate(devices: &[LateralDevice], force_n: f64, moment_nm: f64, forces_
         } else {
             return;
         };
-        // The worst offender is set to its limit first, so that the order of devices does not matter.
+        // The device farthest beyond its limit is set to it first, so that the order of devices does not matter.
         let excess = |i: usize| {
             let wanted_n = level + slope * devices[i].forward_m;
             let [low, high] = devices[i].limits_n;
@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn force_and_moment_come_out_where_the_devices_can_give_them() {
+    fn force_and_moment_are_met_within_the_limits() {
         let devices =
             [device(100.0, -1e6, 1e6), device(-60.0, -1e6, 1e6), device(120.0, -1e6, 1e6)];
         let (force, moment, _) = given(&devices, 2e5, -3e6);
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn what_one_cannot_give_the_others_take() {
+    fn the_others_take_over_what_a_device_at_its_limit_cannot_give() {
         let devices = [device(100.0, 0.0, 1e5), device(-100.0, 0.0, 1e6), device(0.0, 0.0, 1e6)];
         let (force, _, forces) = given(&devices, 9e5, 0.0);
         assert_eq!(forces[0], 1e5);

@@ -1,9 +1,8 @@
-//! What a tug that is a vessel of her own does at a ship: keeps beside her, comes to her side and pushes,
-//! pulls on a line. Each law turns where both are into a velocity, a heading or a plain thrust; thrusters do
-//! the rest.
+//! Control of a tug that is a vessel and assists a ship: she keeps a relative position, comes alongside and pushes, or pulls on
+//! a line. Each law turns the states of both into a velocity and a heading, or a thrust; thrusters follow them.
 //!
-//! They are simple and ours: no published tug master's law was found. A tug does not find her way round a
-//! ship: bring her to the right side first.
+//! The laws are simple and ours: no published law was found. A tug does not find her way round a ship: bring her to the right
+//! side first.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{BodyState, Rotation, Vec2};
@@ -12,50 +11,50 @@ use super::station::Demand;
 use super::thrust::Sway;
 use super::turn_to;
 
-/// The speed at which a tug touches (m/s), unless she is told to come slower.
+/// Speed at which a tug makes contact (m/s), unless a lower one is ordered.
 pub const TOUCH_MPS: f64 = 0.1;
-/// Heading (rad) and way along the side (m) by which she may be off before she waits to come alongside.
-const OFF: [f64; 2] = [0.25, 3.0];
-/// What part of it does not count: near enough is there.
+/// Errors of heading (rad) and of position along the side (m) at which she waits at the stand-off distance.
+const WAIT_ERRORS: [f64; 2] = [0.25, 3.0];
+/// Errors below this share of [`WAIT_ERRORS`] do not make her wait.
 const NEAR_ENOUGH: f64 = 0.3;
-/// She waits so far off, in her own lengths.
+/// Stand-off distance over her length.
 const STAND_OFF: f64 = 0.5;
-/// Beyond this heading off the ship's normal she does not push on (rad).
+/// She does not push with a greater error of heading (rad).
 const ASKEW_RAD: f64 = 0.6;
-/// With this part of the ordered force on her bow, friction holds it along the side.
-const HOLDS: f64 = 0.25;
-/// A tug whose bow is held turns about it, not about her centre of gravity: so much heavier is she to turn with
-/// thrusters at her stern, and so much less is it to leave to chance that friction drags her bow along.
-const LEANING: f64 = 6.0;
-/// So far off, in her own lengths, and from this speed on (m/s), she goes bow first.
+/// From this share of the ordered force on, friction holds her bow along the side.
+const HELD_SHARE: f64 = 0.25;
+/// Factor on the yaw gain while her bow is held. She then turns about her bow instead of her centre of gravity, with more
+/// inertia.
+const HELD_YAW_GAIN: f64 = 6.0;
+/// Beyond this distance over her length, and from this speed on (m/s), she goes bow first.
 const FAR: f64 = 0.75;
 const BOW_FIRST_MPS: f64 = 0.5;
-/// On the last metres she takes so much longer than elsewhere: her thrusters lag behind.
+/// Factor on the time constant of position for the last metres, because her thrusters lag.
 const PATIENCE: f64 = 1.6;
-/// Ahead at these speeds she begins to steer back to her place, and does nothing else (m/s).
+/// Speeds ahead at which she begins to correct her position by steering, and corrects it by steering alone (m/s).
 const STEERS_MPS: [f64; 2] = [0.5, 1.5];
-/// By no more than this (rad).
+/// Largest change of heading for that (rad).
 const MOST_STEERED_RAD: f64 = 0.5;
-/// Outwards on a line that is about to come tight (m/s).
+/// Speed outwards while she takes up the last slack of a line (m/s).
 const TAKE_UP_MPS: f64 = 0.3;
 
-/// How a vessel is handled.
+/// Constants of the control of a vessel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Handling {
-    /// Mass in surge and sway, inertia in yaw, added mass included (kg, kg, kg·m²).
+    /// Mass in surge and sway and inertia in yaw, with added mass (kg, kg, kg·m²).
     pub inertia: [f64; 3],
-    /// Time in which an error of speed is taken off (s).
+    /// Time constant of errors of speed (s).
     pub speed_time_s: f64,
-    /// Time in which an error of place or heading is (s).
+    /// Time constant of errors of position and heading (s).
     pub place_time_s: f64,
-    /// The fastest turn that is asked for (rad/s).
+    /// Greatest rate of turn (rad/s).
     pub fastest_turn_radps: f64,
     /// Her length (m).
     pub length_m: f64,
 }
 
 impl Handling {
-    /// Of a vessel by her length: 5 s and 20 s for a tug of 32 m, by Froude's law for others. Ours.
+    /// Constants from the length: 5 s and 20 s for a tug of 32 m, scaled by Froude's law. Ours.
     #[must_use]
     pub fn of(inertia: [f64; 3], length_m: f64) -> Handling {
         let scale = libm::sqrt(length_m / 32.0);
@@ -68,28 +67,28 @@ impl Handling {
         }
     }
 
-    /// The heading of one who is still far from where she shall be: she goes there bow first, as units at her
-    /// stern drive her sideways only slowly.
+    /// The heading for a tug that is far from her position: she goes there bow first, because units at her stern move her
+    /// sideways only slowly.
     fn bow_first(&self, off: Vec2, going_mps: Vec2) -> Option<f64> {
         let far = off.length() > FAR * self.length_m && going_mps.length() > BOW_FIRST_MPS;
         far.then(|| libm::atan2(going_mps.y, going_mps.x))
     }
 
-    /// The moment (N·m) that brings her to a heading, against one that she feels.
+    /// The moment (N·m) that turns her to a heading, less a known disturbance.
     #[must_use]
-    pub fn turning_moment(&self, state: &BodyState, heading_rad: f64, felt_nm: f64) -> f64 {
+    pub fn turning_moment(&self, state: &BodyState, heading_rad: f64, disturbance_nm: f64) -> f64 {
         let turn = turn_to(state.heading_rad, heading_rad) / self.place_time_s;
         let turn = bounded(turn, -self.fastest_turn_radps, self.fastest_turn_radps);
-        self.inertia[2] / self.speed_time_s * (turn - state.yaw_rate_radps) - felt_nm
+        self.inertia[2] / self.speed_time_s * (turn - state.yaw_rate_radps) - disturbance_nm
     }
 }
 
-/// What she is to do, and where the ship and her side are now, earth-fixed.
+/// The task of a tug in a step, with positions and velocities of the ship, earth-fixed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Task {
-    /// Be at a place that moves with the ship.
+    /// Keep a position that moves with the ship.
     Follow {
-        /// The place (m).
+        /// The position (m).
         place_m: Vec2,
         /// Its velocity (m/s).
         velocity_mps: Vec2,
@@ -104,12 +103,12 @@ pub enum Task {
         velocity_mps: Vec2,
         /// Unit vector into the ship.
         inward: Vec2,
-        /// From her centre of gravity to the tip of her bow, fender included (m).
+        /// Distance from her centre of gravity to the tip of her bow with its fender (m).
         bow_m: f64,
         /// Force (N).
         force_n: f64,
-        /// The force between them in the last step (N).
-        touch_n: f64,
+        /// Contact force between them in the last step (N).
+        contact_n: f64,
     },
     /// Pull on a line.
     Pull {
@@ -119,9 +118,9 @@ pub enum Task {
         velocity_mps: Vec2,
         /// Unit vector of the pull on the ship.
         outward: Vec2,
-        /// Whether the line leads over her bow: she faces the ship then and pulls astern.
+        /// True if the line leads over her bow: she then faces the ship and pulls astern.
         over_bow: bool,
-        /// So much longer is the line than the way between its ends (m).
+        /// Length of the line less the distance between its ends (m).
         slack_m: f64,
         /// Force (N).
         force_n: f64,
@@ -130,58 +129,58 @@ pub enum Task {
     },
 }
 
-/// What a task comes to in a step.
+/// The demand of a task in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Asked {
-    /// For her thrusters.
+pub struct AssistDemand {
+    /// Demand on her thrusters.
     pub demand: Demand,
-    /// Whether the side force matters.
+    /// Whether the demanded sway force is met.
     pub sway: Sway,
 }
 
-/// By how much she turns off a heading so that her way ahead takes her where she is going (rad), and what part steering
-/// has in keeping her place: at speed, units at her stern push her bow round long before they push her sideways.
+/// The share of steering in the correction of her position, 0 to 1, and the change of heading for it (rad). At speed, units at
+/// her stern turn her long before they move her sideways.
 fn steered(going_mps: Vec2, heading_rad: f64) -> (f64, f64) {
     let own = Rotation::from_angle(heading_rad).apply_inverse(going_mps);
     let [begins_mps, whole_mps] = STEERS_MPS;
     let share = bounded((own.x - begins_mps) / (whole_mps - begins_mps), 0.0, 1.0);
-    // Without way there is nothing to steer with, and the angle would mean nothing.
+    // Without speed ahead she cannot steer, and the angle is undefined.
     let angle_rad = if share > 0.0 { libm::atan2(own.y, own.x) } else { 0.0 };
     (share, share * bounded(angle_rad, -MOST_STEERED_RAD, MOST_STEERED_RAD))
 }
 
-/// What her thrusters should give, in her own axes about her centre of gravity.
+/// The demand on her thrusters, in her axes about her centre of gravity.
 ///
-/// `felt` is what hull, wind and waves put on her in the last step: she makes up for it. `fastest_mps` bounds
-/// her speed beside that of the ship. `steady_nm` is a moment learnt against what leans on her bow.
+/// `disturbance` is the force of hull, wind and waves in the last step, which she compensates. `fastest_mps` limits her speed
+/// relative to the ship. `steady_nm` is the integral of the yaw control.
 #[must_use]
 pub fn assist(
     task: &Task,
     handling: &Handling,
     state: &BodyState,
-    felt: &Demand,
+    disturbance: &Demand,
     fastest_mps: f64,
     steady_nm: f64,
-) -> Asked {
+) -> AssistDemand {
     let mut sway = Sway::Held;
-    let (mut thrust_n, mut stiffer) = (None, 1.0);
+    let (mut thrust_n, mut yaw_gain) = (None, 1.0);
     let (velocity_mps, heading_rad) = match *task {
         Task::Follow { place_m, velocity_mps, heading_rad } => {
             let off = place_m - state.position_m;
-            let going = velocity_mps + cut(off * (1.0 / handling.place_time_s), fastest_mps);
+            let going = velocity_mps + limited(off * (1.0 / handling.place_time_s), fastest_mps);
             let (share, steered_rad) = steered(going, heading_rad);
             if share >= 1.0 {
                 sway = Sway::Free;
             }
             (going, handling.bow_first(off, going).unwrap_or(heading_rad + steered_rad))
         }
-        Task::Push { place_m, velocity_mps, inward, bow_m, force_n, touch_n } => {
+        Task::Push { place_m, velocity_mps, inward, bow_m, force_n, contact_n } => {
             let heading_rad = libm::atan2(inward.y, inward.x);
             let turn = turn_to(state.heading_rad, heading_rad);
-            if touch_n > 0.0 && turn.abs() < ASKEW_RAD {
+            if contact_n > 0.0 && turn.abs() < ASKEW_RAD {
                 thrust_n = Some(force_n);
-                stiffer = LEANING;
-                if touch_n > HOLDS * force_n {
+                yaw_gain = HELD_YAW_GAIN;
+                if contact_n > HELD_SHARE * force_n {
                     sway = Sway::Free;
                 }
             }
@@ -195,9 +194,9 @@ pub fn assist(
             let facing = if over_bow { -outward } else { outward };
             let off = place_m - state.position_m;
             let across = off - outward * off.dot(outward);
-            let way = cut(across * (1.0 / handling.place_time_s), fastest_mps);
+            let way = limited(across * (1.0 / handling.place_time_s), fastest_mps);
             let out_mps = if tension_n > 0.0 {
-                // She works against the spring of the line, and takes her way off it.
+                // Against a taut line she damps her speed.
                 let along = Rotation::from_angle(state.heading_rad).apply_inverse(facing).x;
                 let out_mps = (state.velocity_mps - velocity_mps).dot(outward);
                 let eased_n = force_n - handling.inertia[0] / handling.speed_time_s * out_mps;
@@ -214,19 +213,20 @@ pub fn assist(
     let stiff = 1.0 / handling.speed_time_s;
     let [surge_kg, sway_kg, _] = handling.inertia;
     let surge_n = thrust_n.unwrap_or(surge_kg * stiff * error.x);
-    Asked {
+    AssistDemand {
         demand: Demand {
-            surge_n: surge_n - felt.surge_n,
-            sway_n: sway_kg * stiff * error.y - felt.sway_n,
-            yaw_nm: stiffer * handling.turning_moment(state, heading_rad, 0.0) - felt.yaw_nm
+            surge_n: surge_n - disturbance.surge_n,
+            sway_n: sway_kg * stiff * error.y - disturbance.sway_n,
+            yaw_nm: yaw_gain * handling.turning_moment(state, heading_rad, 0.0)
+                - disturbance.yaw_nm
                 + steady_nm,
         },
         sway,
     }
 }
 
-/// Velocity beside the ship's on the way to her side: up to a stand-off until heading and place along the
-/// side are right, then on until she touches.
+/// Velocity relative to the ship while she comes alongside: to the stand-off distance until heading and position along the side
+/// are right, then on until she makes contact.
 fn alongside(
     state: &BodyState,
     handling: &Handling,
@@ -238,19 +238,19 @@ fn alongside(
     let gap_m = off.dot(inward);
     let across = off - inward * gap_m;
     let turn = turn_to(state.heading_rad, libm::atan2(inward.y, inward.x));
-    let astray = greater(turn.abs() / OFF[0], across.length() / OFF[1]);
+    let astray = greater(turn.abs() / WAIT_ERRORS[0], across.length() / WAIT_ERRORS[1]);
     let waits = bounded((astray - NEAR_ENOUGH) / (1.0 - NEAR_ENOUGH), 0.0, 1.0);
     let to_go_m = gap_m - waits * STAND_OFF * handling.length_m;
     let touch_mps = lesser(TOUCH_MPS, fastest_mps);
     let closing = to_go_m / (PATIENCE * handling.place_time_s) + touch_mps * (1.0 - waits);
-    // Once she is that far, no harder into the ship than she may touch.
+    // At the side, no faster than the contact speed.
     let most_mps = if gap_m <= 0.0 { touch_mps } else { fastest_mps };
     inward * bounded(closing, -fastest_mps, most_mps)
-        + cut(across * (1.0 / handling.place_time_s), fastest_mps)
+        + limited(across * (1.0 / handling.place_time_s), fastest_mps)
 }
 
-/// The vector, no longer than this.
-fn cut(vector: Vec2, longest: f64) -> Vec2 {
+/// The vector, limited to a length.
+fn limited(vector: Vec2, longest: f64) -> Vec2 {
     let length = vector.length();
     if length > longest { vector * (longest / length) } else { vector }
 }
@@ -268,14 +268,14 @@ mod tests {
         length_m: 30.0,
     };
 
-    fn push(place_m: Vec2, touch_n: f64) -> Task {
+    fn push(place_m: Vec2, contact_n: f64) -> Task {
         Task::Push {
             place_m,
             velocity_mps: Vec2::ZERO,
             inward: vec2(1.0, 0.0),
             bow_m: 16.0,
             force_n: 3e5,
-            touch_n,
+            contact_n,
         }
     }
 
@@ -291,7 +291,7 @@ mod tests {
     }
 
     #[test]
-    fn she_comes_on_slowly_and_pushes_when_she_touches() {
+    fn she_approaches_slowly_and_pushes_on_contact() {
         let state = BodyState { velocity_mps: vec2(TOUCH_MPS, 0.0), ..BodyState::default() };
         let near =
             assist(&push(vec2(16.0, 0.0), 0.0), &HANDLING, &state, &Demand::default(), 1.0, 0.0);

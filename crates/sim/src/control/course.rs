@@ -1,4 +1,4 @@
-//! Keeping a course and a speed with rudder and engine.
+//! Pilots that keep a course with the rudder and a speed with the engine.
 
 use fenderline_contact::number::{bounded, greater};
 
@@ -6,8 +6,8 @@ use super::turn_to;
 
 /// Keeps a heading with the rudder: δ = Kp (ψ_wanted − ψ) − Kd r, within the stops.
 ///
-/// The gains that `of_ship` takes are customary for a helmsman's feel, not tuned for a ship: a rudder of as
-/// many degrees as she is off, and a counter-rudder for a turn of her own length.
+/// The gains of `of_ship` are customary, not tuned for a ship: one degree of rudder for each degree of error, and counter-rudder
+/// from the time in which she sails 1.5 times her length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoursePilot {
     /// Wanted heading (rad).
@@ -21,14 +21,14 @@ pub struct CoursePilot {
 }
 
 impl CoursePilot {
-    /// For a ship of this length at this speed.
+    /// A pilot for a ship of a length at a speed.
     #[must_use]
     pub fn of_ship(heading_rad: f64, length_m: f64, speed_mps: f64, stop_rad: f64) -> CoursePilot {
         let rate_gain_s = 1.5 * length_m / greater(speed_mps.abs(), 0.5);
         CoursePilot { heading_rad, gain: 1.0, rate_gain_s, stop_rad }
     }
 
-    /// The rudder that it asks for (rad). Astern the rudder works the other way round.
+    /// The rudder order (rad). Going astern the rudder acts in the opposite direction.
     #[must_use]
     pub fn rudder_rad(&self, heading_rad: f64, yaw_rate_radps: f64, surge_mps: f64) -> f64 {
         let ask =
@@ -43,7 +43,7 @@ impl CoursePilot {
 pub struct SpeedPilot {
     /// Wanted speed ahead through the water (m/s).
     pub speed_mps: f64,
-    /// Speed at full revolutions (m/s): for the first guess.
+    /// Speed at full revolutions (m/s), for the feed-forward.
     pub full_speed_mps: f64,
     /// Time in which a constant error would move the order by as much as the error itself does (s).
     pub integral_s: f64,
@@ -52,12 +52,11 @@ pub struct SpeedPilot {
 }
 
 impl SpeedPilot {
-    /// The share of full revolutions that it asks for in this step, −1 to 1. While the order stands at its
-    /// stop the integral waits.
+    /// The order in this step: revolutions over full revolutions, −1 to 1. The integral stops while the order is at its limit.
     pub fn revolutions(&mut self, surge_mps: f64, step_s: f64) -> f64 {
         let error = (self.speed_mps - surge_mps) / self.full_speed_mps;
-        let first_guess = self.speed_mps / self.full_speed_mps;
-        let ask = first_guess + 3.0 * error + self.integral;
+        let feed_forward = self.speed_mps / self.full_speed_mps;
+        let ask = feed_forward + 3.0 * error + self.integral;
         if ask.abs() < 1.0 {
             self.integral += 3.0 * error * step_s / self.integral_s;
         }
@@ -80,7 +79,7 @@ mod tests {
 
     #[test]
     fn a_speed_against_a_steady_drag_is_reached() {
-        // u̇ = (revolutions − drag)/30 s, with a drag that the first guess does not know.
+        // u̇ = (revolutions − drag)/30 s, with a drag that the feed-forward does not include.
         let mut pilot =
             SpeedPilot { speed_mps: 3.0, full_speed_mps: 8.0, integral_s: 60.0, integral: 0.0 };
         let mut u = 0.0;

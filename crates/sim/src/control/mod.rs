@@ -1,5 +1,5 @@
-//! Simple pilots: from where a ship is to what her rudder, engine, thrusters and tugs should do. They read
-//! states and write demands; what comes of a demand is the actuators' and the water's business.
+//! Simple pilots: from a ship's state to orders for rudder, engine, thrusters and tugs. They demand forces; actuators and water
+//! decide what comes of it.
 
 mod allocation;
 mod assist;
@@ -8,7 +8,7 @@ mod station;
 mod thrust;
 
 pub use allocation::{LateralDevice, allocate};
-pub use assist::{Asked, Handling, TOUCH_MPS, Task, assist};
+pub use assist::{AssistDemand, Handling, TOUCH_MPS, Task, assist};
 pub use course::{CoursePilot, SpeedPilot};
 pub use station::{Demand, Gains, StationPilot};
 pub use thrust::{Reach, Sway, ThrustDevice, allocate_thrust, bias_pairs};

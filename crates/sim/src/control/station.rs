@@ -1,11 +1,11 @@
-//! Keeping or reaching a place and a heading with forces: for holding position, and for berthing.
+//! A pilot that reaches and keeps a position and a heading by forces: for station keeping and berthing.
 
 use fenderline_contact::number::bounded;
 use fenderline_contact::{BodyState, Rotation, Vec2};
 
 use super::turn_to;
 
-/// Force and moment that a pilot asks for, in the ship's axes.
+/// Force and moment that a pilot demands, in the ship's axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Demand {
     /// Forward (N).
@@ -16,10 +16,10 @@ pub struct Demand {
     pub yaw_nm: f64,
 }
 
-/// How hard a pilot works: as a mass on a damped spring, with an integral against steady weather.
+/// The gains of a station pilot: a damped spring, with an integral against steady wind and current.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gains {
-    /// Mass in surge and sway, and inertia in yaw (kg, kg, kg·m²).
+    /// Mass in surge and sway and inertia in yaw (kg, kg, kg·m²).
     pub inertia: [f64; 3],
     /// Period of the spring (s).
     pub period_s: f64,
@@ -27,29 +27,29 @@ pub struct Gains {
     pub damping: f64,
     /// Time of the integral (s): much longer than the period.
     pub integral_s: f64,
-    /// The fastest approach that it asks for: surge, sway (m/s), yaw (rad/s).
+    /// Greatest speed of approach: surge, sway (m/s), yaw (rad/s).
     pub fastest: [f64; 3],
 }
 
-/// Goes to a place and stays there.
+/// Goes to a position and stays there.
 ///
-/// The error in each of surge, sway and yaw gives a wanted speed, cut at the fastest allowed; the error in
-/// speed gives the force. Near the place that is a damped spring, far away a steady approach. It is how a
-/// master brings a ship alongside: parallel, and no faster than the fenders like.
+/// The error in each of surge, sway and yaw gives a wanted speed, limited to the greatest one; the error in speed gives the
+/// force. Near the position this acts as a damped spring, farther away it gives a steady approach. So a master brings a ship
+/// alongside: parallel, and no faster than the fenders allow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StationPilot {
-    /// Wanted place of the centre of gravity, earth-fixed (m).
+    /// Wanted position of the centre of gravity, earth-fixed (m).
     pub position_m: Vec2,
     /// Wanted heading (rad).
     pub heading_rad: f64,
-    /// How hard it works.
+    /// Gains.
     pub gains: Gains,
-    /// The integrals: forces and moment against steady weather, earth-fixed (N, N, N·m).
+    /// The integrals: forces and moment against steady wind and current, earth-fixed (N, N, N·m).
     pub steady: [f64; 3],
 }
 
 impl StationPilot {
-    /// Asks for the force of this step; the largest that can be given stops the integral.
+    /// The demand in this step. The integral of an axis stops while the demand is at its limit `largest`.
     pub fn demand(&mut self, state: &BodyState, largest: &Demand, step_s: f64) -> Demand {
         let attitude = Rotation::from_angle(state.heading_rad);
         let off = attitude.apply_inverse(self.position_m - state.position_m);
@@ -63,7 +63,7 @@ impl StationPilot {
         let gains = &self.gains;
         let omega = 2.0 * core::f64::consts::PI / gains.period_s;
         let limits = [largest.surge_n, largest.sway_n, largest.yaw_nm];
-        let (mut asked, mut learnt) = ([0.0; 3], [0.0; 3]);
+        let (mut demand, mut growth) = ([0.0; 3], [0.0; 3]);
         for axis in 0..3 {
             let wanted = bounded(
                 errors[axis] * omega / (2.0 * gains.damping),
@@ -72,16 +72,16 @@ impl StationPilot {
             );
             let change =
                 gains.inertia[axis] * 2.0 * gains.damping * omega * (wanted - speeds[axis]);
-            asked[axis] = change + steady[axis];
-            let full = asked[axis].abs() >= limits[axis];
-            learnt[axis] = if full { 0.0 } else { change * step_s / gains.integral_s };
-            asked[axis] = bounded(asked[axis], -limits[axis], limits[axis]);
+            demand[axis] = change + steady[axis];
+            let full = demand[axis].abs() >= limits[axis];
+            growth[axis] = if full { 0.0 } else { change * step_s / gains.integral_s };
+            demand[axis] = bounded(demand[axis], -limits[axis], limits[axis]);
         }
-        let learnt_n = attitude.apply(fenderline_contact::vec2(learnt[0], learnt[1]));
-        self.steady[0] += learnt_n.x;
-        self.steady[1] += learnt_n.y;
-        self.steady[2] += learnt[2];
-        Demand { surge_n: asked[0], sway_n: asked[1], yaw_nm: asked[2] }
+        let growth_n = attitude.apply(fenderline_contact::vec2(growth[0], growth[1]));
+        self.steady[0] += growth_n.x;
+        self.steady[1] += growth_n.y;
+        self.steady[2] += growth[2];
+        Demand { surge_n: demand[0], sway_n: demand[1], yaw_nm: demand[2] }
     }
 }
 

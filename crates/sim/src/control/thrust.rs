@@ -1,50 +1,48 @@
-//! Which of several devices gives how much of a force in the plane and a yaw moment, where some of them can
-//! push any way: azimuth units beside a propeller, tunnel thrusters and tugs.
+//! Allocation of a force in the plane and a yaw moment to devices some of which can push in any direction: azimuth units,
+//! propeller, tunnel thrusters and tugs.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{Vec2, vec2};
 
 use super::station::Demand;
 
-/// What a device can give (N).
+/// The forces that a device can give (N).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reach {
     /// Ahead only: from the first (negative: astern) to the second.
     Ahead([f64; 2]),
     /// To starboard only: from the first (negative: to port) to the second.
     Across([f64; 2]),
-    /// Any way, up to this.
+    /// In any direction, up to this.
     Round(f64),
 }
 
-/// A device at a place of the ship.
+/// A device at a position of the ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThrustDevice {
     /// Ahead and to starboard of the centre of gravity (m).
     pub at_m: Vec2,
-    /// What it can give now.
+    /// The forces that it can give at present.
     pub reach: Reach,
 }
 
-/// Whether the side force matters.
+/// Whether the demanded sway force is met.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sway {
-    /// It is to be what was demanded.
+    /// It is met.
     Held,
-    /// It may come out as it will: something else holds her, as her bow fender on a ship's side.
+    /// It is ignored: something else holds her sideways, such as friction between her bow fender and a ship's side.
     Free,
 }
 
 /// Surge, sway and yaw of a force (N, N, N·m over the scale of length).
 type Axes = [f64; 3];
 
-/// Forces of all devices, ahead and to starboard (N), that together give the demand with the least sum of
-/// squares.
+/// Computes forces of all devices, ahead and to starboard (N), that together give the demand with the least sum of squares.
 ///
-/// Least squares with conditions: f = Bᵀλ with BBᵀλ = demand. A device of one direction that cannot give its
-/// share gives what it can, and the rest is shared again. Where units that push any way cannot give theirs,
-/// the turning moment comes first, then what is left for the force ahead, then for that across: each is cut
-/// to the largest part that all of them can give.
+/// Least squares with conditions: f = Bᵀλ with BBᵀλ = demand. A device of one direction beyond its limit is set to it, and the
+/// rest is allocated again. Where azimuth units are beyond their limits, the yaw moment has priority, then surge, then sway:
+/// each is reduced to the largest part that all units can give.
 ///
 /// ```
 /// use fenderline_contact::vec2;
@@ -57,7 +55,7 @@ type Axes = [f64; 3];
 /// ```
 ///
 /// # Panics
-/// Without one place for each device's force.
+/// If `forces_n` has not one entry for each device.
 pub fn allocate_thrust(
     devices: &[ThrustDevice],
     demand: &Demand,
@@ -78,7 +76,7 @@ pub fn allocate_thrust(
     if problem.all_within(forces_n) {
         return;
     }
-    // Axis by axis, in the order of what matters most.
+    // Axis by axis, by priority.
     let rest = problem.less(wanted, &fixed);
     for (force_n, fixed_n) in forces_n.iter_mut().zip(&fixed) {
         *force_n = fixed_n.unwrap_or(Vec2::ZERO);
@@ -98,12 +96,11 @@ pub fn allocate_thrust(
     }
 }
 
-/// What a pair of units pushes against each other, over the less of what the two have.
+/// Opposing force of a pair of units over the smaller of their limits.
 const BIAS: f64 = 0.15;
 
-/// Lets units abreast of each other push against each other, as dynamic positioning does: nothing comes of it,
-/// but a small demand that changes its sign then turns a unit a little and not right round, for which it would
-/// take ten seconds.
+/// Makes units abreast of each other push against each other, as in dynamic positioning. The sum is unchanged, but a small
+/// demand that changes its sign then turns a unit by a small angle instead of half a turn, which would take ten seconds.
 pub fn bias_pairs(devices: &[ThrustDevice], forces_n: &mut [Vec2]) {
     for i in 0..devices.len() {
         for j in i + 1..devices.len() {
@@ -115,7 +112,7 @@ pub fn bias_pairs(devices: &[ThrustDevice], forces_n: &mut [Vec2]) {
             if apart.x.abs() > 0.1 * apart.y.abs() {
                 continue;
             }
-            // Along the line between them, so that there is no moment either.
+            // Along the line between them, so that the moment is unchanged too.
             let bias_n = apart * (BIAS * lesser(one_n, other_n) / apart.length());
             let share = lesser(
                 largest_share(devices[i].reach, forces_n[i], -bias_n),
@@ -134,7 +131,7 @@ struct Problem<'a> {
 }
 
 impl Problem<'_> {
-    /// What a force of a device does on the axes that matter.
+    /// Surge, sway and yaw of a force of a device; sway is 0 where it is ignored.
     fn effect(&self, device: &ThrustDevice, force_n: Vec2) -> Axes {
         let sway_n = if self.sway == Sway::Held { force_n.y } else { 0.0 };
         [force_n.x, sway_n, device.at_m.cross(force_n) / self.scale_m]
@@ -160,8 +157,8 @@ impl Problem<'_> {
         rest
     }
 
-    /// f = Bᵀ(BBᵀ + ε)⁻¹ rest over the devices that are not fixed. ε is so small that it only matters where
-    /// they cannot give an axis at all: there the answer is the nearest.
+    /// f = Bᵀ(BBᵀ + ε)⁻¹ rest over the devices that are not fixed. The small ε matters only where they cannot give an axis at
+    /// all: there the result is the nearest one.
     fn share(&self, rest: Axes, fixed: &[Option<Vec2>], forces_n: &mut [Vec2]) {
         let mut matrix = [[0.0; 3]; 3];
         for (device, _) in self.devices.iter().zip(fixed).filter(|(_, fixed)| fixed.is_none()) {
@@ -190,7 +187,7 @@ impl Problem<'_> {
         }
     }
 
-    /// The device of one direction that is farthest beyond its limits, and what it can give.
+    /// The device of one direction that is farthest beyond its limits, and its force at the limit.
     fn worst(&self, fixed: &[Option<Vec2>], forces_n: &[Vec2]) -> Option<(usize, Vec2)> {
         let mut worst: Option<(usize, Vec2, f64)> = None;
         for (i, device) in self.devices.iter().enumerate().filter(|(i, _)| fixed[*i].is_none()) {
@@ -290,7 +287,7 @@ mod tests {
     }
 
     #[test]
-    fn two_units_at_the_stern_give_what_was_demanded() {
+    fn two_units_at_the_stern_give_the_demand() {
         let tug = [round(-12.0, -2.5, 3e5), round(-12.0, 2.5, 3e5)];
         let asked = demand(1e5, 2e4, -3e5);
         let (sum, _) = given(&tug, asked, Sway::Held);
@@ -302,20 +299,20 @@ mod tests {
     }
 
     #[test]
-    fn with_the_side_force_free_a_moment_takes_less() {
+    fn a_moment_takes_less_force_where_sway_is_free() {
         let tug = [round(-12.0, -2.5, 3e5), round(-12.0, 2.5, 3e5)];
         let hardest = |sway| {
             let (sum, forces_n) = given(&tug, demand(0.0, 0.0, 1e6), sway);
             assert!((sum.yaw_nm - 1e6).abs() < 100.0);
             forces_n.iter().map(|f| f.length()).fold(0.0, greater)
         };
-        // By the long arm to the stern rather than by the short one between the units: 12 m and 2.5 m.
+        // By the arm of 12 m to the stern instead of the 2.5 m between the units.
         assert!((hardest(Sway::Held) - 2e5).abs() < 100.0);
         assert!(hardest(Sway::Free) < 0.25 * hardest(Sway::Held));
     }
 
     #[test]
-    fn beyond_the_limits_the_moment_comes_first_and_no_unit_gives_more_than_it_has() {
+    fn beyond_the_limits_the_moment_has_priority_and_no_unit_exceeds_its_limit() {
         let tug = [round(-12.0, -2.5, 3e5), round(-12.0, 2.5, 3e5)];
         let (sum, forces_n) = given(&tug, demand(9e5, 4e5, 5e5), Sway::Held);
         assert!((sum.yaw_nm - 5e5).abs() < 500.0, "{sum:?}");
@@ -324,14 +321,14 @@ mod tests {
     }
 
     #[test]
-    fn one_unit_alone_and_none_at_all_give_the_nearest_that_they_can() {
+    fn one_unit_or_none_gives_the_nearest_possible_force() {
         let (sum, _) = given(&[round(-10.0, 0.0, 1e6)], demand(1e5, 0.0, 0.0), Sway::Held);
         assert!((sum.surge_n - 1e5).abs() < 1.0 && sum.yaw_nm.abs() < 1.0);
         assert_eq!(given(&[], demand(1.0, 1.0, 1.0), Sway::Held).0, Demand::default());
     }
 
     #[test]
-    fn units_abreast_push_against_each_other_and_nothing_comes_of_it() {
+    fn opposing_units_abreast_do_not_change_the_sum() {
         let tug = [round(-12.0, -2.5, 3e5), round(-12.0, 2.5, 3e5)];
         let asked = demand(1e4, -2e4, 3e5);
         let (before, mut forces_n) = given(&tug, asked, Sway::Held);
@@ -347,9 +344,9 @@ mod tests {
         assert!(forces_n[0].y < -0.1 * 3e5 && forces_n[1].y > 0.1 * 3e5, "{forces_n:?}");
     }
 
-    /// Among thrusters of one direction it is the allocation that there was already.
+    /// For lateral devices alone the result is that of [`allocate`].
     #[test]
-    fn lateral_devices_share_as_before() {
+    fn lateral_devices_get_the_forces_of_allocate() {
         let limits = [-1e5, 4e5];
         let places = [100.0, -60.0, 120.0];
         let across: Vec<_> = places

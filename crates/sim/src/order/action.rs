@@ -1,5 +1,5 @@
-//! An order, with indices in place of names: what kinds there are, and how each is made of its arguments and back.
-//! Every match here is exhaustive, so that an order of the table that is forgotten does not compile.
+//! Orders with indices instead of names: their kinds, and the conversion from and to arguments. All matches are exhaustive,
+//! so that the program does not compile if an order of the table is missing.
 
 use fenderline_contact::Vec2;
 
@@ -15,24 +15,24 @@ use crate::world::{Assist, Job, PushJob};
 /// An order at a time of the run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Order {
-    /// When it is given (s).
+    /// Time at which it is given (s).
     pub at_s: f64,
-    /// What it asks for.
+    /// The action.
     pub action: Action,
 }
 
-/// What an order asks for, and of whom.
+/// An order without its time: target and content.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
-    /// Of a vessel, by her index in [`crate::WorldSetup::vessels`].
+    /// To a vessel, by her index in [`crate::WorldSetup::vessels`].
     Vessel(usize, VesselAction),
-    /// Of a vector tug, by her index in [`crate::WorldSetup::tugs`].
+    /// To a vector tug, by her index in [`crate::WorldSetup::tugs`].
     Tug(usize, TugOrder),
-    /// Of a line, by its index in [`crate::WorldSetup::lines`].
+    /// To a line, by its index in [`crate::WorldSetup::lines`].
     Line(usize, LineAction),
 }
 
-/// An order to a vessel. A manual order to a control takes it from the pilot that had it.
+/// An order to a vessel. A manual order to a control disengages the pilot that uses it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum VesselAction {
     /// Rudder angle; positive turns to starboard going ahead (rad).
@@ -41,7 +41,7 @@ pub enum VesselAction {
     Engine(f64),
     /// A tunnel thruster by its index, −1 (to port) to 1 (to starboard).
     Thruster(usize, f64),
-    /// An azimuth unit by its index. What is `None` stays.
+    /// An azimuth unit by its index. A value of `None` leaves power or direction unchanged.
     Azimuth {
         /// Index into [`crate::VesselSetup::azimuths`].
         unit: usize,
@@ -54,27 +54,27 @@ pub enum VesselAction {
     Course(f64),
     /// Keep a speed ahead through the water with the engine; with the azimuth units where there is no engine (m/s).
     Speed(f64),
-    /// Go to a place and stay there with engine, thrusters and tugs.
+    /// Go to a position and stay there with engine, thrusters and tugs.
     Station(Station),
     /// Assist a ship with the azimuth units.
     Assist(Assist),
-    /// Hand steering: pilots off, controls stay where they are.
+    /// Hand steering: disengage all pilots; controls keep their orders.
     Hands,
 }
 
 /// An order to a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LineAction {
-    /// To its winch.
+    /// An order to its winch.
     Winch(WinchOrder),
-    /// The line is let go.
+    /// Let the line go.
     LetGo,
 }
 
-/// Where a ship shall go, and how fast at most.
+/// The position and heading that a ship shall keep, and her greatest speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station {
-    /// Place of the centre of gravity (m).
+    /// Position of the centre of gravity (m).
     pub position_m: Vec2,
     /// Heading (rad).
     pub heading_rad: f64,
@@ -82,7 +82,7 @@ pub struct Station {
     pub fastest_mps: [f64; 2],
 }
 
-/// Who an order is for, by index.
+/// The target of an order, by index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Target {
     /// A vessel.
@@ -94,7 +94,7 @@ pub enum Target {
 }
 
 impl Target {
-    /// Vessel, tug or line.
+    /// The kind of target.
     #[must_use]
     pub fn kind(self) -> TargetKind {
         match self {
@@ -106,7 +106,7 @@ impl Target {
 }
 
 impl Action {
-    /// Who it is for.
+    /// The target.
     #[must_use]
     pub fn target(&self) -> Target {
         match *self {
@@ -147,10 +147,10 @@ impl Action {
 }
 
 impl OrderName {
-    /// The action that this order asks of the target with an index; checked as [`super::check()`] does it.
+    /// Builds the action from a target's index and arguments, and checks it with [`super::check()`].
     ///
     /// # Errors
-    /// [`OrderError`]: an argument that is missing, not known or out of its limits; a target or gear that is not there.
+    /// [`OrderError`]: an argument that is missing, unknown or out of its limits; a target or gear that does not exist.
     pub fn build(
         self,
         target: usize,
@@ -229,7 +229,7 @@ impl OrderName {
 }
 
 impl Action {
-    /// Its arguments, by their names in the table of orders: [`OrderName::build`] makes the same action of them.
+    /// Its arguments, by their names in the table of orders. [`OrderName::build`] builds the same action from them.
     #[must_use]
     pub fn arguments(&self) -> Arguments {
         let all = Arguments::new();

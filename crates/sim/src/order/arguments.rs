@@ -13,40 +13,40 @@ pub enum Value {
     Number(f64),
     /// Two coordinates (m).
     Place(Vec2),
-    /// A name, as the index of what it names.
+    /// The index of a named object.
     Index(usize),
 }
 
-/// The arguments of an order by their names in the table; those that are absent have their defaults.
+/// The arguments of an order by their names in the table. Absent arguments have their defaults.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Arguments(Vec<(&'static str, Value)>);
 
 impl Arguments {
-    /// None yet.
+    /// No arguments.
     #[must_use]
     pub fn new() -> Arguments {
         Arguments::default()
     }
 
-    /// With one more.
+    /// Adds an argument.
     #[must_use]
     pub fn with(mut self, name: &'static str, value: Value) -> Arguments {
         self.0.push((name, value));
         self
     }
 
-    /// With one more number.
+    /// Adds a number.
     #[must_use]
     pub fn number(self, name: &'static str, value: f64) -> Arguments {
         self.with(name, Value::Number(value))
     }
 
-    /// All that are given, with their names.
+    /// All arguments with their names.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, Value)> {
         self.0.iter().copied()
     }
 
-    /// The value of a name, where it is given.
+    /// The value of an argument, if it is given.
     #[must_use]
     pub fn get(&self, name: &str) -> Option<Value> {
         self.iter().find(|(given, _)| *given == name).map(|(_, value)| value)
@@ -60,10 +60,10 @@ pub(super) struct Given<'a> {
 }
 
 impl<'a> Given<'a> {
-    /// Arguments that the order has.
+    /// The arguments, checked against the table.
     ///
     /// # Errors
-    /// The first that it does not have, or has as another kind.
+    /// The first argument that the order does not have, or that has the wrong kind.
     pub(super) fn new(order: OrderName, arguments: &'a Arguments) -> Result<Given<'a>, OrderError> {
         for (name, value) in arguments.iter() {
             let fits = order.spec().argument(name).is_some_and(|argument| {

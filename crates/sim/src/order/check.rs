@@ -1,4 +1,4 @@
-//! Whether an order can be carried out in a set-up: the one check for scenarios, sessions, Python and FMUs.
+//! Checks that an order can be carried out in a set-up: one check for scenarios, sessions, Python and FMUs.
 
 use super::action::{Action, Order, Target, VesselAction};
 use super::arguments::Value;
@@ -43,7 +43,7 @@ pub fn check(action: &Action, setup: &Setup) -> Result<(), OrderError> {
     }
 }
 
-/// The same with the time of the order.
+/// Like [`check()`], with the time of the order.
 pub(crate) fn check_order(order: &Order, setup: &Setup) -> Result<(), SetupError> {
     if !order.at_s.is_finite() {
         return Err(SetupError::OutOfRange { field: "the time of an order", value: order.at_s });
@@ -51,7 +51,7 @@ pub(crate) fn check_order(order: &Order, setup: &Setup) -> Result<(), SetupError
     check(&order.action, setup).map_err(SetupError::Order)
 }
 
-/// The name that users gave the target of an order.
+/// The user's name of the target of an order.
 fn name_of(target: Target, setup: &Setup) -> String {
     let world = &setup.world;
     match target {
@@ -94,7 +94,7 @@ fn check_value(
     }
 }
 
-/// A tug works at another body that she may touch or has a line to, with thrust that she has.
+/// A tug may assist only another body that she may touch or has a line to, with at most her bollard pull.
 fn check_assist(assist: &Assist, vessel: usize, setup: &Setup) -> Result<(), OrderError> {
     let tug = &setup.world.vessels[vessel];
     let name = |body: usize| setup.bodies[body].name.clone();

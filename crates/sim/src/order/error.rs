@@ -7,7 +7,7 @@ use fenderline_contact::DisplayNumber;
 use super::table::{Argument, Gear, OrderName, TargetKind};
 use crate::world::NotAtTheSide;
 
-/// An order that cannot be carried out; nothing was changed.
+/// The reason why an order cannot be carried out. Nothing was changed.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum OrderError {
@@ -18,14 +18,14 @@ pub enum OrderError {
         /// The index.
         index: usize,
     },
-    /// An argument that must be given is not.
+    /// A required argument is missing.
     Missing {
         /// The order.
         order: OrderName,
         /// The argument's name.
         argument: &'static str,
     },
-    /// The order has no such argument, or none of this kind.
+    /// The order has no such argument, or not of this kind.
     Unknown {
         /// The order.
         order: OrderName,
@@ -48,7 +48,7 @@ pub enum OrderError {
         /// The greatest.
         high: f64,
     },
-    /// There is nothing of this index.
+    /// The index does not exist.
     NoIndex {
         /// The argument.
         argument: &'static Argument,
@@ -57,7 +57,7 @@ pub enum OrderError {
     },
     /// There is no body of this index.
     NoBody(usize),
-    /// The target lacks what the order needs.
+    /// The target lacks the gear that the order needs.
     NoGear {
         /// The target.
         who: String,
@@ -68,12 +68,12 @@ pub enum OrderError {
     Nothing,
     /// The place to push at is not at the ship's side.
     NotAtTheSide(NotAtTheSide),
-    /// A tug is ordered to work at herself.
+    /// A tug is ordered to assist herself.
     TugHerself {
         /// The tug.
         tug: String,
     },
-    /// The tug and the ship may not touch.
+    /// No pair of the scenario lets tug and ship touch.
     NoPair {
         /// The ship.
         ship: String,
@@ -100,12 +100,12 @@ pub enum OrderError {
         /// The ship.
         ship: String,
     },
-    /// The line was let go before.
+    /// The line was let go already.
     LineGone {
         /// The line.
         line: String,
     },
-    /// A pilot that keeps the ship on a station has her tugs.
+    /// A station pilot of the ship uses the tug.
     TugOfStation {
         /// The ship.
         ship: String,
@@ -113,7 +113,7 @@ pub enum OrderError {
 }
 
 impl OrderError {
-    /// The argument that is wrong, where it is one.
+    /// The argument that is wrong, if the error is about one.
     #[must_use]
     pub fn argument(&self) -> Option<&str> {
         match self {

@@ -1,7 +1,7 @@
-//! Orders: what a person, a file or another program asks of a vessel, a tug or a line.
+//! Orders from a person, a file or another program to a vessel, a tug or a line.
 //!
-//! [`OrderName`] is the table of all orders: the word, who it is for, its arguments with units, limits and defaults,
-//! and the gear that it needs. Scenario files, live sessions, Python and FMUs only translate their own names into
+//! [`OrderName`] is the table of all orders: word, target, arguments with units, limits and defaults, and the gear that
+//! each needs. Scenario files, live sessions, Python and FMUs only translate their own names into
 //! [`Arguments`] and call [`OrderName::build`]. [`check()`] is the one place where limits and gear are checked.
 //! `docs/design/orders.md` follows an order from the button to the rudder.
 

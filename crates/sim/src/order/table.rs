@@ -79,7 +79,7 @@ pub enum Frame {
     Body,
 }
 
-/// What a name stands for.
+/// The kind of object that a name refers to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Named {
     /// One of the vessel's tunnel thrusters.
@@ -92,14 +92,14 @@ pub enum Named {
     Line,
 }
 
-/// What it means where an argument is not given.
+/// The meaning of an absent argument.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Absent {
-    /// It must be given.
+    /// The argument is required.
     Refused,
-    /// The same as this value, with the words for it.
+    /// This value, with a text for it.
     Is(f64, &'static str),
-    /// What these words say.
+    /// The meaning in this text.
     Means(&'static str),
 }
 
@@ -108,11 +108,11 @@ pub enum Absent {
 pub struct Argument {
     /// Its name without its unit.
     pub name: &'static str,
-    /// What it holds.
+    /// Its kind.
     pub kind: ArgumentKind,
     /// Its default.
     pub absent: Absent,
-    /// What it is, for messages.
+    /// Its meaning, for messages.
     pub meaning: &'static str,
 }
 
@@ -121,13 +121,13 @@ pub struct Argument {
 pub struct OrderSpec {
     /// The word that scenario files and pages use.
     pub word: &'static str,
-    /// Who it is for.
+    /// Its kind of target.
     pub target: TargetKind,
-    /// What the target must have.
+    /// The gear that the target must have.
     pub gear: Gear,
     /// Its arguments.
     pub arguments: &'static [Argument],
-    /// What it asks for.
+    /// Its meaning, for messages.
     pub meaning: &'static str,
 }
 
@@ -136,14 +136,14 @@ macro_rules! orders {
         #[doc = $meaning:literal]
         $name:ident = $word:literal to $target:ident with $gear:ident: $arguments:expr;
     )*) => {
-        /// Every order that there is; [`OrderName::spec`] is its row.
+        /// All orders. [`OrderName::spec`] gives the row of one.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
         pub enum OrderName {
             $(#[doc = $meaning] $name,)*
         }
 
         impl OrderName {
-            /// All of them, in the order of the table.
+            /// All orders, in the sequence of the table.
             pub const ALL: &'static [OrderName] = &[$(OrderName::$name),*];
         }
 
@@ -224,7 +224,7 @@ orders! {
     LetGo = "let_go" to Line with None: &[];
 }
 
-/// The farthest that a place beside a ship may be from her centre of gravity, along and across (m).
+/// Largest distance of a position from a ship's centre of gravity, along and across (m).
 const FARTHEST_BESIDE_M: f64 = 1e4;
 const UNCHANGED: Absent = Absent::Means("as before");
 const TUG_FORCE: &[Argument] = &[
@@ -257,7 +257,7 @@ const fn share(name: &'static str, meaning: &'static str) -> Argument {
     number(name, Unit::Share, -1.0, 1.0, meaning)
 }
 
-/// Any angle; turns are counted off where it is used.
+/// Any angle, also more than a full turn.
 const fn angle(name: &'static str, meaning: &'static str) -> Argument {
     number(name, Unit::Radian, -100.0, 100.0, meaning)
 }
@@ -291,10 +291,10 @@ impl OrderName {
         OrderName::ALL.iter().copied().find(|name| name.spec().word == word)
     }
 
-    /// The limits of a number. In a constant a wrong name is an error of the compiler.
+    /// The limits of a number. In a constant a wrong name is a compile error.
     ///
     /// # Panics
-    /// Where the order has no number of this name.
+    /// If the order has no number of this name.
     #[must_use]
     pub const fn limits(self, argument: &str) -> [f64; 2] {
         let all = self.spec().arguments;
@@ -313,7 +313,7 @@ impl OrderName {
     }
 }
 
-/// Whether two texts are the same, in constants.
+/// Whether two texts are equal; usable in constants.
 const fn is_same(one: &str, other: &str) -> bool {
     let (one, other) = (one.as_bytes(), other.as_bytes());
     if one.len() != other.len() {
@@ -400,7 +400,7 @@ impl Gear {
         }
     }
 
-    /// Whether a target of this index has it. Gear of vessels is looked for among vessels, a winch among lines.
+    /// True if a target has the gear. The index is that of a line for a winch, else of a vessel.
     #[must_use]
     pub fn is_on(self, target: usize, setup: &Setup) -> bool {
         let vessel = || setup.world.vessels.get(target);
@@ -425,7 +425,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn words_and_names_of_arguments_stand_once() {
+    fn words_and_names_of_arguments_are_unique() {
         for (index, order) in OrderName::ALL.iter().enumerate() {
             assert_eq!(*order as usize, index);
             assert_eq!(OrderName::of_word(order.spec().word), Some(*order));

@@ -1,4 +1,4 @@
-//! A pilot's words to a tug, resolved to an order: which way she pushes, with what force, at which place.
+//! Orders to a tug in words, resolved to an order with force, direction and position.
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -11,15 +11,15 @@ use super::table::OrderName;
 use crate::setup::Setup;
 use crate::world::LineEnd;
 
-/// What is said and written as one of several words.
+/// A type whose values have words.
 pub trait Word: Copy + PartialEq + 'static {
-    /// All that there are.
+    /// All values.
     const ALL: &'static [Self];
 
     /// The word.
     fn word(self) -> &'static str;
 
-    /// What a word stands for.
+    /// The value of a word.
     #[must_use]
     fn of_word(word: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|one| one.word() == word)
@@ -48,7 +48,7 @@ words!(SidePlace:
     StarboardShoulder = "starboard shoulder", StarboardMidships = "starboard midships",
     StarboardQuarter = "starboard quarter");
 
-/// What a tug is told.
+/// The order to a tug.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TugWord {
     /// Push at the ship's side.
@@ -61,10 +61,10 @@ pub enum TugWord {
     StandOff,
 }
 
-/// How a tug lays herself.
+/// The direction of a tug relative to the ship's side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Lead {
-    /// Square to the side.
+    /// Perpendicular to the side.
     #[default]
     Square,
     /// 45° towards the ship's bow; on the centre line to starboard.
@@ -73,10 +73,10 @@ pub enum Lead {
     Aft,
 }
 
-/// Where at a ship's side a tug works.
+/// A position at a ship's side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SidePlace {
-    /// The one of the others that she is nearest to.
+    /// The nearest of the other positions.
     #[default]
     Nearest,
     /// 0.3 of the length forward of midship, to port.
@@ -96,23 +96,23 @@ pub enum SidePlace {
 /// An order to a tug in words.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TugWords {
-    /// What she is told.
+    /// The order.
     pub word: TugWord,
     /// Force over her bollard pull, 0 to 1.
     pub power: f64,
-    /// How she lays herself, for a pull and for a vector tug's push.
+    /// Her direction, for a pull and for the push of a vector tug.
     pub lead: Lead,
-    /// Where a tug that is a vessel works.
+    /// The position of a tug that is a vessel.
     pub place: SidePlace,
 }
 
-/// A vector tug whose place is within this share of the half beam works on the centre line, at bow or stern.
+/// A vector tug within this share of the half beam from the centre line acts along it, at bow or stern.
 const CENTRE_SHARE: f64 = 0.3;
-/// A tug that stands off lies parallel to the ship, her side this far from the ship's (m).
+/// A tug that stands off lies parallel to the ship, at this distance between their sides (m).
 const STAND_OFF_M: f64 = 25.0;
 
 impl SidePlace {
-    /// How far forward of midship over the ship's length, and the side: 1 to starboard, −1 to port.
+    /// Distance forward of midship over the ship's length, and the side: 1 to starboard, −1 to port.
     fn share_and_side(self) -> Option<(f64, f64)> {
         Some(match self {
             SidePlace::Nearest => return None,
@@ -125,7 +125,7 @@ impl SidePlace {
         })
     }
 
-    /// The place on a ship's outline, in her frame; `None` where she has no side there.
+    /// The point on a ship's outline, in her frame; `None` if she has no side there.
     #[must_use]
     pub fn on(self, outline: &Outline, length_m: f64) -> Option<Vec2> {
         let (share, side) = self.share_and_side()?;
@@ -133,7 +133,7 @@ impl SidePlace {
         side_at(outline, along_m, side).map(|across_m| vec2(along_m, across_m))
     }
 
-    /// The place of a ship's side that a point in her frame is nearest to.
+    /// The position at a ship's side nearest to a point in her frame.
     #[must_use]
     pub fn nearest(at_m: Vec2, outline: &Outline, length_m: f64) -> Option<SidePlace> {
         let mut nearest: Option<(f64, SidePlace)> = None;
@@ -148,7 +148,7 @@ impl SidePlace {
     }
 }
 
-/// How far across a hull reaches on a side (1 starboard, −1 port) at a distance forward of her origin (m).
+/// The ordinate of a hull's outline on a side (1 starboard, −1 port) at a distance forward of her origin (m).
 fn side_at(outline: &Outline, along_m: f64, side: f64) -> Option<f64> {
     let vertices = outline.vertices();
     let edges = vertices.iter().zip(vertices.iter().cycle().skip(1));
@@ -162,9 +162,9 @@ fn side_at(outline: &Outline, along_m: f64, side: f64) -> Option<f64> {
     })
 }
 
-/// Direction of the force on a ship, from her bow, positive to starboard (rad), of a tug that pushes or pulls at a place
-/// of hers. At a side a push goes in and a pull out. On the centre line a tug astern pushes ahead and pulls astern, and
-/// one ahead the other way about.
+/// Direction of the force of a tug that pushes or pulls at a point of a ship: from her bow, positive to starboard (rad). At a
+/// side a push acts inwards and a pull outwards. On the centre line a tug at the stern pushes ahead and pulls astern; one at
+/// the bow pushes astern and pulls ahead.
 fn direction_rad(at_m: Vec2, pulls: bool, lead: Lead, beam_m: f64) -> f64 {
     let lead = match lead {
         Lead::Square => 0.0,
@@ -247,7 +247,7 @@ impl TugWords {
                 let arguments = at_ship.with("at", Value::Place(beside_m));
                 OrderName::FollowShip.build(tug, &arguments, setup)
             }
-            // Who stops pushing stays at the side.
+            // A tug that stops pushing stays at the side.
             TugWord::Stop | TugWord::Push | TugWord::Pull => {
                 let force_n = if self.word == TugWord::Stop { 0.0 } else { force_n };
                 let arguments = at_ship.with("at", Value::Place(at_m)).number("force", force_n);
@@ -257,7 +257,7 @@ impl TugWords {
     }
 }
 
-/// The line between a tug and a ship by their bodies, and where it is on the ship.
+/// The line between the bodies of a tug and a ship, and its point on the ship.
 #[must_use]
 pub fn towline(setup: &Setup, tug: usize, ship: usize) -> Option<(usize, Vec2)> {
     setup.world.lines.iter().enumerate().find_map(|(index, line)| {
@@ -279,7 +279,7 @@ mod tests {
     }
 
     #[test]
-    fn at_a_side_a_push_goes_in_and_a_pull_out_and_leads_turn_them_towards_bow_or_stern() {
+    fn at_a_side_a_push_acts_inwards_and_a_pull_outwards_and_leads_turn_them() {
         let (port, starboard) = (vec2(70.0, -16.0), vec2(-70.0, 16.0));
         assert_eq!(degrees(port, false, Lead::Square), 90.0);
         assert_eq!(degrees(port, true, Lead::Square), -90.0);
@@ -290,7 +290,7 @@ mod tests {
     }
 
     #[test]
-    fn on_the_centre_line_a_tug_pushes_along_the_ship_and_pulls_away_from_her_end() {
+    fn on_the_centre_line_a_tug_pushes_along_the_ship_and_pulls_away_from_her() {
         let astern = vec2(-110.0, 0.0);
         assert_eq!(degrees(astern, false, Lead::Square), 0.0);
         assert_eq!(degrees(astern, true, Lead::Square).abs(), 180.0);
@@ -299,7 +299,7 @@ mod tests {
     }
 
     #[test]
-    fn places_to_push_at_lie_on_the_hull() {
+    fn positions_at_the_side_lie_on_the_hull() {
         let points = [[-100.0, -15.0], [70.0, -15.0], [100.0, 0.0], [70.0, 15.0], [-100.0, 15.0]];
         let (outline, _) = Outline::new(&points.map(|[x, y]| vec2(x, y))).expect("a hull");
         for &place in &SidePlace::ALL[1..] {

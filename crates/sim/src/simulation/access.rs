@@ -14,6 +14,7 @@ use crate::order::{Action, LineAction, Order, OrderError, VesselAction, check_or
 use crate::record::Energy;
 use crate::setup::{Integrator, Method, Setup};
 use crate::summary::PairSummary;
+use crate::verdict::{Finding, Verdict};
 use crate::world::{Assist, Faults, Job, Mooring, TugAtWork, VesselState};
 
 impl Simulation {
@@ -113,6 +114,27 @@ impl Simulation {
         self.fender_summaries.all.iter().flatten()
     }
 
+    /// What was found in the run so far, the worst first. [`Verdict::of`] gives the verdict.
+    #[must_use]
+    pub fn findings(&self) -> Vec<Finding> {
+        let gain = self.energy_gain();
+        let gain = gain
+            .map(|EnergyGain { gained_j, taken_j }| Finding::EnergyGained { gained_j, taken_j });
+        self.watch.findings(&self.setup, self.fender_summaries(), gain)
+    }
+
+    /// Bodies that started inside each other; empty in a sound scenario. Known before the first step.
+    #[must_use]
+    pub fn start_findings(&self) -> &[Finding] {
+        self.watch.starts()
+    }
+
+    /// The verdict on the run so far.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        Verdict::of(&self.findings())
+    }
+
     /// The current state of the vessels, in the order of the set-up.
     #[must_use]
     pub fn vessels(&self) -> &[VesselState] {
@@ -176,11 +198,11 @@ impl Simulation {
         Ok(())
     }
 
-    /// Whether an order can be carried out as things stand now: not to a line that was let go, nor to a tug that a
-    /// station pilot uses. Orders that are planned ahead are not held to this.
+    /// Checks that an order can be carried out in the present state: not if its line was let go, or if a station pilot uses
+    /// the tug. This check does not apply to orders for a later time.
     ///
     /// # Errors
-    /// What stands in its way.
+    /// Why the order cannot be carried out.
     pub fn check_now(&self, action: &Action) -> Result<(), OrderError> {
         let is_there = |line: usize| {
             if !self.world.lines.get(line).is_some_and(|line| line.gone) {

@@ -24,7 +24,7 @@ impl Simulation {
             plain: &buffers.plain_loads,
             world: &self.setup.world,
             forces: &self.world.forces,
-            carried: &self.world.carried,
+            water_inertia: &self.world.water_inertia,
             tugs: &self.world.tugs,
             lines: &self.world.lines,
             order: &self.world.order,

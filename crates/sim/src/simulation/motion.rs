@@ -38,10 +38,12 @@ impl Simulation {
             Integrator::Rk4 => None,
         };
         let contact = self.work.wrenches();
-        for (vessel, carried) in self.setup.world.vessels.iter().zip(&self.world.carried) {
+        for (vessel, water_inertia) in
+            self.setup.world.vessels.iter().zip(&self.world.water_inertia)
+        {
             let body = vessel.body;
             let (inertia, state) = (&self.inertias[body], &self.states[body]);
-            let stream_mps = carried.stream_mps;
+            let stream_mps = water_inertia.current_mps;
             turning[body] = match &step {
                 Some(step) => {
                     let (load, contact) = (&loads[body], &contact[body]);
@@ -75,8 +77,10 @@ impl Simulation {
         let step_s = self.setup.step_s;
         let buffers = &mut self.buffers;
         buffers.currents_mps.fill(Vec2::ZERO);
-        for (vessel, carried) in self.setup.world.vessels.iter().zip(&self.world.carried) {
-            buffers.currents_mps[vessel.body] = carried.stream_mps;
+        for (vessel, water_inertia) in
+            self.setup.world.vessels.iter().zip(&self.world.water_inertia)
+        {
+            buffers.currents_mps[vessel.body] = water_inertia.current_mps;
         }
         let bodies = InCurrent { inertias: &self.inertias, currents_mps: &buffers.currents_mps };
         let loads = &buffers.loads;

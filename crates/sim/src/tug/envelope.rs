@@ -1,10 +1,10 @@
-//! What a tug has left of her bollard pull at speed.
+//! The force that a tug can give at speed.
 
 use fenderline_contact::number::greater;
 
 use crate::range::{OutOfRange, within};
 
-/// Limits of a tug that goes along with a ship.
+/// Limits of a tug that moves with a ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TugEnvelope {
     /// Bollard pull (N).
@@ -15,7 +15,7 @@ pub struct TugEnvelope {
     pub beam_m: f64,
     /// Draught of hull and skeg (m).
     pub draught_m: f64,
-    /// Drag coefficient of the hull across the flow; 0.73 is ours, for a tug beam-on.
+    /// Drag coefficient of the hull across the flow; our value for a tug beam-on is 0.73.
     pub drag_coefficient: f64,
 }
 
@@ -23,7 +23,7 @@ impl TugEnvelope {
     /// Checks every number.
     ///
     /// # Errors
-    /// The first that no tug has, by its name.
+    /// The first number out of range, with its name.
     pub fn check(&self) -> Result<(), OutOfRange> {
         within("bollard pull [N]", self.bollard_pull_n, 1.0, 1e8)?;
         within("length of the tug [m]", self.length_m, 1.0, 200.0)?;
@@ -33,14 +33,14 @@ impl TugEnvelope {
         Ok(())
     }
 
-    /// The greatest force (N) that the tug gives at an angle (rad) from the direction in which she and the
-    /// ship go through the water, at a speed (m/s).
+    /// The greatest force (N) of the tug at an angle (rad) from the direction of motion of tug and ship through the water, at a
+    /// speed (m/s).
     ///
-    /// Derived by us, unvalidated (no published envelope was found): the tug lies along the force.
+    /// Our derivation, unvalidated, as no published envelope was found. The tug lies along the force.
     /// Her thrust gives the force F and overcomes her own drag D against the motion, |F·e + D·x| = BP, so
     /// that F = √(BP² − D² sin²θ) − D cos θ; beam-on it is √(BP² − D²), and 0 where BP < D. D = ½ρ Cd T V² (L sin²θ + B cos²θ):
-    /// her side to the flow when she pushes across, her end when along (with the same Cd: ours). Drag that
-    /// helps (cos θ < 0) is not counted: never above the bollard pull.
+    /// her side is in the flow when she pushes across, her end when along (with the same Cd: ours). Drag that assists
+    /// (cos θ < 0) is neglected, so that the force never exceeds the bollard pull.
     #[must_use]
     pub fn available_n(&self, angle_rad: f64, speed_mps: f64, water_density_kgpm3: f64) -> f64 {
         let (sin, cos) = (libm::sin(angle_rad), libm::cos(angle_rad));
@@ -49,7 +49,7 @@ impl TugEnvelope {
         let drag_n = 0.5 * water_density_kgpm3 * area_m2 * speed_mps * speed_mps;
         let across_n = drag_n * sin;
         let along_squared = self.bollard_pull_n * self.bollard_pull_n - across_n * across_n;
-        // Below 0 she cannot keep her station: no force.
+        // Below 0 she cannot keep up with the ship: no force.
         let force_n = greater(along_squared, 0.0).sqrt() - drag_n * greater(cos, 0.0);
         greater(force_n, 0.0)
     }

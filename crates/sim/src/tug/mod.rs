@@ -1,8 +1,8 @@
-//! Vector tugs: a force on a ship that a tug can really give, after the time it takes.
+//! Vector tugs: a force on a ship, within a tug's envelope and with her delay and lag.
 //!
-//! A [`VectorTug`] is the constant part, checked once; a [`TugState`] is plain data. Orders go in by
-//! [`VectorTug::order`], and [`VectorTug::step`] gives the force. For a tug that pushes through a real bow
-//! fender, or swings round on her line, use a body of her own.
+//! A [`VectorTug`] is the constant part, checked once; a [`TugState`] is plain data. [`VectorTug::order`] gives an order, and
+//! [`VectorTug::step`] computes the force. A tug that pushes with a bow fender, or moves on her line, is a vessel with a body of
+//! her own.
 //!
 //! ```
 //! use fenderline_contact::vec2;
@@ -24,7 +24,7 @@
 //! };
 //! tug.check()?;
 //! let mut state = TugState::default();
-//! // To starboard, at half of her power.
+//! // To starboard, with half of her bollard pull.
 //! let push = TugOrder::Push { force_n: 294e3, direction_rad: std::f64::consts::FRAC_PI_2 };
 //! tug.order(&mut state, 0.0, push)?;
 //! // Each step: the ship's velocity through the water in her own axes; the force on her.

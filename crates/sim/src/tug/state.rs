@@ -8,21 +8,21 @@ use fenderline_contact::{Vec2, vec2};
 use super::envelope::TugEnvelope;
 use crate::range::{OutOfRange, within};
 
-/// Below this share of her bollard pull a tug may let go and change from pushing to pulling.
+/// Below this share of her bollard pull a tug changes between pushing and pulling.
 const SLACK_SHARE: f64 = 0.01;
 
-/// A tug that is a force at a point of a ship; the constant part.
+/// A tug that acts as a force at a point of a ship; the constant part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VectorTug {
     /// Name, for messages.
     pub name: String,
-    /// What she can give.
+    /// The forces that she can give.
     pub envelope: TugEnvelope,
-    /// Where she pushes, from midship, forward and to starboard (m).
+    /// Point where she pushes, forward and to starboard of midship (m).
     pub push_at_m: Vec2,
-    /// The fairlead that her line is fast to, likewise (m).
+    /// Fairlead of her line, likewise (m).
     pub pull_at_m: Vec2,
-    /// From an order to its beginning (s).
+    /// Delay of an order (s).
     pub delay_s: f64,
     /// Time constant of the force (s).
     pub force_lag_s: f64,
@@ -30,7 +30,7 @@ pub struct VectorTug {
     pub direction_lag_s: f64,
 }
 
-/// What a tug is told.
+/// An order to a vector tug.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum TugOrder {
     /// Stand by: no force.
@@ -52,18 +52,18 @@ pub enum TugOrder {
     },
 }
 
-/// What changes of a tug: plain data.
+/// The variable state of a tug: plain data.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TugState {
-    /// The order she carries out.
+    /// The order that she carries out.
     pub order: TugOrder,
-    /// Orders given but not begun, oldest first, with the time (s) at which they begin.
+    /// Delayed orders, oldest first, with the time (s) at which they begin.
     pub waiting: Vec<(f64, TugOrder)>,
     /// Force (N).
     pub force_n: f64,
-    /// Its direction from the ship's bow, positive to starboard (rad).
+    /// Direction of the force from the ship's bow, positive to starboard (rad).
     pub direction_rad: f64,
-    /// She is on her line rather than at the hull.
+    /// She pulls on her line instead of pushing at the hull.
     pub on_line: bool,
 }
 
@@ -72,9 +72,9 @@ pub struct TugState {
 pub struct TugForce {
     /// [X, Y, N] about midship in the ship's axes (N, N, N·m).
     pub force: [f64; 3],
-    /// Point where it acts, from midship (m).
+    /// Point of action, from midship (m).
     pub at_m: Vec2,
-    /// The order asks for more than she can give at this speed and angle: she gives what she can.
+    /// The ordered force was limited to what she can give at this speed and angle.
     pub limited: bool,
     /// An order began in this step.
     pub began: bool,
@@ -97,11 +97,11 @@ impl VectorTug {
         Ok(())
     }
 
-    /// Gives an order at a time; it begins after the delay. Orders are carried out in the order given.
+    /// Gives an order at a time; it begins after the delay. Orders are carried out in sequence.
     ///
     /// # Errors
-    /// A force below 0 or above 10⁸ N, or a direction that is no angle; the state stays as it was. A force
-    /// above the bollard pull is taken: the tug gives what she can and says so.
+    /// A force below 0 or above 10⁸ N, or a direction out of range; the state is unchanged then. A force above the bollard pull is
+    /// accepted, but limited in each step.
     pub fn order(&self, state: &mut TugState, t_s: f64, order: TugOrder) -> Result<(), OutOfRange> {
         if let TugOrder::Push { force_n, direction_rad }
         | TugOrder::Pull { force_n, direction_rad } = order
@@ -114,10 +114,9 @@ impl VectorTug {
         Ok(())
     }
 
-    /// The force at the end of a step from `t_s`, with the ship going through the water at a velocity in
-    /// her own axes (forward, to starboard) (m/s). Force and direction follow the order exactly as
-    /// exponentials, whatever the step; from push to pull and back she lets go first. An order counts from
-    /// the step at whose start it is due.
+    /// The force at the end of a step from `t_s`. `water_mps` is the velocity of the ship through the water in her axes (forward,
+    /// to starboard) (m/s). Force and direction follow the order as exact exponentials for any step. Between push and pull
+    /// the force first falls to zero. An order takes effect in the first step that begins at its time or later.
     pub fn step(
         &self,
         state: &mut TugState,
@@ -131,7 +130,7 @@ impl VectorTug {
         if at_hand && target.wanted_n > 0.0 {
             let off_rad = libm::remainder(target.direction_rad - state.direction_rad, TAU);
             if state.force_n <= SLACK_SHARE * self.envelope.bollard_pull_n {
-                // Slack: she takes her place before she pushes.
+                // Without force she first takes her position.
                 state.direction_rad = target.direction_rad;
             } else {
                 state.direction_rad += off_rad * share(step_s, self.direction_lag_s);
@@ -141,7 +140,7 @@ impl VectorTug {
         let wanted_n = if at_hand { target.wanted_n } else { 0.0 };
         let goal_n = lesser(wanted_n, available_n);
         state.force_n += (goal_n - state.force_n) * share(step_s, self.force_lag_s);
-        // What she has at this moment bounds what the lag still shows of an older one.
+        // The present envelope also limits the lagged force.
         let given_n = lesser(state.force_n, available_n);
         let at_m = if state.on_line { self.pull_at_m } else { self.push_at_m };
         let direction =
@@ -154,7 +153,7 @@ impl VectorTug {
         }
     }
 
-    /// Whether she is where the order needs her; changes over between hull and line once she is slack.
+    /// True if she is at the hull or on her line as the order needs. Changes between both once the force is small.
     fn change_over(&self, state: &mut TugState, target: &Target) -> bool {
         let Some(on_line) = target.on_line else { return true };
         if state.on_line != on_line && state.force_n <= SLACK_SHARE * self.envelope.bollard_pull_n {
@@ -170,7 +169,7 @@ impl VectorTug {
     }
 }
 
-/// Takes up the orders that are due; true where there was one.
+/// Begins the orders that are due. Returns true if there was one.
 fn begin_orders(state: &mut TugState, t_s: f64) -> bool {
     let due = state.waiting.iter().take_while(|(begins_s, _)| *begins_s <= t_s).count();
     for (_, order) in state.waiting.drain(..due) {
@@ -179,11 +178,11 @@ fn begin_orders(state: &mut TugState, t_s: f64) -> bool {
     due > 0
 }
 
-/// An order as numbers.
+/// The force that an order asks for.
 struct Target {
     wanted_n: f64,
     direction_rad: f64,
-    /// Line or hull; `None` where it does not matter.
+    /// True for the line, false for the hull; `None` for either.
     on_line: Option<bool>,
 }
 
@@ -203,7 +202,7 @@ impl Target {
     }
 }
 
-/// 1 − e^(−Δt/τ): the share of the way that a first-order lag goes in a step; all of it without a lag.
+/// 1 − e^(−Δt/τ): the share of a change that a first-order lag covers in a step; 1 without a lag.
 fn share(step_s: f64, lag_s: f64) -> f64 {
     if lag_s > 0.0 { -libm::expm1(-step_s / lag_s) } else { 1.0 }
 }

@@ -1,4 +1,4 @@
-//! Tugs that are vessels, at work on a ship: from bodies, contact and lines to a task for her pilot.
+//! Tugs that are vessels and assist a ship: their orders, and the task for their pilot in each step.
 
 use core::fmt;
 
@@ -10,25 +10,25 @@ use crate::control::Task;
 use crate::fender::FenderSetup;
 use crate::setup::BodySetup;
 
-/// What a vessel is told to do at a ship.
+/// An order to a vessel to assist a ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Assist {
-    /// What.
+    /// The job.
     pub job: Job,
-    /// Her fastest beside the ship (m/s).
+    /// Her greatest speed relative to the ship (m/s).
     pub fastest_mps: f64,
 }
 
 /// The kinds of [`Assist`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Job {
-    /// Keep a place beside the ship.
+    /// Keep a position relative to the ship.
     Follow {
         /// Index of the ship's body.
         ship: usize,
-        /// The place of her own centre of gravity in the ship's frame (m).
+        /// Position of her centre of gravity in the ship's frame (m).
         at_m: Vec2,
-        /// Her heading from that of the ship (rad).
+        /// Her heading relative to the ship's (rad).
         heading_rad: f64,
     },
     /// Push with the bow.
@@ -44,28 +44,28 @@ pub enum Job {
     },
 }
 
-/// Where a tug pushes, and how hard.
+/// Position and force of a push.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PushJob {
     /// Index of the ship's body.
     pub ship: usize,
     /// Point of the ship's side in her frame (m).
     pub at_m: Vec2,
-    /// Unit vector into the ship there, in her frame.
+    /// Unit normal into the ship at that point, in her frame.
     pub inward: Vec2,
-    /// From the tug's centre of gravity to the tip of her bow, fender included (m).
+    /// Distance from the tug's centre of gravity to the tip of her bow with its fender (m).
     pub bow_m: f64,
     /// Force (N).
     pub force_n: f64,
 }
 
-/// Farthest from the ship's outline that a point to push at may be named (m).
+/// Largest distance of an ordered point from the ship's outline (m).
 const FARTHEST_OFF_M: f64 = 2.0;
 
-/// A point that is not at a ship's side.
+/// The point of an order to push is not at the ship's side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NotAtTheSide {
-    /// How far it is off (m).
+    /// Its distance from the outline (m).
     pub off_m: f64,
 }
 
@@ -82,11 +82,10 @@ impl fmt::Display for NotAtTheSide {
 impl std::error::Error for NotAtTheSide {}
 
 impl PushJob {
-    /// For a tug and a ship among the bodies of a set-up, at the point of the ship's side that is nearest to
-    /// the one named.
+    /// A push by a tug at the point of the ship's side nearest to `at_m`; both are indices of bodies.
     ///
     /// # Errors
-    /// [`NotAtTheSide`] where that is farther than 2 m.
+    /// [`NotAtTheSide`] if that point is farther than 2 m.
     pub fn new(
         bodies: &[BodySetup],
         fenders: &[FenderSetup],
@@ -104,8 +103,8 @@ impl PushJob {
     }
 }
 
-/// The nearest point of an outline, and the unit vector into the body there. Outlines run so that the body is
-/// on the left of the way from vertex to vertex, as the engine keeps them.
+/// The nearest point of an outline and the unit normal into the body there. The body is to the left of the direction from vertex
+/// to vertex, as in all outlines of the engine.
 fn nearest_side(outline: &Outline, at_m: Vec2) -> (Vec2, Vec2) {
     let vertices = outline.vertices();
     let edges = vertices.iter().zip(vertices.iter().cycle().skip(1));
@@ -122,7 +121,7 @@ fn nearest_side(outline: &Outline, at_m: Vec2) -> (Vec2, Vec2) {
     (best.1, best.2)
 }
 
-/// How far a body and the fenders on its fore side reach ahead of its origin (m).
+/// Distance from a body's origin to its foremost point, with fenders that face ahead (m).
 fn reach_ahead<'f>(outline: &Outline, fenders: impl Iterator<Item = &'f FenderSetup>) -> f64 {
     let (_, most) = outline.bounds();
     fenders
@@ -131,30 +130,30 @@ fn reach_ahead<'f>(outline: &Outline, fenders: impl Iterator<Item = &'f FenderSe
         .fold(most.x, greater)
 }
 
-/// A job under way: plain data.
+/// The state of a tug that assists: plain data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AssistPilot {
-    /// What was ordered.
+    /// The order.
     pub order: Assist,
-    /// The normal force between her and the ship that she pushes, in the last step (N).
-    pub touch_n: f64,
-    /// A moment learnt against what leans on her bow (N·m).
+    /// Normal contact force between her and the ship that she pushes, in the last step (N).
+    pub contact_n: f64,
+    /// Integral of the yaw control against the moment of the contact at her bow (N·m).
     pub steady_nm: f64,
 }
 
 impl AssistPilot {
     pub(crate) fn new(order: Assist) -> AssistPilot {
-        AssistPilot { order, touch_n: 0.0, steady_nm: 0.0 }
+        AssistPilot { order, contact_n: 0.0, steady_nm: 0.0 }
     }
 
-    /// Takes note of the contact between her and the ship in a step.
-    pub(crate) fn feel(&mut self, own: usize, contacts: &[Contact]) {
+    /// Stores the contact force between her and the ship after a step.
+    pub(crate) fn store_contact(&mut self, own: usize, contacts: &[Contact]) {
         let Job::Push(push) = self.order.job else { return };
         let both = |contact: &&Contact| {
             let pair = [contact.body_1.0 as usize, contact.body_2.0 as usize];
             pair == [own, push.ship] || pair == [push.ship, own]
         };
-        self.touch_n = contacts.iter().filter(both).map(|contact| contact.normal_force_n).sum();
+        self.contact_n = contacts.iter().filter(both).map(|contact| contact.normal_force_n).sum();
     }
 
     /// Her task in a step.
@@ -181,7 +180,7 @@ impl AssistPilot {
                 inward: states[ship].pose().rotation.apply(inward),
                 bow_m,
                 force_n,
-                touch_n: self.touch_n,
+                contact_n: self.contact_n,
             },
             Job::Pull { line, direction_rad, force_n } => {
                 let setup = &lines.0[line];
@@ -204,7 +203,7 @@ impl AssistPilot {
     }
 }
 
-/// The other body's end of a line and a body's own: body and place in its frame.
+/// The two ends of a line, body and position in its frame: first the other body's, then a body's own.
 fn ends_for(line: &MooringSetup, own: usize) -> [(usize, Vec2); 2] {
     let near = (line.ship, line.fairlead_m);
     match line.end {

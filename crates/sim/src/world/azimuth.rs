@@ -1,5 +1,4 @@
-//! Thrusters of a vessel in a run: tunnel thrusters, and azimuth units with their own order, lag and rate of
-//! turn.
+//! Thrusters of a vessel: tunnel thrusters, and azimuth units with order, lag and rate of turn.
 
 use fenderline_contact::number::bounded;
 
@@ -9,7 +8,7 @@ use crate::hydro::{AzimuthThruster, Force, TunnelThruster, Velocity, Water};
 /// A tunnel thruster of a vessel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ThrusterSetup {
-    /// Her name for it.
+    /// Name.
     pub name: String,
     /// The thruster.
     pub tunnel: TunnelThruster,
@@ -20,7 +19,7 @@ pub struct ThrusterSetup {
 /// An azimuth unit of a vessel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AzimuthSetup {
-    /// Her name for it.
+    /// Name.
     pub name: String,
     /// The unit.
     pub unit: AzimuthThruster,
@@ -30,32 +29,32 @@ pub struct AzimuthSetup {
     pub lag_s: f64,
     /// Rate of turn (rad/s).
     pub rate_radps: f64,
-    /// How far it turns to either side of ahead (rad); `None`: all the way round.
+    /// Largest angle to either side of ahead (rad); `None` if it turns all the way round.
     pub stop_rad: Option<f64>,
 }
 
-/// What an azimuth unit is ordered to.
+/// The order to an azimuth unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AzimuthOrder {
-    /// Thrust over that at rest and full power, 0 to 1.
+    /// Thrust over the thrust at rest and full power, 0 to 1.
     pub power: f64,
     /// Direction of the thrust from the bow, positive to starboard (rad).
     pub direction_rad: f64,
 }
 
-/// An azimuth unit during a run: plain data.
+/// The state of an azimuth unit: plain data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AzimuthState {
-    /// Thrust over that at rest and full power; at speed there is less for it.
+    /// Thrust over the thrust at rest and full power. At speed the same power gives less thrust.
     pub power: Lag,
-    /// Where its thrust points.
+    /// Direction of its thrust.
     pub direction: Slewing,
     /// Its force on the vessel in the last step, about midship.
     pub force: Force,
 }
 
 impl AzimuthState {
-    /// At rest, pointing ahead.
+    /// Stopped, pointing ahead.
     pub(crate) fn new(setup: &AzimuthSetup) -> AzimuthState {
         AzimuthState {
             power: Lag { value: 0.0, time_constant_s: setup.lag_s },
@@ -68,7 +67,7 @@ impl AzimuthState {
         }
     }
 
-    /// Moves towards an order; true where it was beyond a stop.
+    /// Moves towards an order. Returns true if the order was limited.
     pub(crate) fn act(&mut self, order: &AzimuthOrder, step_s: f64) -> bool {
         let power =
             if order.power.is_nan() { self.power.value } else { bounded(order.power, 0.0, 1.0) };
@@ -77,8 +76,8 @@ impl AzimuthState {
         power != order.power || turned == Order::Clamped
     }
 
-    /// The force of a step, for a vessel that moves like this through the water.
-    pub(crate) fn push(
+    /// The force in a step at a velocity of the vessel through the water.
+    pub(crate) fn compute_force(
         &mut self,
         setup: &AzimuthSetup,
         velocity: &Velocity,

@@ -1,4 +1,4 @@
-//! What pilots do with azimuth units: under way, on a station, at work on a ship.
+//! Pilots with azimuth units: under way, keeping a station, assisting a ship.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{BodyState, Rotation, Vec2, vec2};
@@ -8,23 +8,23 @@ use super::line::{Mooring, MooringSetup};
 use super::pilot::Abilities;
 use super::vessel::{VesselForces, VesselSetup, VesselState};
 use crate::control::{
-    Asked, Demand, Handling, LateralDevice, Reach, Sway, Task, ThrustDevice, allocate_thrust,
-    assist as work, bias_pairs,
+    AssistDemand, Demand, Handling, LateralDevice, Reach, Sway, Task, ThrustDevice,
+    allocate_thrust, assist as work, bias_pairs,
 };
 use crate::hydro::{Force, Velocity, Water};
 
-/// Time in which a moment is learnt against what leans on a tug's bow (s).
-const LEARNING_S: f64 = 15.0;
-/// Below this share of its thrust a unit is not turned for it: its direction means nothing.
+/// Time constant of the integral against the moment of the contact at a tug's bow (s).
+const INTEGRAL_S: f64 = 15.0;
+/// Below this share of its thrust a unit keeps its direction.
 const IDLE: f64 = 0.01;
 
-/// How a vessel goes through what water.
+/// The velocity of a vessel through the water, and the water.
 pub(crate) struct Stream {
     pub(crate) velocity: Velocity,
     pub(crate) water: Water,
 }
 
-/// The most that the units give together on each axis.
+/// The greatest force of all units together on each axis.
 pub(crate) fn largest_of_azimuths(setup: &VesselSetup) -> Demand {
     let mut largest = Demand::default();
     for azimuth in &setup.azimuths {
@@ -35,14 +35,14 @@ pub(crate) fn largest_of_azimuths(setup: &VesselSetup) -> Demand {
     largest
 }
 
-/// What hull, wind and waves put on her in the last step, about her centre of gravity.
-fn felt(setup: &VesselSetup, forces: &VesselForces) -> Demand {
-    let Force { surge_n, sway_n, yaw_nm } = forces.felt();
+/// Force of hull, wind and waves in the last step, about the centre of gravity.
+fn disturbance(setup: &VesselSetup, forces: &VesselForces) -> Demand {
+    let Force { surge_n, sway_n, yaw_nm } = forces.disturbance();
     let ahead_m = setup.ship.particulars.centre_of_gravity_m;
     Demand { surge_n, sway_n, yaw_nm: yaw_nm - ahead_m * sway_n }
 }
 
-/// Course and speed of a vessel that goes and steers with her units.
+/// Keeps course and speed of a vessel that azimuth units alone propel and steer.
 pub(crate) fn under_way(
     vessel: &mut VesselState,
     (setup, abilities, stream): (&VesselSetup, &Abilities, &Stream),
@@ -56,7 +56,7 @@ pub(crate) fn under_way(
     }
     let surge_mps = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps).x;
     let surge_n = match &mut pilots.speed {
-        // Thrust goes with the square of revolutions.
+        // Thrust is proportional to the square of the revolutions.
         Some(speed) => {
             let share = speed.revolutions(surge_mps, step_s);
             share * share.abs() * largest_of_azimuths(setup).surge_n
@@ -65,8 +65,8 @@ pub(crate) fn under_way(
     };
     let handling = Handling::of(abilities.inertia, setup.ship.particulars.length_m);
     let yaw_nm = pilots.course.map_or(0.0, |course| {
-        let felt = felt(setup, forces);
-        handling.turning_moment(state, course.heading_rad, felt.yaw_nm)
+        let disturbance = disturbance(setup, forces);
+        handling.turning_moment(state, course.heading_rad, disturbance.yaw_nm)
     });
     let demand = Demand { surge_n, sway_n: 0.0, yaw_nm };
     let devices = azimuth_devices(setup);
@@ -75,7 +75,7 @@ pub(crate) fn under_way(
     order_azimuths(vessel, setup, &forces_n, stream);
 }
 
-/// The work of a tug: sets the orders to her azimuth units.
+/// Sets the orders to the azimuth units of a tug that assists.
 pub(crate) fn assist(
     vessel: &mut VesselState,
     (setup, abilities, stream): (&VesselSetup, &Abilities, &Stream),
@@ -87,20 +87,20 @@ pub(crate) fn assist(
     let Some(pilot) = &mut vessel.pilots.assist else { return };
     let ship = &setup.ship.particulars;
     let state = &states[setup.body];
-    let felt = felt(setup, forces);
+    let disturbance = disturbance(setup, forces);
     let handling = Handling::of(abilities.inertia, ship.length_m);
     let task = pilot.task(setup.body, states, lines);
-    let Asked { demand, sway } =
-        work(&task, &handling, state, &felt, pilot.order.fastest_mps, pilot.steady_nm);
-    // While she leans on the ship she learns what moment that takes; else she forgets it.
-    let leans = matches!(task, Task::Push { .. }) && sway == Sway::Free;
+    let AssistDemand { demand, sway } =
+        work(&task, &handling, state, &disturbance, pilot.order.fastest_mps, pilot.steady_nm);
+    // The integral grows while her bow is held at the ship's side, and decays otherwise.
+    let is_held = matches!(task, Task::Push { .. }) && sway == Sway::Free;
     let most_nm: f64 =
         setup.azimuths.iter().map(|a| a.bollard_n * azimuth_place(setup, a).length()).sum();
-    let learnt = demand.yaw_nm - pilot.steady_nm;
-    let rate = if leans { learnt } else { -pilot.steady_nm };
-    let towards =
-        bounded(pilot.steady_nm + rate * lesser(step_s / LEARNING_S, 1.0), -most_nm, most_nm);
-    pilot.steady_nm = towards;
+    let growth = demand.yaw_nm - pilot.steady_nm;
+    let rate = if is_held { growth } else { -pilot.steady_nm };
+    let steady_nm =
+        bounded(pilot.steady_nm + rate * lesser(step_s / INTEGRAL_S, 1.0), -most_nm, most_nm);
+    pilot.steady_nm = steady_nm;
     let mut devices = azimuth_devices(setup);
     let own = setup.thrusters.iter().map(|thruster| ThrustDevice {
         at_m: vec2(thruster.tunnel.along_m - ship.centre_of_gravity_m, 0.0),
@@ -119,7 +119,7 @@ pub(crate) fn assist(
     }
 }
 
-/// Shares a demand among the engine (whose part it returns), what pushes sideways and the azimuth units.
+/// Shares a demand among the engine, lateral devices and azimuth units. Returns the force of the engine (N).
 pub(crate) fn share_with_azimuths(
     vessel: &mut VesselState,
     (setup, abilities, stream): (&VesselSetup, &Abilities, &Stream),
@@ -154,13 +154,14 @@ fn azimuth_devices(setup: &VesselSetup) -> Vec<ThrustDevice> {
     setup.azimuths.iter().map(device).collect()
 }
 
-/// From the centre of gravity (m).
+/// Position of a unit from the centre of gravity (m).
 fn azimuth_place(setup: &VesselSetup, azimuth: &AzimuthSetup) -> Vec2 {
     let ahead_m = setup.ship.particulars.centre_of_gravity_m;
     vec2(azimuth.unit.along_m - ahead_m, azimuth.unit.across_m)
 }
 
-/// Orders each unit a force, with the power that it takes in the stream. While it still points elsewhere it gives only as much as points the right way.
+/// Orders a force of each unit, with the power that it needs at this velocity through the water. While a unit still turns, its
+/// power is that for the component of the force in its present direction.
 fn order_azimuths(
     vessel: &mut VesselState,
     setup: &VesselSetup,

@@ -11,7 +11,7 @@ use crate::environment::{Bank, EnvironmentError, Tide};
 use crate::hydro::{self, Squat};
 use crate::range::within;
 
-/// The surroundings of a [`crate::WorldSetup`].
+/// Wind, current and water of a [`crate::WorldSetup`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Environment {
     /// Wind.
@@ -28,9 +28,9 @@ pub struct Environment {
     pub depth_m: Option<f64>,
     /// Level of the water above datum.
     pub tide: Tide,
-    /// How squat is estimated where the water has a depth; `None`: not at all.
+    /// Method of squat in water of finite depth; `None`: no squat.
     pub squat: Option<Squat>,
-    /// Banks that draw ships to them: unvalidated.
+    /// Banks, which attract ships: unvalidated.
     pub banks: Vec<Bank>,
 }
 
@@ -52,7 +52,7 @@ impl Default for Environment {
 }
 
 impl Environment {
-    /// Depth of the water at a time (m), tide within, 0 where the bottom has fallen dry; `None`: deep.
+    /// Depth of the water at a time (m) with the tide, 0 where the bottom is dry; `None`: deep.
     #[must_use]
     pub fn depth_at_m(&self, t_s: f64) -> Option<f64> {
         self.depth_m.map(|depth_m| greater(depth_m + self.tide.level_m(t_s), 0.0))
@@ -68,7 +68,7 @@ impl Environment {
     /// Checks depth and tide; wind, current and sea were checked when they were made.
     ///
     /// # Errors
-    /// What no water has, by its name.
+    /// A number out of range, with its name.
     pub fn check(&self) -> Result<(), EnvironmentError> {
         if let Some(depth_m) = self.depth_m {
             within("depth of the water [m]", depth_m, -100.0, 12_000.0)?;
@@ -86,7 +86,7 @@ impl Environment {
         current.map_or(Vec2::ZERO, |current| current.velocity(position_m, t_s, draught_m))
     }
 
-    /// DU/Dt: mean acceleration of the water that a hull lies in, followed for a step (m/s²).
+    /// DU/Dt: mean acceleration of the water around a hull, following the water during a step (m/s²).
     pub(crate) fn water_acceleration(
         &self,
         position_m: Vec2,

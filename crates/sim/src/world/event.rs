@@ -1,32 +1,32 @@
-//! What happens in a world that a user should know of.
+//! Events of the world that are reported to the user.
 
-/// Something that happened in a step.
+/// An event in a step. States that last are reported once, when they begin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorldEvent {
-    /// Index of the vessel, the line or the tug it is about.
+    /// Index of the vessel, line or tug concerned.
     pub who: usize,
-    /// What happened.
+    /// The kind of event.
     pub kind: WorldEventKind,
 }
 
 /// The kinds of [`WorldEvent`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum WorldEventKind {
-    /// An order of a vessel was beyond a stop, or no number: the stop was ordered. Told when it begins.
+    /// An order to a vessel was beyond a stop and was limited to the stop, or was NaN and had no effect.
     OrderClamped,
-    /// The water is no deeper than a vessel's draught: the bottom holds her. Told when it begins.
+    /// A vessel is aground: the water is not deeper than her draught with squat.
     Aground,
-    /// The water is shallower than 1.1 of a vessel's draughts: no formula for shallow water is made for that, and
-    /// what shallow water does to her is held. Told when it begins.
+    /// The water is shallower than 1.1 times a vessel's draught, the end of the range of the shallow-water formulas: their values
+    /// at 1.1 are used.
     ShallowHeld,
-    /// A tug cannot give at this speed and angle what she is ordered to. Told when it begins.
+    /// A tug cannot give the ordered force at this speed and angle.
     TugLimited,
-    /// An order to a tug with a force or a direction that is none.
+    /// A tug refused an order with an invalid force or direction.
     TugOrderRefused,
-    /// A line could not be made fast where its ends were: too short, or no such pretension.
+    /// A line could not be made fast between its ends: it is too short, or cannot have the pretension.
     LineNotMadeFast,
     /// A line parted.
     LineParted,
-    /// The brake of a line's winch renders. Told when it begins.
+    /// The brake of the winch of a line renders.
     LineRenders,
 }

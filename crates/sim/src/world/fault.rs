@@ -1,34 +1,34 @@
-//! What fails on a vessel during a run.
+//! Faults of a vessel during a run.
 
-/// Faults of a vessel that stand: plain data. All off at the start of a run.
+/// The active faults of a vessel: plain data. None at the start of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Faults {
     /// The rudder stays where it is; azimuth units do not turn.
     pub rudder_stuck: bool,
-    /// The shaft runs down to a stop, azimuth units give no thrust.
+    /// The shaft runs down to a stop; azimuth units give no thrust.
     pub engine_lost: bool,
     /// Tunnel thrusters give no thrust.
     pub thrusters_lost: bool,
-    /// All of these at once: no power for anything.
+    /// All of these at once: no power.
     pub blackout: bool,
 }
 
 impl Faults {
-    /// Does nothing move the rudder?
+    /// True if the rudder and the direction of azimuth units do not move.
     #[must_use]
-    pub fn steering_stands(&self) -> bool {
+    pub fn steering_failed(&self) -> bool {
         self.rudder_stuck || self.blackout
     }
 
-    /// Does nothing drive shaft and azimuth units?
+    /// True if shaft and azimuth units have no power.
     #[must_use]
-    pub fn no_engine(&self) -> bool {
+    pub fn engine_failed(&self) -> bool {
         self.engine_lost || self.blackout
     }
 
-    /// Does nothing drive the tunnel thrusters?
+    /// True if the tunnel thrusters have no power.
     #[must_use]
-    pub fn no_thrusters(&self) -> bool {
+    pub fn thrusters_failed(&self) -> bool {
         self.thrusters_lost || self.blackout
     }
 }

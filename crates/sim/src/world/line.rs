@@ -1,4 +1,4 @@
-//! Mooring lines in a run: who is fast to what, and from when.
+//! Mooring lines of a simulation: their ends on bodies, and when they are made fast.
 
 use fenderline_contact::{BodyState, Vec2, Wrench, vec2};
 
@@ -14,38 +14,38 @@ pub struct MooringSetup {
     pub line: LineSetup,
     /// Index of the body that has the winch or the bitts.
     pub ship: usize,
-    /// Fairlead in that body's frame (m), and above the still water (m).
+    /// Fairlead in that body's frame (m).
     pub fairlead_m: Vec2,
     /// Height of the fairlead above the still water (m); above datum where that body is fixed.
     pub fairlead_above_water_m: f64,
-    /// What the other end is fast to.
+    /// The other end.
     pub end: LineEnd,
     /// When it is made fast (s).
     pub from_s: f64,
 }
 
-/// What the far end of a line is fast to.
+/// The far end of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LineEnd {
     /// A bollard or an anchor: north, east and above datum (m).
     Fixed([f64; 3]),
-    /// Another body, a quay's too: its index, the place in its frame and the height (m).
+    /// A point on another body, which may be a quay.
     OnBody {
         /// Index into [`crate::Setup::bodies`].
         body: usize,
-        /// Place in the body's frame (m).
+        /// Position in the body's frame (m).
         at_m: Vec2,
         /// Height above the still water (m); above datum where the body is fixed.
         above_water_m: f64,
     },
 }
 
-/// A line during a run: plain data.
+/// The state of a line: plain data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mooring {
     /// The line, once it is made fast.
     pub line: Option<(Line, LineState)>,
-    /// Its order to the winch.
+    /// The order to its winch.
     pub order: WinchOrder,
     /// Its forces in the last step.
     pub load: LineLoad,
@@ -65,12 +65,12 @@ impl Mooring {
         }
     }
 
-    /// Casts it off.
+    /// Lets the line go.
     pub(crate) fn let_go(&mut self) {
         (self.line, self.gone, self.load) = (None, true, LineLoad::default());
     }
 
-    /// Makes it fast when it is time, lets the winch work, and puts its forces on both ends' bodies.
+    /// Makes the line fast at its time, moves the winch, and adds its forces to the bodies at both ends.
     pub(crate) fn step(
         &mut self,
         index: usize,
@@ -114,7 +114,7 @@ impl Mooring {
 }
 
 impl MooringSetup {
-    /// The bodies at its ends, with the place in the body's frame (m) and the force on it in the last step (N).
+    /// The bodies at both ends, with position in the body's frame (m) and force on the body in the last step (N).
     pub(crate) fn ends_on(&self, mooring: &Mooring) -> impl Iterator<Item = (usize, Vec2, Vec2)> {
         let LineLoad { on_ship_n, on_shore_n, .. } = mooring.load;
         let flat = |force_n: [f64; 3]| vec2(force_n[0], force_n[1]);
@@ -125,7 +125,7 @@ impl MooringSetup {
         core::iter::once((self.ship, self.fairlead_m, flat(on_ship_n))).chain(far)
     }
 
-    /// Where the two ends are. Heave and roll do not move a fairlead: lines are long beside them.
+    /// Positions of both ends. Heave and roll are neglected: they are small compared with the length of a line.
     fn ends(&self, states: &[BodyState], shore: Shore<'_>) -> LineEnds {
         let at = |body: usize, at_m: Vec2, above_m: f64| {
             let place = states[body].pose().apply(at_m);
@@ -140,13 +140,13 @@ impl MooringSetup {
         }
     }
 
-    /// Could it be made fast where the bodies of a set-up and the water are at the start?
+    /// Checks that the line can be made fast at the start of a run.
     ///
     /// # Errors
-    /// Why not, naming the line.
+    /// Why it cannot, with the name of the line.
     ///
     /// # Panics
-    /// Where it names bodies that are not there.
+    /// If it refers to bodies that do not exist.
     pub fn check_at_start(
         &self,
         bodies: &[crate::BodySetup],

@@ -1,9 +1,9 @@
 //! The world around the bodies of a set-up: everything that acts on them besides contact and plain loads.
 //!
-//! [`WorldSetup`] is the constant part. Each step, before contact, `World::step` takes the orders that are
-//! due, lets the pilots order, moves rudders, shafts and thrusters, and adds the wrench of hull, propeller,
-//! rudder, thrusters and wind to each vessel's body. After contact, `World::settle` heels and trims the
-//! vessels by all horizontal forces at the height where they act.
+//! [`WorldSetup`] is the constant part. In each step, before contact, `World::step` carries out the orders that are due, runs
+//! the pilots, moves rudders, shafts and thrusters, and adds the wrench of hull, propeller, rudder, thrusters and wind to each
+//! vessel's body. After contact, `World::settle` moves the vessels in heave, roll and pitch by all horizontal forces and their
+//! heights.
 
 mod assist;
 mod azimuth;
@@ -37,27 +37,27 @@ pub use line::{LineEnd, Mooring, MooringSetup};
 pub use pilot::Pilots;
 pub use setup::{ProviderSetup, WorldSetup};
 pub use tug::{TugAtWork, TugSetup};
-pub(crate) use vessel::Carried;
+pub(crate) use vessel::WaterInertia;
 pub use vessel::{Float, VesselForces, VesselOrders, VesselSetup, VesselState, mass_matrix};
 
-/// What changes of a world: plain data, but for what can be found again.
+/// The variable state of a world: plain data, besides values that are computed anew.
 #[derive(Clone, Debug)]
 pub(crate) struct World {
     pub(crate) vessels: Vec<VesselState>,
     pub(crate) forces: Vec<VesselForces>,
-    pub(crate) carried: Vec<Carried>,
+    pub(crate) water_inertia: Vec<WaterInertia>,
     pub(crate) lines: Vec<Mooring>,
     pub(crate) tugs: Vec<TugAtWork>,
     pub(crate) events: Vec<WorldEvent>,
     abilities: Vec<Abilities>,
-    /// Orders sorted by time, and how many have been taken.
+    /// Orders sorted by time, and the number of those that have been carried out.
     orders: Vec<Order>,
     taken: usize,
-    /// Vessels that had an order beyond a stop in the last step: told once.
+    /// Vessels with an order beyond a stop in the last step, so that the event is reported once.
     clamped: Vec<bool>,
     helpers_n: Vec<f64>,
     pub(crate) order: SumOrder,
-    /// Bodies that do not float: the tide comes and goes about them.
+    /// For each body, whether it is fixed: the tide rises and falls around it.
     fixed: Vec<bool>,
 }
 
@@ -69,7 +69,7 @@ impl World {
         World {
             vessels: setup.vessels.iter().map(VesselState::new).collect(),
             forces: vec![VesselForces::default(); setup.vessels.len()],
-            carried: vec![Carried::default(); setup.vessels.len()],
+            water_inertia: vec![WaterInertia::default(); setup.vessels.len()],
             lines: setup.lines.iter().map(|_| Mooring::new()).collect(),
             tugs: setup.tugs.iter().map(TugAtWork::new).collect(),
             events: Vec::new(),
@@ -83,8 +83,9 @@ impl World {
         }
     }
 
-    /// Adds to each body's load what its vessel feels in the step that begins at `states`, whose velocities belong to
-    /// `velocity_time_s`: the water's are taken at that time, so that a ship adrift is not dragged by her own step.
+    /// Adds the forces on each vessel in the step from `states` to the load of her body. The velocities belong to
+    /// `velocity_time_s`; those of the water are taken at the same time, so that a drifting ship has no drag by a difference of
+    /// time.
     pub(crate) fn step(
         &mut self,
         setup: &WorldSetup,
@@ -135,11 +136,12 @@ impl World {
             let velocity = vessel.velocity(state, &setup.environment, velocity_time_s);
             let times = (t_s, velocity_time_s, step_s);
             let forces = vessel.forces(own, (state, &velocity), &setup.environment, times);
-            let carried = vessel.carried(state, &setup.environment, (velocity_time_s, step_s));
-            let wrench = vessel.wrench(&forces, &carried, state);
+            let water_inertia =
+                vessel.water_inertia(state, &setup.environment, (velocity_time_s, step_s));
+            let wrench = vessel.wrench(&forces, &water_inertia, state);
             loads[vessel.body].force_n += wrench.force_n;
             loads[vessel.body].moment_nm += wrench.moment_nm;
-            (self.forces[index], self.carried[index]) = (forces, carried);
+            (self.forces[index], self.water_inertia[index]) = (forces, water_inertia);
         }
         for &index in &self.order.tugs {
             let (tug, of) = (&mut self.tugs[index], &setup.tugs[index]);
@@ -158,8 +160,7 @@ impl World {
         }
     }
 
-    /// Adds an order to those that are not taken yet; what has been taken is forgotten, so that a run of hours
-    /// under somebody's hands does not grow.
+    /// Adds an order. Orders that have been carried out are dropped, so that memory does not grow in a run of hours.
     pub(crate) fn order(&mut self, order: Order) {
         self.orders.drain(..self.taken);
         self.taken = 0;
@@ -167,7 +168,7 @@ impl World {
         self.orders.insert(place, order);
     }
 
-    /// Forgets those orders that are not taken yet and that `keep` does not want.
+    /// Drops the pending orders for which `keep` returns false.
     pub(crate) fn retain_orders(&mut self, keep: impl FnMut(&Order) -> bool) {
         self.orders.drain(..self.taken);
         self.taken = 0;
@@ -175,7 +176,7 @@ impl World {
     }
 
     fn take_orders(&mut self, setup: &WorldSetup, states: &[BodyState], t_s: f64, step_s: f64) {
-        // An order counts from the step in which its time lies.
+        // An order takes effect in the step that contains its time.
         while let Some(order) = self.orders.get(self.taken).filter(|o| o.at_s < t_s + step_s) {
             self.taken += 1;
             match &order.action {
@@ -202,7 +203,7 @@ impl World {
         }
     }
 
-    /// Heels and trims the vessels after a step, by their own forces and by contact at the fenders' height.
+    /// Moves the vessels in heave, roll and pitch after a step, by their own forces and by contact at the height of the fenders.
     pub(crate) fn settle(
         &mut self,
         setup: &WorldSetup,
@@ -217,10 +218,10 @@ impl World {
             self.vessels[index].wave_motion =
                 vessel.wave_motion(state, &setup.environment, t_s + step_s);
             if let Some(pilot) = &mut self.vessels[index].pilots.assist {
-                pilot.feel(vessel.body, contacts);
+                pilot.store_contact(vessel.body, contacts);
             }
             let Some(float) = &vessel.float else { continue };
-            let mut drive = vessel.drive(&self.forces[index], float);
+            let mut load = vessel.attitude_load(&self.forces[index], float);
             let attitude = Rotation::from_angle(states[vessel.body].heading_rad);
             for contact in contacts {
                 let [one, two] = [contact.body_1.0 as usize, contact.body_2.0 as usize];
@@ -229,18 +230,18 @@ impl World {
                     body if body == two => -1.0,
                     _ => continue,
                 };
-                // A fender's own height; outlines press at the waterline.
+                // Fenders act at their height, outlines at the waterline.
                 let height_m = contact.fender.map_or(0.0, |id| {
                     let fender = &fenders[id.0 as usize];
                     shore.above_water_m(fender.body, fender.above_water_m)
                 });
                 let own = attitude.apply_inverse(contact.force_on_body_1_n() * sign);
-                // Squat takes her centre of gravity down, the fender stays where it is.
+                // Squat lowers her centre of gravity, but not the fender.
                 let gravity_m = float.gravity_above_water_m - self.vessels[index].squat_m;
-                drive.add(own.x, own.y, height_m - gravity_m);
+                load.add(own.x, own.y, height_m - gravity_m);
             }
             let state = &mut self.vessels[index];
-            state.attitude = state.attitude.after(&float.hydrostatics, &drive, step_s);
+            state.attitude = state.attitude.after(&float.hydrostatics, &load, step_s);
         }
     }
 }

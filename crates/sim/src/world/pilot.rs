@@ -1,5 +1,5 @@
-//! A vessel's pilots: what turns standing orders for a course, a speed or a place into rudder, engine and
-//! thruster orders, step by step.
+//! The pilots of a vessel: they turn orders for course, speed or station into orders to rudder, engine and thrusters in each
+//! step.
 
 use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{BodyState, Rotation};
@@ -14,29 +14,29 @@ use crate::control::{
 use crate::hydro::{Controls, Velocity, Water};
 use crate::order::{Station, VesselAction};
 
-/// The pilots that a vessel has on: plain data.
+/// The active pilots of a vessel: plain data.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pilots {
-    /// On the rudder.
+    /// Keeps a course with the rudder.
     pub course: Option<CoursePilot>,
-    /// On the engine.
+    /// Keeps a speed with the engine.
     pub speed: Option<SpeedPilot>,
-    /// On everything.
+    /// Keeps a station with all devices.
     pub station: Option<StationPilot>,
-    /// On the azimuth units, at work on a ship.
+    /// Assists a ship with the azimuth units.
     pub assist: Option<AssistPilot>,
-    /// Thrust ahead that stood when a course was ordered to azimuth units without a speed (N).
+    /// Thrust ahead that azimuth units keep for a course without an ordered speed (N).
     pub ahead_n: f64,
 }
 
-/// What the pilots need to know of a ship, found once.
+/// Constants of a ship for her pilots.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Abilities {
     /// Force at rest at full revolutions astern (negative) and ahead (N).
     pub(crate) bollard_n: [f64; 2],
     /// Speed at full revolutions ahead (m/s).
     full_speed_mps: f64,
-    /// Mass in surge and sway, inertia in yaw, added mass included.
+    /// Mass in surge and sway and inertia in yaw, with added mass (kg, kg, kg·m²).
     pub(crate) inertia: [f64; 3],
 }
 
@@ -56,7 +56,7 @@ impl Abilities {
             setup.azimuths.iter().map(full).sum()
         };
         let full_rps = setup.shaft.stop;
-        // Thrust falls and resistance grows with speed: the balance by halving.
+        // The balance of thrust and resistance, by bisection.
         let (mut low, mut high) = (0.0, 30.0);
         for _ in 0..40 {
             let middle = 0.5 * (low + high);
@@ -74,7 +74,7 @@ impl Abilities {
         }
     }
 
-    /// Revolutions over full ones for a force at rest: thrust goes with their square.
+    /// Revolutions over full revolutions for a force at rest: thrust is proportional to their square.
     fn revolutions(&self, surge_n: f64) -> f64 {
         let [astern_n, ahead_n] = self.bollard_n;
         if surge_n >= 0.0 {
@@ -85,7 +85,7 @@ impl Abilities {
     }
 }
 
-/// Carries out one order to a vessel: sets her controls or puts a pilot on.
+/// Carries out an order to a vessel: sets her controls or engages a pilot.
 pub(crate) fn take(
     action: &VesselAction,
     vessel: &mut VesselState,
@@ -163,15 +163,14 @@ fn station_pilot(
             period_s: 240.0,
             damping: 0.9,
             integral_s: 300.0,
-            // Her ends no faster by turning than she goes sideways.
+            // Turning moves her ends no faster than sway does.
             fastest: [surge, sway, 2.0 * sway / setup.ship.particulars.length_m],
         },
         steady,
     }
 }
 
-/// Sets the orders of this step. `helpers` are what else pushes her sideways (tugs); their shares are
-/// written to `helpers_n`.
+/// Sets the orders of this step. `helpers` are other lateral devices (tugs); their forces are written to `helpers_n`.
 pub(crate) fn pilot(
     vessel: &mut VesselState,
     setup: &VesselSetup,
@@ -225,7 +224,7 @@ pub(crate) fn pilot(
     helpers_n.extend_from_slice(&forces_n[own..]);
 }
 
-/// Course and speed by rudder and engine.
+/// Keeps course and speed with rudder and engine.
 fn under_way(vessel: &mut VesselState, state: &BodyState, step_s: f64) {
     let surge_mps = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps).x;
     if let Some(course) = &vessel.pilots.course {

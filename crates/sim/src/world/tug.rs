@@ -1,4 +1,4 @@
-//! Vector tugs in a run.
+//! Vector tugs of a simulation.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -20,16 +20,16 @@ pub struct TugSetup {
     pub tug: VectorTug,
 }
 
-/// A vector tug during a run: plain data.
+/// The state of a vector tug: plain data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TugAtWork {
     /// Orders, force and direction.
     pub state: TugState,
     /// Force in the last step, in the vessel's axes about midship.
     pub force: Force,
-    /// Where it acts, from midship (m).
+    /// Point of action of the force, from midship (m).
     pub at_m: Vec2,
-    /// She could not give all that she was ordered to in the last step.
+    /// She could not give the ordered force in the last step.
     pub limited: bool,
 }
 
@@ -43,8 +43,7 @@ impl TugAtWork {
         }
     }
 
-    /// Orders a force to starboard of the vessel (N): a push where it points away from the tug's side, a
-    /// pull on her line where it points towards it.
+    /// Orders a force to starboard of the vessel (N): a push if it points away from the tug's side, else a pull on her line.
     pub(crate) fn push_or_pull(&mut self, setup: &TugSetup, t_s: f64, starboard_n: f64) {
         let direction_rad = FRAC_PI_2.copysign(starboard_n);
         let force_n = starboard_n.abs();
@@ -57,10 +56,10 @@ impl TugAtWork {
             TugOrder::Pull { force_n, direction_rad }
         };
         let taken = setup.tug.order(&mut self.state, t_s, order);
-        debug_assert!(taken.is_ok(), "a pilot asks for what there is");
+        debug_assert!(taken.is_ok(), "a pilot stays within the limits of a tug");
     }
 
-    /// The tug's part of a step: her wrench on the vessel's body.
+    /// Takes a step of the tug. Returns her wrench on the vessel's body.
     pub(crate) fn step(
         &mut self,
         index: usize,
@@ -98,7 +97,7 @@ impl TugSetup {
         -FRAC_PI_2.copysign(self.tug.push_at_m.y)
     }
 
-    /// What she is to a pilot. On a line she pulls as hard as she pushes.
+    /// The tug as a device of a pilot. She pulls on her line with the same force as she pushes.
     pub(crate) fn device(&self, vessel: &VesselSetup) -> LateralDevice {
         let most_n = 0.95 * self.tug.envelope.bollard_pull_n;
         LateralDevice {

@@ -19,24 +19,24 @@ use crate::hydro::shallow::SHALLOWEST_RATIO;
 use crate::hydro::vessels::Origin;
 use crate::hydro::{Controls, Force, Mmg, Velocity};
 
-/// How much water a ship that was aground needs under her keel to be afloat again (m); our choice.
+/// Under-keel clearance from which a ship that was aground is afloat again (m); our choice.
 const REFLOATED_M: f64 = 0.02;
 
-/// A ship of a set-up: what turns a body into a vessel.
+/// A vessel of a set-up: a body with hull, propulsion and their forces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VesselSetup {
     /// Index of her body in [`crate::Setup::bodies`].
     pub body: usize,
-    /// Who she is, and where her numbers come from.
+    /// Her name and the sources of her data.
     pub origin: Origin,
-    /// Hull, propeller and rudder, about midship, in the water of the run's start: the mass with which the engine
-    /// moves her is for good.
+    /// Hull, propeller and rudder, about midship, in the depth at the start of the run. The mass with which the engine moves her
+    /// stays that of the start.
     pub ship: Mmg,
-    /// The same in deep water, from which her hull follows the tide.
+    /// Likewise in deep water: with a tide, her hull in any depth is computed from it.
     pub deep: Mmg,
-    /// Rudder where it starts, with its rate and stop (rad).
+    /// Rudder: angle at the start, rate and stop (rad).
     pub rudder: RateLimited,
-    /// Shaft where it starts, with its rate and its full revolutions as the stop (1/s).
+    /// Shaft: revolutions at the start, rate, and full revolutions as the stop (1/s).
     pub shaft: RateLimited,
     /// Tunnel thrusters.
     pub thrusters: Vec<ThrusterSetup>,
@@ -46,13 +46,13 @@ pub struct VesselSetup {
     pub windage: Option<ShipWindage>,
     /// Heave, roll and pitch.
     pub float: Option<Float>,
-    /// How she answers waves, superposed on everything else.
+    /// First-order response to waves, superposed on all other motion.
     pub response: Option<MotionResponse>,
-    /// How waves drift her away.
+    /// Hull data for mean wave drift.
     pub drift: Option<DriftHull>,
 }
 
-/// What heave, roll and pitch need.
+/// Data for heave, roll and pitch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Float {
     /// The three oscillators.
@@ -63,12 +63,12 @@ pub struct Float {
     pub draught_m: f64,
 }
 
-/// What the bridge has ordered.
+/// The present orders to rudder, engine and thrusters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VesselOrders {
     /// Rudder (rad).
     pub rudder_rad: f64,
-    /// Revolutions over full ones.
+    /// Revolutions over full revolutions.
     pub shaft: f64,
     /// Each thruster, −1 (to port) to 1.
     pub thrusters: Vec<f64>,
@@ -76,42 +76,41 @@ pub struct VesselOrders {
     pub azimuths: Vec<AzimuthOrder>,
 }
 
-/// What changes of a vessel besides her state in the plane: plain data.
+/// The variable state of a vessel besides her state in the plane: plain data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VesselState {
-    /// Orders that stand.
+    /// Present orders.
     pub orders: VesselOrders,
-    /// Rudder now.
+    /// Rudder.
     pub rudder: RateLimited,
-    /// Shaft now.
+    /// Shaft.
     pub shaft: RateLimited,
-    /// Thrusters now.
+    /// Tunnel thrusters.
     pub thrusters: Vec<Lag>,
-    /// Azimuth units now.
+    /// Azimuth units.
     pub azimuths: Vec<AzimuthState>,
-    /// Pilots that are on.
+    /// Active pilots.
     pub pilots: Pilots,
     /// Heave, roll and pitch, without first-order wave motion.
     pub attitude: Attitude,
     /// First-order wave motion, to be superposed.
     pub wave_motion: FirstOrderMotion,
-    /// How much deeper her keel is because she is under way in shallow water (m).
+    /// Squat (m): additional sinkage under way in shallow water.
     pub squat_m: f64,
-    /// Water under her keel, squat taken off (m); `None` where the water is deep. Negative: how much too deep she
-    /// sits.
+    /// Under-keel clearance with squat (m); `None` in deep water. Negative where she is aground.
     pub under_keel_m: Option<f64>,
-    /// She is on the bottom.
+    /// She is aground.
     pub aground: bool,
-    /// The water is shallower than what the formulas for shallow water are made for: they are held.
+    /// The water is shallower than the range of the shallow-water formulas, whose values at the end of the range are used.
     pub held: bool,
-    /// What has failed on her.
+    /// Faults.
     pub faults: Faults,
 }
 
-/// Where the forces on a vessel come from, in her axes about midship.
+/// The forces on a vessel by source, in her axes about midship.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct VesselForces {
-    /// Hull, current in it.
+    /// Hull, with the effect of current.
     pub hull: Force,
     /// Propeller.
     pub propeller: Force,
@@ -129,20 +128,21 @@ pub struct VesselForces {
     pub bottom: Force,
 }
 
-/// What a vessel's water does besides her forces.
+/// Forces by the inertia of the water, besides those of [`VesselForces`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Carried {
-    /// Less what her hull's force has of the momentum that turns with her: about midship, in her axes.
-    pub(crate) ideal: Force,
-    /// The stream that she is in (m/s).
-    pub(crate) stream_mps: Vec2,
-    /// What water that speeds up does to her: about her centre of gravity, earth-fixed.
-    pub(crate) along: Wrench,
+pub(crate) struct WaterInertia {
+    /// Minus the Coriolis terms of the added mass in the hull's force: about midship, in her axes. The integrators apply these
+    /// terms themselves.
+    pub(crate) coriolis: Force,
+    /// Velocity of the current at her place (m/s).
+    pub(crate) current_mps: Vec2,
+    /// Wrench by the acceleration of the water: about her centre of gravity, earth-fixed.
+    pub(crate) acceleration: Wrench,
 }
 
 impl VesselForces {
-    /// What she feels besides what she orders: hull, wind and waves.
-    pub(crate) fn felt(&self) -> Force {
+    /// Disturbance that her pilots compensate: hull, wind and waves.
+    pub(crate) fn disturbance(&self) -> Force {
         self.hull + self.wind + self.waves
     }
 
@@ -159,7 +159,7 @@ impl VesselForces {
 }
 
 impl VesselState {
-    /// At the start of a run.
+    /// The state at the start of a run.
     pub(crate) fn new(setup: &VesselSetup) -> VesselState {
         VesselState {
             orders: VesselOrders {
@@ -187,27 +187,28 @@ impl VesselState {
         }
     }
 
-    /// Moves rudder, shaft and thrusters towards their orders, as far as nothing has failed; true where an
-    /// order was beyond a stop.
+    /// Moves rudder, shaft and thrusters towards their orders, except those that have failed. Returns true if an order was
+    /// limited.
     pub(crate) fn act(&mut self, step_s: f64) -> bool {
         let faults = self.faults;
         let rudder_rad =
-            if faults.steering_stands() { self.rudder.value } else { self.orders.rudder_rad };
+            if faults.steering_failed() { self.rudder.value } else { self.orders.rudder_rad };
         let mut clamped = self.rudder.step(rudder_rad, step_s) == Order::Clamped;
-        let shaft_rps = if faults.no_engine() { 0.0 } else { self.orders.shaft * self.shaft.stop };
+        let shaft_rps =
+            if faults.engine_failed() { 0.0 } else { self.orders.shaft * self.shaft.stop };
         clamped |= self.shaft.step(shaft_rps, step_s) == Order::Clamped;
         for (lag, &order) in self.thrusters.iter_mut().zip(&self.orders.thrusters) {
-            let order = if faults.no_thrusters() { 0.0 } else { order };
+            let order = if faults.thrusters_failed() { 0.0 } else { order };
             let within = if order.is_nan() { lag.value } else { bounded(order, -1.0, 1.0) };
             clamped |= within != order;
             lag.step(within, step_s);
         }
         for (unit, order) in self.azimuths.iter_mut().zip(&self.orders.azimuths) {
             let mut order = *order;
-            if faults.no_engine() {
+            if faults.engine_failed() {
                 order.power = 0.0;
             }
-            if faults.steering_stands() {
+            if faults.steering_failed() {
                 order.direction_rad = unit.direction.angle_rad;
             }
             clamped |= unit.act(&order, step_s);
@@ -223,14 +224,14 @@ impl VesselSetup {
         self.azimuths.iter().map(|azimuth| azimuth.bollard_n).sum()
     }
 
-    /// Whether she goes and steers with her azimuth units, for want of a propeller and a rudder.
+    /// True if azimuth units alone propel and steer her: she has no propeller and rudder.
     #[must_use]
     pub fn steers_with_azimuths(&self) -> bool {
         self.ship.propulsion.is_none() && !self.azimuths.is_empty()
     }
 
-    /// The forces of a step that begins at a state, whose velocity, here also through the water, belongs to a time of
-    /// its own; each azimuth unit keeps its own.
+    /// The forces in a step from a state. `velocity` is that through the water; velocities belong to `velocity_t_s`, positions to
+    /// `t_s`. Stores the force of each azimuth unit in the unit.
     pub(crate) fn forces(
         &self,
         vessel: &mut VesselState,
@@ -246,7 +247,7 @@ impl VesselSetup {
             thrusters = thrusters + thruster.tunnel.force(lag.value, velocity);
         }
         for (azimuth, now) in self.azimuths.iter().zip(&mut vessel.azimuths) {
-            thrusters = thrusters + now.push(azimuth, velocity, water);
+            thrusters = thrusters + now.compute_force(azimuth, velocity, water);
         }
         VesselForces {
             hull: parts.hull,
@@ -260,8 +261,8 @@ impl VesselSetup {
         }
     }
 
-    /// Hull, propeller and rudder in the water of a time. The added mass in it is that of the time, as the hull's force has
-    /// its Coriolis terms; she moves with that of the start.
+    /// Hull, propeller and rudder in the depth at a time. Its added mass is that of this depth and gives the Coriolis terms in the
+    /// hull's force; the mass with which she moves stays that of the start.
     fn ship_now(&self, environment: &Environment, t_s: f64) -> Mmg {
         match (&environment.tide, environment.depth_at_m(t_s)) {
             (Tide::Level(_), _) | (_, None) => self.ship,
@@ -269,7 +270,7 @@ impl VesselSetup {
         }
     }
 
-    /// Is the water shallower than what the formulas for shallow water are made for?
+    /// True if the water is shallower than the range of the shallow-water formulas.
     pub(crate) fn is_held(&self, environment: &Environment, t_s: f64) -> bool {
         let least_m = SHALLOWEST_RATIO * self.ship.particulars.draught_m;
         environment.depth_at_m(t_s).is_some_and(|depth_m| depth_m < least_m)
@@ -299,7 +300,7 @@ impl VesselSetup {
         Force { surge_n, sway_n, yaw_nm }
     }
 
-    /// Pull and moment of all banks.
+    /// Force and moment of all banks.
     fn banks(
         &self,
         state: &BodyState,
@@ -329,7 +330,7 @@ impl VesselSetup {
         })
     }
 
-    /// Her squat in this state (m); none in deep water.
+    /// Her squat (m); 0 in deep water.
     pub(crate) fn squat_m(&self, state: &BodyState, environment: &Environment, t_s: f64) -> f64 {
         let (Some(squat), Some(depth_m)) = (environment.squat, environment.depth_at_m(t_s)) else {
             return 0.0;
@@ -338,7 +339,7 @@ impl VesselSetup {
         squat.sinkage_m(&self.ship.particulars, depth_m, surge_mps)
     }
 
-    /// Water under the keel of a ship that squats by so much (m); none is told of where the water is deep.
+    /// Under-keel clearance with a squat (m); `None` in deep water.
     pub(crate) fn under_keel_m(
         &self,
         squat_m: f64,
@@ -349,16 +350,16 @@ impl VesselSetup {
         environment.depth_at_m(t_s).map(|depth_m| depth_m - draught_m - squat_m)
     }
 
-    /// Is there no water under her keel? Who was aground has to come free by [`REFLOATED_M`]: a ship whose squat
-    /// takes her to the bottom would else be on it and off it again with every step.
+    /// True if she is aground. A ship that was aground needs a clearance of [`REFLOATED_M`] to be afloat again, so that one whose
+    /// squat takes her to the bottom does not change between both in every step.
     pub(crate) fn is_aground(vessel: &VesselState) -> bool {
         let least_m = if vessel.aground { REFLOATED_M } else { 0.0 };
         vessel.under_keel_m.is_some_and(|clearance_m| clearance_m <= least_m)
     }
 
-    /// The drag of a bottom that bears what she sits too deep, with Coulomb's friction of 0.4 (recalled, of
-    /// sand): against her motion, and fading out below a centimetre a second so that it never drives her. It
-    /// begins from nothing where she touches, and grows with the weight that the water no longer bears.
+    /// The drag of the bottom on a ship aground. The bottom carries the weight that the water no longer carries, with Coulomb's
+    /// friction of 0.4 (recalled, for sand). The drag is against her motion and fades out below 0.01 m/s, so that it never
+    /// drives her.
     fn bottom(
         &self,
         vessel: &VesselState,
@@ -378,8 +379,7 @@ impl VesselSetup {
         let ends_mps = 0.25 * ship.length_m * state.yaw_rate_radps;
         let speed_mps = libm::sqrt(own.length_squared() + ends_mps * ends_mps);
         let per_speed = 0.4 * weight_n / (speed_mps + 0.01);
-        // What it is at the step's end, by the mass that it stops: a step does not turn her round, however short
-        // her way, and no more than the fading is left of it under a steady push.
+        // Implicit: the drag at the end of the step, from the mass that it decelerates. So a step cannot reverse her motion.
         let [[surge_kg, ..], [_, sway_kg, _], [.., yaw_kgm2]] =
             mass_matrix(&self.ship, environment.water_density_kgpm3);
         let braked = |drag: f64, inertia: f64| drag / (1.0 + drag * step_s / inertia);
@@ -414,75 +414,76 @@ impl VesselSetup {
         let (Some(windage), Some(wind)) = (&self.windage, &environment.wind) else {
             return Force::default();
         };
-        // Coefficients are those of the wind at 10 m.
+        // The coefficients refer to the wind at 10 m.
         let air = wind.velocity(10.0, t_s);
         let relative = RelativeWind::of(air, state.velocity_mps, state.heading_rad);
         let [surge_n, sway_n, yaw_nm] = windage.force(&relative, environment.air_density_kgpm3);
         Force { surge_n, sway_n, yaw_nm }
     }
 
-    /// What the water does to her besides her forces, so that with the momentum that turns with her
-    /// ([`crate::turning`]) they make the MMG method's equations of motion.
+    /// Forces by the inertia of the water. With [`VesselForces`] and the Coriolis terms of the integrators
+    /// ([`crate::turning`]) they give the equations of motion of the MMG method.
     ///
-    /// The hull's force about midship has the added mass' Coriolis terms in it, (m_y v r, −m_x u r), and Munk's moment
-    /// (m_x − m_y) u v within N_v. The integrators turn the momentum of ship and added mass by themselves, about the
-    /// centre of gravity, so that these terms are taken off. Together they do no work.
+    /// The hull's force about midship contains the Coriolis terms of the added mass, (m_y v r, −m_x u r), and Munk's moment
+    /// (m_x − m_y) u v within N_v. The integrators apply the Coriolis terms of ship and added mass themselves, about the
+    /// centre of gravity, so these terms are subtracted here. Together they do no work.
     ///
-    /// Water that speeds up takes her along: M (v̇ − DU/Dt) = W, the pressure gradient on the displaced water and
-    /// the added mass by the relative acceleration (Auton, Hunt & Prud'homme 1988, recalled, for a body that is
-    /// small beside the stream's changes). So M·DU/Dt is added; in a steady uniform current it is zero.
-    pub(crate) fn carried(
+    /// Accelerating water accelerates her: M (v̇ − DU/Dt) = W, by the pressure gradient on the displaced water and the added
+    /// mass in the relative acceleration (Auton, Hunt & Prud'homme 1988, recalled, for a body that is small compared with the
+    /// scale of the current). So M·DU/Dt is added; it is zero in a steady uniform current.
+    pub(crate) fn water_inertia(
         &self,
         state: &BodyState,
         environment: &Environment,
         (t_s, step_s): (f64, f64),
-    ) -> Carried {
+    ) -> WaterInertia {
         let Velocity { surge_mps: u, sway_mps: v, yaw_radps: r } =
             self.velocity(state, environment, t_s);
         let density = environment.density().density_kgpm3;
         let added = &self.ship.added_mass;
         let (surge_kg, sway_kg) = (density * added.surge_m3, density * added.sway_m3);
-        let ideal = Force {
+        let coriolis = Force {
             surge_n: -sway_kg * v * r,
             sway_n: surge_kg * u * r,
             yaw_nm: (sway_kg - surge_kg) * u * v,
         };
         let draught_m = self.ship.particulars.draught_m;
-        let speeds_up = environment.water_acceleration(state.position_m, (t_s, step_s), draught_m);
+        let acceleration =
+            environment.water_acceleration(state.position_m, (t_s, step_s), draught_m);
         let attitude = Rotation::from_angle(state.heading_rad);
-        let own = attitude.apply_inverse(speeds_up);
+        let own = attitude.apply_inverse(acceleration);
         let [[surge_kg, ..], [_, sway_kg, _], [_, coupling_kgm, _]] =
             mass_matrix(&self.ship, density);
-        Carried {
-            ideal,
-            stream_mps: environment.current(state.position_m, t_s, draught_m),
-            along: Wrench {
+        WaterInertia {
+            coriolis,
+            current_mps: environment.current(state.position_m, t_s, draught_m),
+            acceleration: Wrench {
                 force_n: attitude.apply(vec2(surge_kg * own.x, sway_kg * own.y)),
                 moment_nm: coupling_kgm * own.y,
             },
         }
     }
 
-    /// All of it as an earth-fixed wrench about the centre of gravity, without what turns the momentum.
+    /// The sum as an earth-fixed wrench about the centre of gravity, without Coriolis terms.
     pub(crate) fn wrench(
         &self,
         forces: &VesselForces,
-        carried: &Carried,
+        water_inertia: &WaterInertia,
         state: &BodyState,
     ) -> Wrench {
-        let Force { surge_n, sway_n, yaw_nm } = forces.sum() + carried.ideal;
+        let Force { surge_n, sway_n, yaw_nm } = forces.sum() + water_inertia.coriolis;
         let ahead_m = self.ship.particulars.centre_of_gravity_m;
         let attitude = Rotation::from_angle(state.heading_rad);
         Wrench {
-            force_n: attitude.apply(vec2(surge_n, sway_n)) + carried.along.force_n,
-            moment_nm: yaw_nm - ahead_m * sway_n + carried.along.moment_nm,
+            force_n: attitude.apply(vec2(surge_n, sway_n)) + water_inertia.acceleration.force_n,
+            moment_nm: yaw_nm - ahead_m * sway_n + water_inertia.acceleration.moment_nm,
         }
     }
 
-    /// What heels and trims her: forces of the hull and its appendages at half the draught, of the wind at
-    /// the height of its area.
-    pub(crate) fn drive(&self, forces: &VesselForces, float: &Float) -> AttitudeLoad {
-        let mut drive = AttitudeLoad::default();
+    /// The load on heave, roll and pitch: forces of hull and appendages at half the draught, of the wind at the height of the
+    /// centroid of her lateral area.
+    pub(crate) fn attitude_load(&self, forces: &VesselForces, float: &Float) -> AttitudeLoad {
+        let mut load = AttitudeLoad::default();
         let gravity_m = float.gravity_above_water_m;
         let water_m = -0.5 * float.draught_m - gravity_m;
         let below = [
@@ -494,11 +495,11 @@ impl VesselSetup {
             forces.banks,
         ];
         for part in below {
-            drive.add(part.surge_n, part.sway_n, water_m);
+            load.add(part.surge_n, part.sway_n, water_m);
         }
         let air_m = self.windage.map_or(0.0, |w| w.centroid_height_m) - gravity_m;
-        drive.add(forces.wind.surge_n, forces.wind.sway_n, air_m);
-        drive
+        load.add(forces.wind.surge_n, forces.wind.sway_n, air_m);
+        load
     }
 }
 

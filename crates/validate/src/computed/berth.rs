@@ -1,5 +1,5 @@
-//! The scenarios of `scenarios/berth` without hydrodynamics, at their own steps: what
-//! `validation/independent/coupled_berth.py` finds of them too.
+//! The scenarios of `scenarios/berth` without hydrodynamics, at their own steps. `validation/independent/coupled_berth.py`
+//! computes the same values.
 
 use std::collections::BTreeMap;
 
@@ -31,7 +31,10 @@ pub(super) fn compute(values: &mut Values) {
     }
 }
 
-/// Runs a scenario; one that cannot be read or stepped is our own mistake, and panics.
+/// Runs a scenario.
+///
+/// # Panics
+/// A scenario that cannot be read or stepped: a bug.
 fn run(name: &str, text: &str, values: &mut Values) {
     let scenario = Scenario::parse(text, &format!("scenarios/berth/{name}.toml"))
         .unwrap_or_else(|e| panic!("the built-in {e}"));

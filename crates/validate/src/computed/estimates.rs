@@ -1,5 +1,5 @@
-//! Ships estimated from their main particulars, as if nothing else were known of them, by both routes: the standard
-//! manoeuvres of six ships that have references.
+//! Ships estimated from their main particulars alone, by both routes: the standard manoeuvres of six ships that have
+//! references.
 
 use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::manoeuvres::{turning_circle, zig_zag};
@@ -12,11 +12,11 @@ use super::Values;
 use super::manoeuvres::Trial;
 use super::ships::vessel;
 
-/// The routes, by the names that they have in `validation/estimated_ships.toml`.
+/// The routes, with their names in `validation/estimated_ships.toml`.
 pub(crate) const ROUTES: [(&str, EstimateMethod); 2] =
     [("yoshimura_masumoto", EstimateMethod::YoshimuraMasumoto), ("clarke", EstimateMethod::Clarke)];
 
-/// A ship with references for its manoeuvres, which the errors of the estimates are computed over.
+/// A ship with references for its manoeuvres. The errors of the estimates are computed over these ships.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ReferenceShip {
     Kcs,
@@ -49,7 +49,7 @@ impl ReferenceShip {
         }
     }
 
-    /// The name of a second reference in the same file. It does not count in the errors again.
+    /// The name of a second reference in the same file. It does not count in the errors.
     fn second_reference(self) -> Option<&'static str> {
         match self {
             ReferenceShip::Kvlcc2 => Some("kvlcc2_tests"),
@@ -59,7 +59,7 @@ impl ReferenceShip {
     }
 }
 
-/// What is measured, with its unit.
+/// The measures, with their units.
 pub(crate) const MEASURES: [(&str, &str); 4] =
     [("advance", "L"), ("diameter", "L"), ("overshoot_10", "°"), ("overshoot_20", "°")];
 
@@ -104,7 +104,7 @@ fn measured(vessel: &Vessel) -> [f64; 4] {
     ]
 }
 
-/// She as a user would describe her who has no test of hers.
+/// A ship by the data that a user without tests would have.
 pub(super) fn estimate_of(ship: ReferenceShip, route: EstimateMethod) -> Vessel {
     let of = |known: &Known| estimated_by(route, known).expect("a ship").model;
     let library = |key: &str| {

@@ -1,7 +1,6 @@
 //! Values by name: pure functions and standard manoeuvres of the simulator, and scenarios of more than two bodies.
 //!
-//! Each file has one subject and fills a [`Values`]; the inputs of a case stand there, the published
-//! numbers never.
+//! Each file has one subject and fills a [`Values`]. It has the inputs of its cases, never the published numbers.
 
 mod berth;
 pub(crate) mod estimates;
@@ -24,7 +23,7 @@ pub(crate) struct Value {
     pub(crate) unit: &'static str,
 }
 
-/// Values by the name that a file under `validation/` calls them.
+/// Values by their names in the files under `validation/`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Values(BTreeMap<String, Value>);
 
@@ -48,10 +47,13 @@ impl Values {
     pub(crate) fn put(&mut self, name: impl Into<String>, value: f64, unit: &'static str) {
         let name = name.into();
         let before = self.0.insert(name.clone(), Value { value, unit });
-        assert!(before.is_none(), "two values are called {name}");
+        assert!(before.is_none(), "two values have the name {name}");
     }
 
-    /// The value called `name`. One that there is not is our own mistake, and panics.
+    /// The value called `name`.
+    ///
+    /// # Panics
+    /// There is no such value: a bug.
     pub(crate) fn get(&self, name: &str) -> Value {
         *self.0.get(name).unwrap_or_else(|| panic!("no computed value is called {name}"))
     }

@@ -13,7 +13,7 @@ use super::map::Map;
 pub struct FenderBox {
     /// Middle of the line where it is mounted (m).
     pub mount_m: Vec2,
-    /// From there to the middle of its face, as far as it stands out now (m).
+    /// From there to the middle of its face, deflection taken off (m).
     pub out_m: Vec2,
     /// From the middle to one end of its width (m).
     pub half_width_m: Vec2,
@@ -26,7 +26,7 @@ pub struct FenderBox {
 pub enum Use {
     /// Not touched.
     Untouched,
-    /// Touched, and nobody said what it is made for.
+    /// Touched; no rating given.
     NotRated,
     /// Up to this share of its rating.
     Share(f64),
@@ -34,7 +34,7 @@ pub enum Use {
     Failed,
 }
 
-/// Least size that is drawn (px): a fender is small beside a ship.
+/// Least drawn size (px): a fender is small beside a ship.
 const LEAST: (f64, f64) = (5.0, 7.0);
 
 /// Fill, and whether it is crossed out.
@@ -50,28 +50,31 @@ fn look(of: Use) -> (&'static str, bool) {
     }
 }
 
+impl FenderBox {
+    /// Its corners as they are drawn (px): two where it is mounted, then two of its face.
+    pub(super) fn corners(&self, map: &Map) -> [(f64, f64); 4] {
+        let (x, y) = map.px(self.mount_m);
+        let direction = |v: Vec2, least: f64| {
+            let (dx, dy) = (v.y * map.px_per_m, -v.x * map.px_per_m);
+            let length = libm::hypot(dx, dy);
+            let grown = if length > 0.0 { (greater(length, least)) / length } else { 0.0 };
+            (dx * grown, dy * grown)
+        };
+        let (ox, oy) = direction(self.out_m, LEAST.0);
+        let (wx, wy) = direction(self.half_width_m, 0.5 * LEAST.1);
+        [(x - wx, y - wy), (x + wx, y + wy), (x + wx + ox, y + wy + oy), (x - wx + ox, y - wy + oy)]
+    }
+}
+
 pub(super) fn fender(fender: &FenderBox, map: &Map) -> Markup {
     let (fill, is_crossed) = look(fender.used);
-    let (x, y) = map.px(fender.mount_m);
-    let direction = |v: Vec2, least: f64| {
-        let (dx, dy) = (v.y * map.px_per_m, -v.x * map.px_per_m);
-        let length = libm::hypot(dx, dy);
-        let grown = if length > 0.0 { (greater(length, least)) / length } else { 0.0 };
-        (dx * grown, dy * grown)
-    };
-    let (ox, oy) = direction(fender.out_m, LEAST.0);
-    let (wx, wy) = direction(fender.half_width_m, 0.5 * LEAST.1);
-    let corners = [
-        (x - wx, y - wy),
-        (x + wx, y + wy),
-        (x + wx + ox, y + wy + oy),
-        (x - wx + ox, y - wy + oy),
-    ];
+    let corners = fender.corners(map);
+    let [one, _, opposite, _] = corners;
+    let (cx, cy) = (0.5 * (one.0 + opposite.0), 0.5 * (one.1 + opposite.1));
     let mut path = String::new();
     for (index, (x, y)) in corners.iter().enumerate() {
         let _ = write!(path, "{}{x:.2},{y:.2}", if index == 0 { 'M' } else { 'L' });
     }
-    let (cx, cy) = (x + 0.5 * ox, y + 0.5 * oy);
     html! {
         path d={ (path) "Z" } fill=(fill) stroke="#222" stroke-width="0.9" {}
         @if is_crossed {
@@ -98,10 +101,10 @@ pub fn fenders_legend() -> Markup {
             @for (of, text) in entries {
                 @let (fill, is_crossed) = look(of);
                 li {
-                    svg width="30" height="12" viewBox="0 0 30 12" aria-hidden="true" {
-                        rect x="9" y="1.5" width="12" height="9" fill=(fill) stroke="#222" {}
+                    svg class="box" width="14" height="12" viewBox="0 0 14 12" aria-hidden="true" {
+                        rect x="1" y="1.5" width="12" height="9" fill=(fill) stroke="#222" {}
                         @if is_crossed {
-                            path d="M9,0l12,12m0,-12l-12,12" stroke="#c00020" stroke-width="2"
+                            path d="M1,0l12,12m0,-12l-12,12" stroke="#c00020" stroke-width="2"
                                 fill="none" {}
                         }
                     }

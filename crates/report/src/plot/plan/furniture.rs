@@ -45,6 +45,20 @@ pub(super) fn grid(map: &Map) -> Markup {
     }
 }
 
+/// What names must not cover: the north arrow and the scale bar.
+pub(super) fn boxes(map: &Map) -> Vec<Box2> {
+    let x = map.width - 22.0;
+    let (length_m, length) = scale(map);
+    let label = scale_label(length_m);
+    let text = Box2::of_text_from(&label, (SCALE_LEFT + length + 6.0, map.height - 18.0), false);
+    let bar = (SCALE_LEFT, map.height - 24.0);
+    vec![
+        Box2::between((x - 14.0, 4.0), (x + 14.0, 56.0)),
+        Box2::between(bar, (SCALE_LEFT + length, map.height - 8.0)),
+        text,
+    ]
+}
+
 /// North is up.
 pub(super) fn north_arrow(map: &Map) -> Markup {
     let x = map.width - 22.0;
@@ -57,12 +71,24 @@ pub(super) fn north_arrow(map: &Map) -> Markup {
     }
 }
 
+/// Left end of the scale bar (px).
+const SCALE_LEFT: f64 = 14.0;
+
+/// Length of the scale bar (m, px).
+fn scale(map: &Map) -> (f64, f64) {
+    let length_m = nice_step(map.width / map.px_per_m, 6);
+    (length_m, length_m * map.px_per_m)
+}
+
+fn scale_label(length_m: f64) -> String {
+    format!("{} m", fixed(length_m, decimals_of(length_m)))
+}
+
 /// A bar of a round length.
 pub(super) fn scale_bar(map: &Map) -> Markup {
-    let length_m = nice_step(map.width / map.px_per_m, 6);
-    let length = length_m * map.px_per_m;
-    let (x, y) = (14.0, map.height - 14.0);
-    let label = format!("{} m", fixed(length_m, decimals_of(length_m)));
+    let (length_m, length) = scale(map);
+    let (x, y) = (SCALE_LEFT, map.height - 14.0);
+    let label = scale_label(length_m);
     html! {
         rect x=(x) y=(format!("{:.1}", y - 5.0)) width=(format!("{length:.1}")) height="5"
             fill="#fff" stroke="#222" {}

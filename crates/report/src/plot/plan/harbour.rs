@@ -4,9 +4,10 @@ use fenderline_contact::Vec2;
 use fenderline_contact::number::greater;
 use maud::{Markup, html};
 
+use super::labels::Box2;
 use super::map::Map;
 
-/// What a harbour has besides hulls and fenders; nothing by default.
+/// Everything besides hulls and fenders; nothing by default.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Harbour {
     /// Mooring lines.
@@ -35,7 +36,7 @@ pub struct LineDrawn {
 pub struct TugDrawn {
     /// Where her force acts (m).
     pub at_m: Vec2,
-    /// Direction of her force on the ship, of length 1; zero: she stands by.
+    /// Direction of her force on the ship, of length 1; zero: she is standing by.
     pub direction: Vec2,
     /// Whether she pulls on a line; otherwise she pushes with her bow.
     pub on_line: bool,
@@ -59,7 +60,7 @@ const TUG: (f64, f64) = (28.0, 11.0);
 /// Least length that is drawn (px).
 const LEAST_TUG: f64 = 16.0;
 /// One row of the corner (px).
-pub(super) const ROW: f64 = 24.0;
+const ROW: f64 = 24.0;
 
 /// Colour, width and dash of a line.
 fn look(share: f64, has_parted: bool) -> (&'static str, &'static str, &'static str) {
@@ -90,7 +91,18 @@ pub(super) fn bank(ends_m: [Vec2; 2], map: &Map) -> Markup {
     }
 }
 
-pub(super) fn tug(tug: &TugDrawn, map: &Map) -> Markup {
+/// Where a tug is drawn (px).
+struct TugPlace {
+    /// Her hull, from the bow.
+    hull: [(f64, f64); 5],
+    /// Her line from the ship; `None` if she pushes.
+    line: Option<[(f64, f64); 2]>,
+    /// Where her text begins, or ends if it is to the left.
+    text: (f64, f64),
+    is_left: bool,
+}
+
+fn tug_place(tug: &TugDrawn, map: &Map) -> TugPlace {
     let length = greater(TUG.0 * map.px_per_m, LEAST_TUG);
     let half = 0.5 * length * TUG.1 / TUG.0;
     // Right and down.
@@ -111,39 +123,59 @@ pub(super) fn tug(tug: &TugDrawn, map: &Map) -> Markup {
     };
     let corners =
         [(0.0, 0.0), (0.3 * length, half), (length, half), (length, -half), (0.3 * length, -half)];
-    let hull: Vec<String> = corners
-        .iter()
-        .map(|&(along, across)| {
-            let (x, y) = at(along, across);
-            format!("{x:.1},{y:.1}")
-        })
-        .collect();
+    let hull = corners.map(|(along, across)| at(along, across));
     let (text_x, text_y) = at(0.5 * length, 0.0);
     let (is_left, aside) = if dx > 0.3 || (dx.abs() <= 0.3 && x < 0.5 * map.width) {
         (true, -greater(half, 0.5 * length) - 6.0)
     } else {
         (false, greater(half, 0.5 * length) + 6.0)
     };
+    let line = tug.on_line.then(|| [(x, y), (x + dx * gap, y + dy * gap)]);
+    TugPlace { hull, line, text: (text_x + aside, text_y), is_left }
+}
+
+pub(super) fn tug(tug: &TugDrawn, map: &Map) -> Markup {
+    let TugPlace { hull, line, text: (text_x, text_y), is_left } = tug_place(tug, map);
+    let hull: Vec<String> = hull.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
     html! {
-        @if tug.on_line {
-            path d=(format!("M{x:.1},{y:.1}L{:.1},{:.1}", x + dx * gap, y + dy * gap)) fill="none"
+        @if let Some([(x0, y0), (x1, y1)]) = line {
+            path d=(format!("M{x0:.1},{y0:.1}L{x1:.1},{y1:.1}")) fill="none"
                 stroke="#222" stroke-width="1.2" {}
         }
         path d=(format!("M{}Z", hull.join("L"))) fill=(if tug.direction == Vec2::ZERO { "#fff" } else { "#f6d34a" })
             stroke="#222" stroke-width="1.2" {}
-        text class="halo name" x=(format!("{:.1}", text_x + aside)) y=(format!("{:.1}", text_y + 4.0))
+        text class="halo name" x=(format!("{text_x:.1}")) y=(format!("{:.1}", text_y + 4.0))
             text-anchor=(if is_left { "end" } else { "start" }) { (tug.label) }
     }
 }
 
+/// What names must not cover: tugs with their texts, and the corner with the weather.
+pub(super) fn boxes(harbour: &Harbour, map: &Map) -> Vec<Box2> {
+    let tugs = harbour.tugs.iter().flat_map(|tug| {
+        let place = tug_place(tug, map);
+        let line = place.line.map(|ends| Box2::around(&ends, 1.0));
+        let text = Box2::of_text_from(&tug.label, place.text, place.is_left);
+        [Box2::around(&place.hull, 1.0), text].into_iter().chain(line)
+    });
+    let (width, height) = corner_size(&harbour.weather);
+    let corner = Box2::between((6.0, 6.0), (6.0 + width, 6.0 + height));
+    tugs.chain((!harbour.weather.is_empty()).then_some(corner)).collect()
+}
+
+/// Width and height of the corner with the weather (px).
+fn corner_size(weather: &[Weather]) -> (f64, f64) {
+    let longest = weather.iter().map(|of| of.text.chars().count()).max().unwrap_or(0);
+    let width = 44.0 + 5.8 * u32::try_from(longest).map_or(60.0, f64::from);
+    let rows = u32::try_from(weather.len()).map_or(3.0, f64::from);
+    (width, 6.0 + ROW * rows)
+}
+
 /// The corner with its arrows, in the upper left.
 pub(super) fn corner(weather: &[Weather]) -> Markup {
-    let longest = weather.iter().map(|of| of.text.chars().count()).max().unwrap_or(0);
-    let width = 44.0 + 6.2 * u32::try_from(longest).map_or(60.0, f64::from);
-    let rows = u32::try_from(weather.len()).map_or(3.0, f64::from);
+    let (width, height) = corner_size(weather);
     html! {
         @if !weather.is_empty() {
-            rect x="6" y="6" width=(format!("{width:.0}")) height=(format!("{:.0}", 6.0 + ROW * rows))
+            rect x="6" y="6" width=(format!("{width:.0}")) height=(format!("{height:.0}"))
                 fill="#fff" fill-opacity="0.9" stroke="#cfd6de" {}
             @for (index, of) in (0_u32..).zip(weather) {
                 @let (x, y) = (24.0, 9.0 + ROW * (f64::from(index) + 0.5));

@@ -1,12 +1,23 @@
-//! Where names stand in a plan view.
+//! Where the names stand in a plan view: none covers another text, a fender, an arrow or a tug.
 
 use fenderline_contact::Vec2;
+use fenderline_contact::number::greater;
 
-use super::harbour::ROW;
-use super::map::{Arrow, Label, Map, arrow_text};
+use super::Plan;
+use super::furniture;
+use super::harbour;
+use super::map::{ARROW, Arrow, Map, Place, arrow_text};
+
+/// Distances from the thing that a name belongs to, and between two tries (px).
+const GAP: f64 = 5.0;
+const SHIFT: f64 = 9.0;
+/// Half the height of a text (px).
+const HALF_LINE: f64 = 8.0;
+/// Places along a body, as shares of half its length from the middle.
+const ALONG: [f64; 9] = [0.0, 0.2, -0.2, 0.4, -0.4, 0.6, -0.6, 0.8, -0.8];
 
 /// A rectangle of the drawn area, by its middle and half its size (px).
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Box2 {
     x: f64,
     y: f64,
@@ -15,14 +26,49 @@ pub(super) struct Box2 {
 }
 
 impl Box2 {
+    /// Of a text with its middle at a point.
     pub(super) fn of_text(text: &str, x: f64, y: f64) -> Box2 {
         let count = u32::try_from(text.chars().count()).map_or(0.0, f64::from);
-        Box2 { x, y, half_width: count * 3.6 + 3.0, half_height: 8.0 }
+        Box2 { x, y, half_width: count * 3.6 + 3.0, half_height: HALF_LINE }
+    }
+
+    /// Of a text that begins at a point, or ends there.
+    pub(super) fn of_text_from(text: &str, (x, y): (f64, f64), is_left: bool) -> Box2 {
+        let mut of = Box2::of_text(text, x, y);
+        of.x += if is_left { -of.half_width } else { of.half_width };
+        of
+    }
+
+    /// From the upper left corner to the lower right one.
+    pub(super) fn between((left, top): (f64, f64), (right, bottom): (f64, f64)) -> Box2 {
+        Box2 {
+            x: 0.5 * (left + right),
+            y: 0.5 * (top + bottom),
+            half_width: 0.5 * (right - left),
+            half_height: 0.5 * (bottom - top),
+        }
+    }
+
+    /// Round points, with a margin.
+    pub(super) fn around(points: &[(f64, f64)], margin: f64) -> Box2 {
+        let low = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).fold(f64::INFINITY, f64::min);
+        let high =
+            |of: fn(&(f64, f64)) -> f64| points.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+        Box2::between(
+            (low(|p| p.0) - margin, low(|p| p.1) - margin),
+            (high(|p| p.0) + margin, high(|p| p.1) + margin),
+        )
     }
 
     fn overlaps(&self, other: &Box2) -> bool {
         (self.x - other.x).abs() < self.half_width + other.half_width
             && (self.y - other.y).abs() < self.half_height + other.half_height
+    }
+
+    /// Distance of a point; 0 inside (px).
+    fn distance(&self, (x, y): (f64, f64)) -> f64 {
+        let off = |distance: f64, half: f64| greater(distance.abs() - half, 0.0);
+        libm::hypot(off(x - self.x, self.half_width), off(y - self.y, self.half_height))
     }
 
     fn lies_within(&self, width: f64, height: f64) -> bool {
@@ -33,53 +79,166 @@ impl Box2 {
     }
 }
 
-/// Where each label stands (px), so that none covers another nor an arrow's text; the first come
-/// first, and one that finds no place is left out.
-pub(super) fn label_places(
-    labels: &[Label],
-    arrows: &[Arrow],
-    weather_rows: usize,
-    map: &Map,
-) -> Vec<Option<(f64, f64)>> {
-    let north = Box2 { x: map.width - 22.0, y: 30.0, half_width: 14.0, half_height: 26.0 };
-    let mut taken = vec![north];
-    if weather_rows > 0 {
-        let rows = u32::try_from(weather_rows).map_or(3.0, f64::from);
-        let half_height = 3.0 + 0.5 * ROW * rows;
-        taken.push(Box2 { x: 140.0, y: 6.0 + half_height, half_width: 140.0, half_height });
-    }
-    taken.extend(arrows.iter().map(|arrow| {
-        let (x, y, is_left) = arrow_text(arrow, map);
-        let mut text = Box2::of_text(&arrow.label, x, y);
-        text.x += if is_left { -text.half_width } else { text.half_width };
-        text
-    }));
-    let places = labels.iter().map(|label| {
-        let (x, y) = map.px(label.at_m);
-        let reach = label.reach_m * map.px_per_m;
-        let half_width = Box2::of_text(&label.text, x, y).half_width;
-        let candidates = if label.side != Vec2::ZERO {
-            // Right and down.
-            let (dx, dy) = (label.side.y, -label.side.x);
-            let off = reach + 5.0 + half_width * dx.abs() + 8.0 * dy.abs();
-            let (dx, dy) = (dx * off, dy * off);
-            [(dx, dy), (dx, dy - 9.0), (dx, dy + 9.0), (1.6 * dx, 1.6 * dy), (-dx, -dy)]
-        } else if reach < half_width {
-            let (aside, off) = (reach + half_width + 2.0, reach + 12.0);
-            // Outwards, away from what the view is about.
-            let aside = if x < map.width / 2.0 { -aside } else { aside };
-            [(aside, 0.0), (-aside, 0.0), (0.0, -off), (0.0, off), (aside, -18.0)]
-        } else {
-            [0.0, -18.0, 18.0, -36.0, 36.0].map(|shift| (0.0, shift))
-        };
-        let free = candidates.into_iter().find_map(|(dx, dy)| {
-            let text = Box2::of_text(&label.text, x + dx, y + dy);
+/// The middle of each label (px). The first labels choose first; `None`: there is no free place.
+pub(super) fn label_places(plan: &Plan, map: &Map) -> Vec<Option<(f64, f64)>> {
+    let mut taken = obstacles(plan, map);
+    let things: Vec<(f64, f64)> =
+        plan.labels.iter().filter_map(|label| thing(&label.place, map)).collect();
+    let places = plan.labels.iter().map(|label| {
+        let own = thing(&label.place, map);
+        let free = candidates(&label.text, &label.place, map).into_iter().find_map(|(x, y)| {
+            let text = Box2::of_text(&label.text, x, y);
             let is_free = text.lies_within(map.width, map.height)
                 && !taken.iter().any(|other| other.overlaps(&text));
-            is_free.then_some(text)
+            let is_nearest = own.is_none_or(|own| {
+                things.iter().all(|other| text.distance(own) <= text.distance(*other))
+            });
+            (is_free && is_nearest).then_some(text)
         })?;
         taken.push(free);
         Some((free.x, free.y))
     });
     places.collect()
+}
+
+/// The small thing that a name stands beside (px). No other such thing may be nearer to the name.
+fn thing(place: &Place, map: &Map) -> Option<(f64, f64)> {
+    match place {
+        Place::Beside { point_m, .. } => Some(map.px(*point_m)),
+        Place::At(_) | Place::On { .. } => None,
+    }
+}
+
+/// What no name may cover.
+fn obstacles(plan: &Plan, map: &Map) -> Vec<Box2> {
+    let mut all = furniture::boxes(map);
+    all.extend(harbour::boxes(&plan.harbour, map));
+    all.extend(plan.arrows.iter().flat_map(|arrow| arrow_boxes(arrow, map)));
+    all.extend(plan.fenders.iter().map(|fender| Box2::around(&fender.corners(map), 0.0)));
+    all
+}
+
+/// The ring at an arrow's beginning, its shaft and its text.
+fn arrow_boxes(arrow: &Arrow, map: &Map) -> Vec<Box2> {
+    let (x, y) = map.px(arrow.from_m);
+    let mut all = vec![Box2::around(&[(x, y)], 8.0)];
+    if arrow.direction != Vec2::ZERO {
+        let tip = (x + arrow.direction.y * ARROW, y - arrow.direction.x * ARROW);
+        all.push(Box2::around(&[(x, y), tip], 5.0));
+    }
+    if !arrow.label.is_empty() {
+        let (text_x, text_y, is_left) = arrow_text(arrow, map);
+        all.push(Box2::of_text_from(&arrow.label, (text_x, text_y), is_left));
+    }
+    all
+}
+
+/// Places for the middle of a text (px), the best first.
+fn candidates(text: &str, place: &Place, map: &Map) -> Vec<(f64, f64)> {
+    let half_width = Box2::of_text(text, 0.0, 0.0).half_width;
+    match place {
+        Place::At(points_m) => {
+            points_m.iter().flat_map(|point_m| above_and_below(map.px(*point_m))).collect()
+        }
+        Place::Beside { point_m, side } => beside(map.px(*point_m), *side, half_width).to_vec(),
+        Place::On { middle_m, half_length_m } => {
+            let reach = half_length_m.length() * map.px_per_m;
+            if reach < half_width {
+                return around(map.px(*middle_m), reach, half_width, map);
+            }
+            let spots = ALONG.map(|share| map.px(*middle_m + *half_length_m * share));
+            spots.into_iter().flat_map(above_and_below).collect()
+        }
+    }
+}
+
+fn above_and_below((x, y): (f64, f64)) -> [(f64, f64); 3] {
+    [(x, y), (x, y - 2.0 * SHIFT), (x, y + 2.0 * SHIFT)]
+}
+
+/// Beside a point: on one side, shifted along it, then on the other side.
+fn beside((x, y): (f64, f64), side: Vec2, half_width: f64) -> [(f64, f64); 6] {
+    // Right and down.
+    let (dx, dy) = (side.y, -side.x);
+    let off = GAP + half_width * dx.abs() + HALF_LINE * dy.abs();
+    let at = |off: f64, along: f64| (x + dx * off - dy * along, y + dy * off + dx * along);
+    [
+        at(off, 0.0),
+        at(off, -SHIFT),
+        at(off, SHIFT),
+        at(off, -2.0 * SHIFT),
+        at(off, 2.0 * SHIFT),
+        at(-off, 0.0),
+    ]
+}
+
+/// Around a body that is too small for the text: outwards first, away from the middle of the view.
+fn around((x, y): (f64, f64), reach: f64, half_width: f64, map: &Map) -> Vec<(f64, f64)> {
+    let outwards = if x < map.width / 2.0 { -1.0 } else { 1.0 };
+    let (near, off) = (outwards * (reach + half_width + 2.0), reach + 12.0);
+    let far = near + outwards * 2.0 * GAP;
+    let places = [
+        (near, 0.0),
+        (far, 0.0),
+        (near, -2.0 * SHIFT),
+        (near, 2.0 * SHIFT),
+        (-near, 0.0),
+        (-far, 0.0),
+        (0.0, -off),
+        (0.0, off),
+    ];
+    places.map(|(dx, dy)| (x + dx, y + dy)).to_vec()
+}
+
+#[cfg(test)]
+mod tests {
+    use fenderline_contact::vec2;
+
+    use super::super::{FenderBox, Frame, Harbour, Label, Use};
+    use super::*;
+
+    /// A quay 20 m wide along the view with eight fenders, whose names stand on it.
+    #[test]
+    fn the_name_of_a_quay_stands_clear_of_its_fenders_and_their_names() {
+        let fender = |k: u32| FenderBox {
+            mount_m: vec2(20.0 * f64::from(k) - 100.0, 0.0),
+            out_m: vec2(0.0, -2.0),
+            half_width_m: vec2(1.5, 0.0),
+            used: Use::Untouched,
+        };
+        let names = (0..8).map(|k| Label {
+            text: format!("cone_{k}"),
+            place: Place::Beside { point_m: fender(k).mount_m, side: vec2(0.0, 1.0) },
+        });
+        let quay = Label {
+            text: "quay".to_owned(),
+            place: Place::On { middle_m: vec2(0.0, 10.0), half_length_m: vec2(200.0, 0.0) },
+        };
+        let plan = Plan {
+            title: String::new(),
+            frame: Frame { low: vec2(-200.0, -300.0), high: vec2(200.0, 300.0) },
+            outlines: Vec::new(),
+            fenders: (0..8).map(fender).collect(),
+            harbour: Harbour::default(),
+            tracks: Vec::new(),
+            arrows: Vec::new(),
+            labels: names.chain([quay]).collect(),
+            note: String::new(),
+        };
+        let map = Map::of(plan.frame);
+        let placed = label_places(&plan, &map);
+        let boxes: Vec<Box2> = placed
+            .iter()
+            .zip(&plan.labels)
+            .map(|(at, label)| {
+                let (x, y) = at.unwrap_or_else(|| panic!("no place for {}", label.text));
+                Box2::of_text(&label.text, x, y)
+            })
+            .chain(obstacles(&plan, &map))
+            .collect();
+        for (k, one) in boxes.iter().enumerate().take(plan.labels.len()) {
+            let clear = boxes[k + 1..].iter().all(|other| !one.overlaps(other));
+            assert!(clear, "{one:?} among {boxes:?}");
+        }
+    }
 }

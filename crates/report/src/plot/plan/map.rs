@@ -1,4 +1,4 @@
-//! What a plan view shows, and where on the page it lies.
+//! The extent of a plan view, and its map to the page.
 
 use core::fmt::Write as _;
 
@@ -12,23 +12,40 @@ use crate::plot::axis::{Axis, Fitted, nice_step};
 pub struct Arrow {
     /// Where it starts; a dot is drawn there (m).
     pub from_m: Vec2,
-    /// Which way it points, of length 1; zero: the dot alone.
+    /// Its direction, of length 1; zero: the dot alone.
     pub direction: Vec2,
     /// Printed at the head.
     pub label: String,
 }
 
-/// A text at a point (m).
+/// A name in the view.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// Where (m).
-    pub at_m: Vec2,
-    /// Half the size of the named thing (m): the text is placed beside it.
-    pub reach_m: f64,
-    /// The side on which the text stands first, of length 1; zero: wherever there is room.
-    pub side: Vec2,
     /// The text.
     pub text: String,
+    /// Its possible places.
+    pub place: Place,
+}
+
+/// The possible places of a name. It takes the first place that is free; without one it is left out.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Place {
+    /// At one of these points (m).
+    At(Vec<Vec2>),
+    /// Beside a small thing.
+    Beside {
+        /// The thing (m).
+        point_m: Vec2,
+        /// The preferred side, of length 1.
+        side: Vec2,
+    },
+    /// On a body, or beside one that is too small for the text.
+    On {
+        /// The middle of the body (m).
+        middle_m: Vec2,
+        /// From there to one end of its long axis (m).
+        half_length_m: Vec2,
+    },
 }
 
 /// A rectangle of the plane (m).
@@ -41,7 +58,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The smallest frame round `points`; `None` where there are none.
+    /// The smallest frame round `points`; `None` without points.
     pub fn around(points: impl IntoIterator<Item = Vec2>) -> Option<Frame> {
         points.into_iter().filter(|p| p.is_finite()).fold(None, |frame, p| {
             let point = Frame { low: p, high: p };
@@ -49,7 +66,12 @@ impl Frame {
         })
     }
 
-    /// A frame about `centre` with the proportions of a view that goes twice on a page of A4.
+    /// The smallest frame round two points.
+    pub fn between(one: Vec2, other: Vec2) -> Frame {
+        Frame { low: one, high: one }.with(Frame { low: other, high: other })
+    }
+
+    /// A frame about `centre`. Two views of its proportions fit on a page of A4.
     pub fn about(centre: Vec2, half_height_m: f64) -> Frame {
         let half = vec2(half_height_m, half_height_m * 1.65);
         Frame { low: centre - half, high: centre + half }
@@ -82,7 +104,7 @@ pub(super) const BOTTOM: f64 = 40.0;
 pub(super) const DIGIT: f64 = 6.4;
 /// Least and greatest height of the drawn area (px).
 pub(super) const HEIGHTS: (f64, f64) = (230.0, 540.0);
-/// Room round what is shown, as a share of its size.
+/// Margin round the frame, as a share of its size.
 pub(super) const MARGIN: f64 = 0.06;
 /// Vertices closer than this to the one before are not drawn (px).
 pub(super) const FINEST: f64 = 0.15;
@@ -155,7 +177,7 @@ impl Map {
     }
 }
 
-/// Where the text of an arrow starts, or ends where it stands left of it (px).
+/// Where the text of an arrow starts; to the left of the arrow, where it ends (px).
 pub(super) fn arrow_text(arrow: &Arrow, map: &Map) -> (f64, f64, bool) {
     let (x, y) = map.px(arrow.from_m);
     if arrow.direction == Vec2::ZERO {

@@ -1,20 +1,19 @@
 //! Fenders as the plan views draw them.
 
 use fenderline_contact::number::greater;
-use fenderline_contact::{BodyState, Rotation, Vec2, vec2};
+use fenderline_contact::{BodyState, Rotation, vec2};
 use fenderline_sim::FenderSetup;
 
-use crate::plot::{FenderBox, Label, Use, shortened};
+use crate::plot::{FenderBox, Label, Place, Use, shortened};
+use fenderline_results::FenderVerdict;
 use fenderline_results::Outcome;
-use fenderline_results::{Verdict, utilisation};
 
-/// Fenders named at most.
+/// Most fenders with names.
 const NAMED: usize = 12;
 /// Longest name (characters).
 const NAME_LENGTH: usize = 20;
 
-/// All fenders of the bodies that `state_of` gives a state for, pressed in by `deflections_m` (index and
-/// deflection).
+/// All fenders of the bodies that have a state by `state_of`, compressed by `deflections_m` (index and deflection).
 pub(in crate::run_page) fn boxes<'a>(
     outcome: &Outcome<'_>,
     deflections_m: &[(usize, f64)],
@@ -29,7 +28,7 @@ pub(in crate::run_page) fn boxes<'a>(
     boxes.collect()
 }
 
-/// The names of fenders, behind them; none where they are so many that they would cover the view.
+/// The names of fenders, behind them; none if there are so many that they would cover the view.
 pub(in crate::run_page) fn names<'a>(
     outcome: &Outcome<'_>,
     state_of: impl Fn(usize) -> Option<&'a BodyState>,
@@ -41,11 +40,10 @@ pub(in crate::run_page) fn names<'a>(
     let names = fenders.iter().filter_map(|fender| {
         let at = placed(fender, state_of(fender.body)?, 0.0, Use::Untouched);
         let length_m = at.out_m.length();
+        let side = if length_m > 0.0 { at.out_m * (-1.0 / length_m) } else { vec2(0.0, 1.0) };
         Some(Label {
-            at_m: at.mount_m,
-            reach_m: 0.0,
-            side: if length_m > 0.0 { at.out_m * (-1.0 / length_m) } else { Vec2::ZERO },
             text: shortened(&fender.name, NAME_LENGTH),
+            place: Place::Beside { point_m: at.mount_m, side },
         })
     });
     names.collect()
@@ -67,8 +65,8 @@ fn used(outcome: &Outcome<'_>, index: usize) -> Use {
     let Some(summary) = outcome.fenders.iter().find(|f| f.fender == index) else {
         return Use::Untouched;
     };
-    match Verdict::of(&outcome.setup.fenders[index], summary) {
-        Verdict::Failed => Use::Failed,
-        _ => utilisation(summary).map_or(Use::NotRated, Use::Share),
+    match FenderVerdict::of(&outcome.setup.fenders[index], summary) {
+        FenderVerdict::Failed => Use::Failed,
+        _ => summary.governing().map_or(Use::NotRated, |(_, share)| Use::Share(share)),
     }
 }

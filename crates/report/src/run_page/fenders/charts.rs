@@ -1,5 +1,4 @@
-//! Charts of the fenders: how far each is used, reactions over time, and the path that the run took in
-//! the diagram of reaction against deflection.
+//! Charts of the fenders: use of the ratings, reactions over time, and reaction against deflection.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{FenderLaw, Unloading};
@@ -16,10 +15,10 @@ use fenderline_results::worst_first;
 
 /// Fenders with bars.
 const BARS: usize = 16;
-/// Diagrams of reaction against deflection, one a type of fender.
+/// Most diagrams of reaction against deflection, one per type of fender.
 const DIAGRAMS: usize = 4;
 
-/// One group of bars a fender, in the order of the scenario; nothing where none is rated.
+/// One group of bars per fender, in the order of the scenario; nothing if none is rated.
 pub(super) fn utilisation(outcome: &Outcome<'_>) -> Markup {
     let setups = &outcome.setup.fenders;
     let rated = |f: &&FenderSummary| {
@@ -62,7 +61,7 @@ pub(super) fn utilisation(outcome: &Outcome<'_>) -> Markup {
     .render()
 }
 
-/// Reactions over time of the hardest pressed fenders.
+/// Reactions over time of the fenders with the largest ones.
 pub(super) fn reactions(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     let outcome = charts.outcome;
     let mut traces: Vec<(f64, &FenderTrace)> = recorder
@@ -83,7 +82,8 @@ pub(super) fn reactions(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     let mut chart = charts.chart("Reactions of the fenders", axis, series);
     if outcome.fenders.len() > drawn {
         let all = outcome.fenders.len();
-        chart.note = format!("The {drawn} hardest pressed of {all} fenders that were touched.");
+        chart.note =
+            format!("The {drawn} fenders with the largest reactions, of {all} that were touched.");
     }
     chart.render()
 }
@@ -134,25 +134,25 @@ fn diagram(fender: &FenderSetup, summary: &FenderSummary, trace: &FenderTrace) -
     let (unit, series) = scaled(series.into_iter().map(in_mm).collect(), "N");
     let mut note = match fender.unloading {
         Some(_) => {
-            "Means over the time step; between loading and unloading lies what is lost in rubber and by damping."
+            "Means over the time step. The area between loading and unloading is the energy lost in rubber and by damping."
         }
         None => {
-            "Means over the time step; between loading and unloading lies what restitution, damping and the \
-             limit from momentum take."
+            "Means over the time step. The area between loading and unloading is the energy lost to restitution, damping and \
+             the momentum limit."
         }
     }
     .to_owned();
     if let (Some(unloading), Some(rated)) = (&fender.unloading, fender.rated) {
         let share = unloading.returned_share(&fender.law, rated.deflection_m);
         note.push_str(&format!(
-            " Its rubber gives back {} % of the energy that it took on the way to its rated deflection.",
+            " Its rubber returns {} % of the energy that it absorbs up to its rated deflection.",
             significant(100.0 * share, 3)
         ));
     }
     if fender.law == FenderLaw::Area {
         note.push_str(
-            " The deflection is that of the deepest point of the face; the reaction goes by the overlap \
-             of the whole face, and is less where the hull lies at an angle.",
+            " The deflection is that of the deepest point of the face. The reaction follows from the overlap of the whole face, \
+             and is less if the hull is at an angle.",
         );
     }
     if let Some(rated) = fender.rated {
@@ -175,7 +175,7 @@ fn diagram(fender: &FenderSetup, summary: &FenderSummary, trace: &FenderTrace) -
     .render()
 }
 
-/// The stretches of a path that go where `wanted` says, with breaks between them.
+/// The parts of a path whose segments are `wanted`, with breaks between them.
 fn going(path: &[Point], wanted: fn(&Point, &Point) -> bool) -> Vec<Point> {
     let mut points: Vec<Point> = Vec::new();
     for two in path.windows(2).filter(|two| wanted(&two[0], &two[1])) {
@@ -188,8 +188,8 @@ fn going(path: &[Point], wanted: fn(&Point, &Point) -> bool) -> Vec<Point> {
     points
 }
 
-/// The curve with its factor and its stop, to where the run or the rating went; or that to which it comes down by an
-/// unloading law.
+/// The fender's curve with its factor and its stop, up to the larger of peak and rated deflection. With `unloading`, the
+/// curve of unloading from each point.
 fn curve(
     fender: &FenderSetup,
     summary: &FenderSummary,

@@ -8,7 +8,7 @@ use crate::plot::{plain, significant};
 use crate::run_page::tables::{ROWS, more, number};
 use crate::{Head, table_head};
 
-/// One row a fender: where it is, how large, and what it is made for.
+/// One row per fender: position, size and rating.
 pub(in crate::run_page) fn setup_table(setup: &Setup) -> Markup {
     html! {
         div class="wide" {
@@ -30,8 +30,8 @@ pub(in crate::run_page) fn setup_table(setup: &Setup) -> Markup {
         }
         (more(setup.fenders.len()))
         p class="note" {
-            "Position and facing in the axes of the body that carries the fender; rated performance without "
-            "factors, the energy being the integral of the reaction."
+            "Position and facing are in the axes of the body that carries the fender. Ratings are without factors; the "
+            "rated energy is the integral of the reaction."
         }
     }
 }

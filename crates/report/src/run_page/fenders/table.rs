@@ -9,7 +9,7 @@ use maud::{Markup, html};
 use crate::plot::{decimals_for, fixed, plain, significant};
 use crate::{Head, table_head};
 use fenderline_results::Outcome;
-use fenderline_results::{Verdict, worst_first};
+use fenderline_results::{FenderVerdict, worst_first};
 
 /// Fenders shown; of more, the most used.
 const ROWS: usize = 40;
@@ -36,7 +36,7 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
                     Head::Number("First touch", "s"),
                     Head::Number("Approach", "m/s, deg"),
                     Head::Number("Factor", "on reaction, on energy"),
-                    Head::Text("Verdict", ""),
+                    Head::Text("FenderVerdict", ""),
                 ]))
                 tbody {
                     @for &index in &shown {
@@ -48,43 +48,65 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
                 }
             }
         }
-        p class="note" {
-            "Peaks, sub-steps included; below each its share: of the rated deflection, of the rated "
-            "reaction and the rated energy each times its factor, and of the pressure that the "
-            "hull takes. Deflection: the mean over the width of a fender with a curve, the deepest point of "
-            "one by area. Factor: on the reaction, of temperature and tolerance times speed times angle, below "
-            "it that on the energy, on which the angle has a factor of its own in some families. "
-            "Approach: speed and angle between face and hull at the first touch. "
-            (hull_pressure_note(setups))
-            @if setups.len() > 1 && worst.is_some() { "The most used fender is marked. " }
+        ul class="note" {
+            @if setups.len() > 1 && worst.is_some() { li { "The most used fender is marked." } }
             @if setups.len() > shown.len() {
-                "The " (shown.len()) " most used of " (setups.len())
-                " fenders; all that were touched are in summary.json."
+                li {
+                    "The table has the " (shown.len()) " most used of " (setups.len())
+                    " fenders; all that were touched are in summary.json."
+                }
+            }
+            li {
+                "Values are peaks, sub-steps included. The share below each is that of the rated deflection, of "
+                "the rated reaction or energy times its factor, or of the permissible hull pressure."
+            }
+            li {
+                strong { "Deflection" }
+                ": the mean over the width for a fender with a curve, the deepest point for one by area."
+            }
+            (hull_pressure_note(setups))
+            li { strong { "Approach" } ": speed, and angle between face and hull, at the first touch." }
+            li {
+                strong { "Factor" }
+                ": the product of the factors of temperature, tolerance, speed and angle, on the reaction and, "
+                "below it, on the energy. In some families the angle has another factor on the energy."
             }
         }
         (sources(setups))
     }
 }
 
-/// How the pressures on the hull were found, for each way that is among the fenders.
+/// How the hull pressures were computed, for each way that is among the fenders.
 fn hull_pressure_note(setups: &[FenderSetup]) -> Markup {
     let any = |wanted: fn(&HullPressure) -> bool| setups.iter().any(|f| wanted(&f.hull_pressure));
     let limit_of = |fender: &FenderSetup| fender.hull_pressure_limit_npm2;
     let limit = setups.iter().find_map(limit_of);
     html! {
         @if let Some(limit_npm2) = limit && setups.iter().all(|f| limit_of(f) == limit) {
-            "The permissible hull pressure is " (plain(limit_npm2 / 1e3, 4)) " kN/m². "
+            li {
+                strong { "Hull pressure" }
+                ": the permissible value is " (plain(limit_npm2 / 1e3, 4)) " kN/m²."
+            }
         }
         @if any(|way| matches!(way, HullPressure::OverFace)) {
-            "Hull pressure of a fender with a panel: its reaction over the area of the face. "
+            li {
+                strong { "Hull pressure" }
+                " of a fender with a panel: its reaction over the area of the face."
+            }
         }
         @if any(|way| matches!(way, HullPressure::Inner { .. })) {
-            "Hull pressure of a pneumatic fender: its internal pressure, interpolated linearly from the initial "
-            "pressure at no deflection to the published pressure at the rated deflection. The true pressure curve is "
-            "convex: the line is conservative up to the rated deflection, and not beyond. "
+            li {
+                strong { "Hull pressure" }
+                " of a pneumatic fender: its internal pressure, interpolated linearly from the initial pressure at "
+                "no deflection to the published pressure at the rated deflection. The true curve is convex: the "
+                "line is conservative up to the rated deflection, and not beyond."
+            }
         }
         @if any(|way| matches!(way, HullPressure::Unknown)) {
-            "– for the hull pressure: the fender has no panel, and its data give no hull pressure. "
+            li {
+                strong { "Hull pressure" }
+                " –: the fender has no panel, and its data give no hull pressure."
+            }
         }
     }
 }
@@ -112,7 +134,7 @@ fn cells(
             @if names_kind { small { (kind_of(fender)) } }
         }
         @if let Some(summary) = summary {
-            @let verdict = Verdict::of(fender, summary);
+            @let verdict = FenderVerdict::of(fender, summary);
             (value(&fixed(summary.peak_deflection_m * 1e3, 0), summary.share_of_rated_deflection))
             (value(&significant(summary.peak_reaction_n / 1e3, 3), summary.share_of_rated_reaction))
             (value(&significant(summary.peak_energy_j / 1e3, 3), summary.share_of_rated_energy))
@@ -136,13 +158,13 @@ fn cells(
     }
 }
 
-/// The factor on the energy that a fender can take; that on the reaction where it has no rating.
+/// The factor on the rated energy; the factor on the reaction for a fender without a rating.
 fn energy_factor(fender: &FenderSetup, summary: &FenderSummary) -> f64 {
     let two = summary.capacity_j.zip(fender.rated);
     two.map_or(summary.factor, |(capacity_j, rated)| capacity_j / rated.energy_j)
 }
 
-/// A value with its share below it, in bold where that is above 1.
+/// A value with its share below it, in bold if that is above 1.
 fn value(text: &str, share: Option<f64>) -> Markup {
     html! {
         td class="number" {
@@ -154,7 +176,7 @@ fn value(text: &str, share: Option<f64>) -> Markup {
     }
 }
 
-/// Type and size, or the size of the face where nobody named a type.
+/// Type and size, or the size of the face if no type is given.
 pub(super) fn kind_of(fender: &FenderSetup) -> String {
     match &fender.source {
         Some(source) => source.designation.clone(),
@@ -167,46 +189,46 @@ pub(super) fn kind_of(fender: &FenderSetup) -> String {
     }
 }
 
-/// Where the data come from, each source once; what was not read in a source is marked.
+/// The sources of the data, each once. What was not read in a source is marked.
 fn sources(setups: &[FenderSetup]) -> Markup {
     let mut designations: BTreeMap<(&str, String), &FenderSource> = BTreeMap::new();
     for fender in setups {
         if let Some(source) = &fender.source {
-            designations.entry((&source.designation, gives_back(fender))).or_insert(source);
+            designations.entry((&source.designation, returned(fender))).or_insert(source);
         }
     }
     let is_unnamed = setups.iter().any(|fender| fender.source.is_none());
     html! {
         h3 { "Fender data" }
         ul class="plain" {
-            @for ((designation, gives_back), source) in &designations {
+            @for ((designation, returned), source) in &designations {
                 li {
                     (designation) ": " (source.source) " – "
                     (standing(&source.standing))
-                    ". " (gives_back)
+                    ". " (returned)
                 }
             }
             @if designations.values().any(|source| source.standing.contains("rating given")) {
-                li { "Rating given: the rated reaction is the scenario's, on the curve of the family." }
+                li { "Rating given: the rated reaction is from the scenario, on the curve of the family." }
             }
-            @if is_unnamed { li { "Fenders without a type have the data of the scenario." } }
+            @if is_unnamed { li { "Data of fenders without a type are from the scenario." } }
         }
     }
 }
 
-/// What its rubber gives back; nothing for a fender without an unloading law.
-fn gives_back(fender: &FenderSetup) -> String {
+/// The returned energy; empty for a fender without an unloading law.
+fn returned(fender: &FenderSetup) -> String {
     match &fender.unloading {
         None => String::new(),
         Some(Unloading::ReturnedEnergy(share)) => {
-            format!("It gives back {} % of the energy taken.", plain(100.0 * share, 3))
+            format!("It returns {} % of the absorbed energy.", plain(100.0 * share, 3))
         }
-        Some(Unloading::Curve(_)) => "It gives back what its unloading curve says.".to_owned(),
+        Some(Unloading::Curve(_)) => "It returns energy by its unloading curve.".to_owned(),
     }
 }
 
-/// How sure the data are. Curve and rating may stand differently, as `curve recalled, rating given`: what was
-/// not read in a source is marked wherever it stands.
+/// How certain the data are. Curve and rating may differ, as in `curve recalled, rating given`. What was not read in a
+/// source is marked.
 fn standing(standing: &str) -> Markup {
     let holds = |word: &str| standing.contains(word);
     html! {
@@ -225,7 +247,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_was_not_read_in_a_source_is_marked_wherever_it_stands() {
+    fn data_that_was_not_read_in_a_source_is_marked() {
         let marked = |text: &str| standing(text).into_string().contains("<strong>");
         for text in ["recalled", "curve recalled, rating given", "derived"] {
             assert!(marked(text), "{text}");

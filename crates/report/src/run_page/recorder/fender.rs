@@ -41,7 +41,7 @@ impl FenderTrace {
     pub(super) fn push(&mut self, t_s: f64, now: Option<&TouchedFender>) {
         let now = now.copied().unwrap_or_default();
         self.push_forces(t_s, &now);
-        // A step's mean force stands at its mean deflection.
+        // The mean force of a step belongs to its mean deflection.
         if self.last != TouchedFender::default() {
             let deflection_m = 0.5 * (self.last.deflection_m + now.deflection_m);
             self.path.push(deflection_m, self.last.reaction_n);

@@ -1,5 +1,4 @@
-//! What the report draws, gathered while the run goes on, in memory that does not grow with the
-//! run's length.
+//! Records the data of the report during the run. The memory does not grow with the length of the run.
 
 mod body;
 mod docking;
@@ -42,16 +41,16 @@ pub(super) struct ScenePeak {
     pub(super) contact: Contact,
     /// All bodies.
     pub(super) states: Vec<BodyState>,
-    /// How deep all fenders were pressed.
+    /// Deflections of all fenders.
     pub(super) deflections_m: Deflections,
     /// All tugs.
     pub(super) tugs: Vec<TugMark>,
 }
 
-/// All that the report draws of a run.
+/// The data that the report draws.
 pub struct Recorder {
     pub(super) pairs: Vec<PairTrace>,
-    /// Pairs that touched when as many as can be followed already were.
+    /// More pairs touched than can be followed.
     pub(super) pairs_not_followed: bool,
     pub(super) bodies: Vec<BodyTrace>,
     /// In the order of first touch.
@@ -70,9 +69,9 @@ pub struct Recorder {
     pub(super) start: Vec<BodyState>,
     /// The step of the largest force of all pairs, followed or not.
     pub(super) peak: Option<ScenePeak>,
-    /// This step's touching pairs, kept for its allocation.
+    /// The pairs in contact in this step; kept for its allocation.
     touching: BTreeMap<[usize; 2], Touch>,
-    /// This step's touched fenders, and how deep they are pressed.
+    /// The fenders touched in this step.
     touched: BTreeMap<usize, TouchedFender>,
     deflections_m: Deflections,
     /// The pairs of `pairs`.
@@ -151,7 +150,7 @@ impl Recorder {
         if touch.normal_n <= self.peak.as_ref().map_or(0.0, |peak| peak.normal_n) {
             return;
         }
-        // The states' allocation is kept: a force may rise over many steps.
+        // Keeps the allocation of the states: a force may rise over many steps.
         let mut states = self.peak.take().map_or_else(Vec::new, |peak| peak.states);
         states.clear();
         states.extend_from_slice(step.states);
@@ -200,7 +199,7 @@ impl Recorder {
     }
 
     fn record_energy(&mut self, step: &StepRecord<'_>) {
-        // The ledger stands at the end of the step.
+        // The ledger is that at the end of the step.
         let end_s = step.t_s + self.step_s;
         self.energy.push(end_s, &step.energy);
         let stored_j = step.energy.stored_j + step.energy.shear_stored_j;

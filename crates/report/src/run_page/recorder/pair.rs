@@ -1,4 +1,4 @@
-//! What the report follows of a pair of bodies.
+//! The record of a pair of bodies.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Contact, ForceParts};
@@ -24,7 +24,7 @@ pub(in crate::run_page) struct PairTrace {
     /// V_n of the patch with the largest N, positive approaching (m/s); after the contact, along
     /// its last normal at its last point.
     pub(in crate::run_page) v_normal_mps: Decimator,
-    /// What N of the outlines is made of; fenders have their own.
+    /// Components of the outlines' N; those of fenders are recorded by fender.
     pub(in crate::run_page) parts: PartsTrace,
     /// The step with the largest sum of N.
     pub(in crate::run_page) peak: Peak,
@@ -42,11 +42,11 @@ pub(in crate::run_page) struct Peak {
     pub(in crate::run_page) contact: Contact,
     /// The two bodies.
     pub(in crate::run_page) states: [BodyState; 2],
-    /// How deep all fenders were pressed.
+    /// Deflections of all fenders.
     pub(in crate::run_page) deflections_m: Deflections,
 }
 
-/// What one pair does in one step: sums over its patches.
+/// The contact of a pair in one step: sums over its patches.
 #[derive(Clone, Copy)]
 pub(super) struct Touch {
     pub(super) normal_n: f64,
@@ -81,7 +81,7 @@ impl Touch {
     }
 }
 
-/// The parts of an outline's force; none of a fender's.
+/// The components of a force of outlines; zero for a fender.
 fn of_outlines(contact: &Contact) -> ForceParts {
     if contact.fender.is_none() { contact.parts } else { ForceParts::default() }
 }

@@ -1,4 +1,4 @@
-//! A path in a plane, in bounded memory whatever its length.
+//! A path in the plane, in bounded memory.
 
 use fenderline_contact::number::greater;
 
@@ -10,8 +10,8 @@ const POINTS: usize = 2000;
 /// that the store is full.
 const FINEST: f64 = 1e-3;
 
-/// A path of which points are kept where it has gone on by a share of its extent, so that a long rest
-/// takes no room and a loop keeps its shape.
+/// A path. A point is kept when it is a share of the path's extent away from the last one, so that a body at rest takes no
+/// memory and a loop keeps its shape.
 #[derive(Clone, Debug, Default)]
 pub(in crate::run_page) struct Path {
     points: Vec<Point>,

@@ -27,7 +27,7 @@ pub(in crate::run_page) struct VesselTrace {
     pub(in crate::run_page) across_mps: Decimator,
     pub(in crate::run_page) heading_rad: Decimator,
     pub(in crate::run_page) turn_radps: Decimator,
-    /// Order and what it became, of rudder and revolutions.
+    /// Order and actual value of rudder and revolutions.
     pub(in crate::run_page) rudder_rad: [Decimator; 2],
     pub(in crate::run_page) shaft_rps: [Decimator; 2],
     /// The same of each thruster, −1 to 1.
@@ -39,13 +39,13 @@ pub(in crate::run_page) struct VesselTrace {
     pub(in crate::run_page) heave_m: Decimator,
     /// Squat (m).
     pub(in crate::run_page) squat_m: Decimator,
-    /// Water under her keel (m); nothing where the water is deep.
+    /// Under-keel clearance (m); nothing in deep water.
     pub(in crate::run_page) under_keel_m: Decimator,
-    /// Distance of her ends to a row of fenders, where there is one.
+    /// Distance of her ends to a row of fenders, if there is one.
     pub(in crate::run_page) docking: Option<DockingTrace>,
 }
 
-/// Order and what it became, of one azimuth unit.
+/// Order and actual value of one azimuth unit.
 #[derive(Default)]
 pub(in crate::run_page) struct AzimuthTrace {
     /// Over the thrust at rest and full power.
@@ -61,7 +61,7 @@ pub(in crate::run_page) struct TugTrace {
     pub(in crate::run_page) force_n: Decimator,
 }
 
-/// A tug at one moment, as a plan view draws her.
+/// A tug at one time, for a plan view.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::run_page) struct TugMark {
     /// Index into the set-up's tugs.

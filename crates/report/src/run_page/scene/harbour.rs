@@ -7,10 +7,10 @@ use fenderline_sim::environment::current::Current;
 use fenderline_sim::{Environment, LineEnd, Setup};
 use maud::{Markup, html};
 
-use super::{NAME_LENGTH, middle, outlined, reach, styles};
+use super::{NAME_LENGTH, body_label, middle, outlined, styles};
 use crate::plot::{
-    Frame, Harbour, Label, LineDrawn, Plan, Stage, TugDrawn, Weather, fixed, plain, shortened,
-    significant,
+    Frame, Harbour, Label, LineDrawn, Place, Plan, Stage, TugDrawn, Weather, fixed, plain,
+    shortened, significant,
 };
 use crate::run_page::Recorder;
 use crate::run_page::fenders::boxes;
@@ -18,7 +18,7 @@ use crate::run_page::recorder::TugMark;
 use crate::run_page::vessels::compass;
 use fenderline_results::Outcome;
 
-/// Lines that were fast, with bodies in these states.
+/// The lines that were made fast, with bodies in these states.
 fn lines(outcome: &Outcome<'_>, states: &[BodyState]) -> Vec<LineDrawn> {
     let lines = outcome.setup.world.lines.iter().zip(&outcome.world.lines);
     let drawn = lines.filter(|(_, totals)| totals.is_fast || totals.parted_s.is_some());
@@ -41,14 +41,14 @@ fn tugs(setup: &Setup, marks: &[TugMark]) -> Vec<TugDrawn> {
     let drawn = marks.iter().map(|mark| {
         let name = shortened(&setup.world.tugs[mark.tug].tug.name, NAME_LENGTH);
         let force_n = mark.force_n.length();
-        // Less than a kilonewton is a tug that stands by.
+        // A tug with less than a kilonewton is standing by.
         let works = force_n >= 1e3;
         TugDrawn {
             at_m: mark.at_m,
             direction: if works { mark.force_n * (1.0 / force_n) } else { Vec2::ZERO },
             on_line: works && mark.on_line,
             label: match (works, mark.on_line) {
-                (false, _) => format!("{name}: stands by"),
+                (false, _) => format!("{name}: standing by"),
                 (true, false) => format!("{name} pushes {} kN", significant(force_n / 1e3, 2)),
                 (true, true) => format!("{name} pulls {} kN", significant(force_n / 1e3, 2)),
             },
@@ -72,8 +72,8 @@ fn banks(environment: &Environment) -> Vec<[Vec2; 2]> {
     environment.banks.iter().map(Bank::ends_m).collect()
 }
 
-/// Wind, current and waves at the start: the wind and the waves by where they come from, the current by
-/// where it goes, as at sea.
+/// Wind, current and waves at the start. As at sea, wind and waves have the direction that they come from, a current that
+/// to which it flows.
 fn weather(environment: &Environment) -> Vec<Weather> {
     let wind = environment.wind.as_ref().and_then(|wind| {
         let (speed_mps, from_rad) = wind.mean_at(0.0);
@@ -85,7 +85,7 @@ fn weather(environment: &Environment) -> Vec<Weather> {
         })
     });
     let current = environment.current.as_ref().and_then(|current| {
-        // Of a current that varies: that in the origin, at the surface, at the start.
+        // A current that varies: its value at the origin, at the surface, at the start.
         let which = match current {
             Current::Uniform(_) => "",
             Current::Layered(_) => " (at the surface)",
@@ -124,7 +124,7 @@ fn direction(angle_rad: f64) -> Vec2 {
     vec2(libm::cos(angle_rad), libm::sin(angle_rad))
 }
 
-/// The ships with lines at the end of the run; nothing where no line was made fast.
+/// The ships with lines at the end of the run; nothing if no line was made fast.
 pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let setup = outcome.setup;
     let states = outcome.states;
@@ -150,20 +150,18 @@ pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) ->
         moored.contains(&setup.world.vessels[setup.world.tugs[mark.tug].vessel].body)
     };
     let marks: Vec<TugMark> = recorder.last_tugs.iter().filter(marks).copied().collect();
-    let names = moored.iter().take(1).map(|&index| Label {
-        at_m: middle(&setup.bodies[index], &states[index]),
-        reach_m: reach(&setup.bodies[index]),
-        side: Vec2::ZERO,
-        text: shortened(&setup.bodies[index].name, NAME_LENGTH),
-    });
+    let names =
+        moored.iter().take(1).map(|&index| body_label(&setup.bodies[index], &states[index]));
     let lines_named = setup.world.lines.iter().zip(&outcome.world.lines);
     let lines_named = lines_named.filter(|(_, totals)| totals.is_fast || totals.parted_s.is_some());
     let line_names = lines_named.zip(&lines).map(|((line, totals), drawn)| {
         let share = totals.share_of_break_load().unwrap_or(0.0);
+        let bollard_m = drawn.ends_m[1];
+        // On the side away from the ship.
+        let ship_m = middle(&setup.bodies[line.ship], &states[line.ship]);
+        let east = if bollard_m.y < ship_m.y { -1.0 } else { 1.0 };
         Label {
-            at_m: drawn.ends_m[1],
-            reach_m: 0.0,
-            side: vec2(0.0, 1.0),
+            place: Place::Beside { point_m: bollard_m, side: vec2(0.0, east) },
             text: format!(
                 "{} {} %",
                 shortened(&line.line.name, NAME_LENGTH),
@@ -185,7 +183,7 @@ pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) ->
         tracks: Vec::new(),
         arrows: Vec::new(),
         labels: names.chain(line_names).collect(),
-        note: "Lines with their peak tension over break load.".to_owned(),
+        note: "At each line its peak tension as a share of its break load.".to_owned(),
     }
     .render()
 }

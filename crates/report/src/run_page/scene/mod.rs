@@ -5,15 +5,15 @@ mod harbour;
 use std::collections::BTreeSet;
 
 use fenderline_contact::number::{bounded, greater, lesser};
-use fenderline_contact::{BodyState, Vec2};
+use fenderline_contact::{BodyState, Vec2, vec2};
 use fenderline_sim::{BodySetup, Setup};
-use maud::Markup;
+use maud::{Markup, html};
 
 use super::fenders::{boxes, names};
 use super::recorder::{PairTrace, Recorder};
 use crate::plot::{
-    Arrow, Frame, Harbour, Label, Outlined, Plan, STYLES, Scaled, Stage, Track, plain, shortened,
-    significant,
+    Arrow, Frame, Harbour, Label, Outlined, Place, Plan, STYLES, Scaled, Stage, Track, plain,
+    shortened, significant,
 };
 use fenderline_results::Outcome;
 
@@ -25,7 +25,7 @@ const DRAWN: usize = 300;
 const NAMED: usize = 16;
 /// Longest name in a view (characters).
 const NAME_LENGTH: usize = 26;
-/// Fixed bodies are shown whole where that widens the view by no more than this factor.
+/// Fixed bodies are shown whole if that widens the view by no more than this factor.
 const WIDEN: f64 = 3.0;
 
 fn outlined(body: &BodySetup, state: &BodyState, stage: Stage, style: usize) -> Outlined {
@@ -45,7 +45,7 @@ fn styles(setup: &Setup) -> Vec<usize> {
     styles.collect()
 }
 
-/// The whole scene: start, peak force, end, tracks.
+/// The whole scene: start, peak force, end, tracks. Nothing if there are no bodies.
 pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let setup = outcome.setup;
     let styles = styles(setup);
@@ -64,9 +64,7 @@ pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     }
     let labels = order.iter().take(NAMED).filter_map(|&i| {
         let (state, _) = stages(i, outcome, recorder).into_iter().next()?;
-        let body = &setup.bodies[i];
-        let text = shortened(&body.name, NAME_LENGTH);
-        Some(Label { at_m: middle(body, state), reach_m: reach(body), side: Vec2::ZERO, text })
+        Some(body_label(&setup.bodies[i], state))
     });
     let tracks = recorder.bodies.iter().filter(|trace| drawn.contains(&trace.body));
     let tracks = tracks.map(|trace| Track {
@@ -80,13 +78,11 @@ pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     });
     let title = match &recorder.peak {
         Some(peak) => {
-            format!("Whole scene; largest step mean of the force at {} s", plain(peak.t_s, 4))
+            format!("Whole scene; largest contact force at {} s", plain(peak.t_s, 4))
         }
         None => "Whole scene; no contact".to_owned(),
     };
-    let Some(frame) = scene_frame(floating, fixed) else {
-        unreachable!("a scenario has a body, and a body has an outline");
-    };
+    let Some(frame) = scene_frame(floating, fixed) else { return html! {} };
     let note = if setup.bodies.len() > drawn.len() {
         format!("{} of {} bodies are drawn.", drawn.len(), setup.bodies.len())
     } else {
@@ -98,7 +94,7 @@ pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
         drawn.contains(&body).then_some(state)
     };
     let fenders = boxes(outcome, pressed_m, shown);
-    let labels = labels.chain(names(outcome, shown));
+    let labels = names(outcome, shown).into_iter().chain(labels);
     Plan {
         title,
         frame,
@@ -126,7 +122,7 @@ fn by_importance(setup: &Setup, recorder: &Recorder) -> Vec<usize> {
         .collect()
 }
 
-/// The states in which a body is drawn, the one that its name goes with first.
+/// The states in which a body is drawn. Its name stands at the first.
 fn stages<'a>(
     body: usize,
     outcome: &Outcome<'a>,
@@ -141,8 +137,7 @@ fn stages<'a>(
     peak.into_iter().chain(start).chain([(end, Stage::End)]).collect()
 }
 
-/// Round the floating bodies, and the fixed ones where they are not so large as to make the others
-/// vanish.
+/// Round the floating bodies. Fixed bodies are included unless they are so large that the others would vanish.
 fn scene_frame(floating: Option<Frame>, fixed: Option<Frame>) -> Option<Frame> {
     let (Some(floating), Some(fixed)) = (floating, fixed) else { return floating.or(fixed) };
     let extent = |frame: Frame| greater(frame.size().x, frame.size().y);
@@ -150,7 +145,7 @@ fn scene_frame(floating: Option<Frame>, fixed: Option<Frame>) -> Option<Frame> {
     if extent(both) <= WIDEN * extent(floating) {
         return Some(both);
     }
-    // Room to see against what the floating bodies lie.
+    // Room to see what the floating bodies touch.
     let room = floating.size() * 0.25;
     Some(Frame { low: floating.low - room, high: floating.high + room })
 }
@@ -162,16 +157,46 @@ fn joined(a: Option<Frame>, b: Option<Frame>) -> Option<Frame> {
     }
 }
 
-/// Half the largest extent of a body's outline (m).
-fn reach(body: &BodySetup) -> f64 {
+/// The name of a body, on it.
+fn body_label(body: &BodySetup, state: &BodyState) -> Label {
     let (low, high) = body.outline.bounds();
-    (high - low).length() * 0.5
+    let half = (high - low) * 0.5;
+    let half_length = if half.x >= half.y { vec2(half.x, 0.0) } else { vec2(0.0, half.y) };
+    Label {
+        text: shortened(&body.name, NAME_LENGTH),
+        place: Place::On {
+            middle_m: middle(body, state),
+            half_length_m: state.pose().rotation.apply(half_length),
+        },
+    }
 }
 
 /// The middle of a body's outline, earth-fixed (m).
 fn middle(body: &BodySetup, state: &BodyState) -> Vec2 {
     let (low, high) = body.outline.bounds();
     state.pose().apply((low + high) * 0.5)
+}
+
+/// Points on a body for its name, off a contact at `centre`: along `off_m`, then to both sides of it.
+fn points_on(body: &BodySetup, state: &BodyState, centre: Vec2, off_m: Vec2) -> Vec<Vec2> {
+    let across_m = off_m.quarter_turn();
+    let off = [0.8, 0.6, 0.4, 0.25];
+    let aside = [0.0, 0.35, -0.35, 0.7, -0.7];
+    let points =
+        aside.into_iter().flat_map(|aside| off.map(|off| centre + off_m * off + across_m * aside));
+    let is_on_body = |point_m: &Vec2| {
+        let own = state.pose().apply_inverse(*point_m);
+        body.outline.pieces().iter().any(|piece| is_in_convex(piece, own))
+    };
+    points.filter(is_on_body).collect()
+}
+
+/// Whether a point lies in a convex ring.
+fn is_in_convex(ring: &[Vec2], point: Vec2) -> bool {
+    let sides = ring.iter().zip(ring.iter().cycle().skip(1));
+    let mut turns = sides.map(|(a, b)| (*b - *a).cross(point - *a));
+    let Some(first) = turns.next() else { return false };
+    turns.all(|turn| turn * first >= 0.0)
 }
 
 /// The contact of one pair in the step of its largest force.
@@ -182,7 +207,7 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
     let bodies = pair.bodies.map(|i| &setup.bodies[i]);
     let stage = |body: &BodySetup| if body.mass.is_none() { Stage::Fixed } else { Stage::Peak };
     let [style_1, style_2] = pair.bodies.map(|i| styles[i]);
-    // Colours come again after a few bodies; here the two must differ.
+    // Colours repeat after a few bodies; those of this pair must differ.
     let pair_styles =
         if style_1 % STYLES == style_2 % STYLES { [0, 1] } else { [style_1, style_2] };
     let outlines =
@@ -191,16 +216,17 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
     let half_m = bounded(12.0 * peak.contact.depth_m, 0.25 * smaller_m, smaller_m);
     let centre = peak.contact.point_m;
     let frame = Frame::about(centre, half_m);
-    // Names stand off from the contact along the normal: body 1 behind it, body 2 before it.
-    let labels = [-0.8, 0.8].into_iter().zip(bodies).map(|(share, body)| Label {
-        at_m: centre + peak.contact.normal * (share * half_m),
-        reach_m: f64::INFINITY,
-        side: Vec2::ZERO,
-        text: shortened(&body.name, NAME_LENGTH),
+    // Along the normal, body 1 is behind the contact and body 2 before it.
+    let labels = [0, 1].map(|k| {
+        let normal = peak.contact.normal * [-1.0, 1.0][k];
+        Label {
+            text: shortened(&bodies[k].name, NAME_LENGTH),
+            place: Place::At(points_on(bodies[k], &peak.states[k], centre, normal * half_m)),
+        }
     });
     let shown =
         |body: usize| pair.bodies.iter().position(|other| *other == body).map(|k| &peak.states[k]);
-    // The strongest patch's own force: the pair's is the sum over fenders far from each other.
+    // The force of the strongest patch. The pair's force is a sum over fenders far from each other.
     let force = Scaled::for_largest(peak.contact.normal_force_n);
     let by = peak.contact.fender.map(|id| setup.fenders[id.0 as usize].name.as_str());
     let arrow = Arrow {
@@ -208,20 +234,18 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
         // The push on body 2.
         direction: peak.contact.normal,
         label: format!(
-            "N = {} {} on {}{}",
+            "N = {} {}",
             significant(peak.contact.normal_force_n * force.factor, 4),
-            force.unit("N"),
-            shortened(&bodies[1].name, NAME_LENGTH),
-            if by.is_some() { ", of this fender" } else { "" }
+            force.unit("N")
         ),
     };
     Plan {
         title: format!(
-            "{} – {} at the largest step mean of their force, {} s; {} {} m",
+            "{} – {} at their largest force, {} s; {} {} m",
             bodies[0].name,
             bodies[1].name,
             plain(peak.t_s, 4),
-            by.map_or_else(|| "depth".to_owned(), |name| format!("deflection of {name}")),
+            by.map_or_else(|| "penetration".to_owned(), |name| format!("deflection of {name}")),
             significant(peak.contact.depth_m, 3)
         ),
         frame,
@@ -230,10 +254,14 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
         harbour: Harbour::default(),
         tracks: Vec::new(),
         arrows: vec![arrow],
-        labels: labels.chain(names(outcome, shown)).collect(),
-        note:
-            "Forces here are means over a step, depths those at its start; the tables have the peaks within steps."
-                .to_owned(),
+        labels: names(outcome, shown).into_iter().chain(labels).collect(),
+        note: format!(
+            "N is the force on {}{}: a mean over the time step. The {} is that at the start of the step. \
+             The tables have the peaks within steps.",
+            bodies[1].name,
+            by.map_or_else(String::new, |name| format!(" through {name}")),
+            if by.is_some() { "deflection" } else { "penetration" },
+        ),
     }
     .render()
 }

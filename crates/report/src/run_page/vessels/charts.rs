@@ -11,9 +11,9 @@ use crate::run_page::recorder::{DockingTrace, VesselTrace};
 
 /// Vessels with charts of their own.
 const VESSELS: usize = 3;
-/// Below this a motion is none (m, rad).
+/// Smaller motions are not drawn (m, rad).
 const STILL: f64 = 1e-9;
-/// Below this nobody asks for squat (m).
+/// Smaller squat is not drawn (m).
 const SEEN_M: f64 = 0.01;
 
 /// The charts of each vessel.
@@ -37,7 +37,7 @@ fn line(name: &str, of: &Decimator, factor: f64) -> Series {
     Series::line(name, of.points()).scaled(factor)
 }
 
-/// Order and what it became.
+/// Order and actual value.
 fn both([order, actual]: &[Decimator; 2], factor: f64) -> Vec<Series> {
     vec![line("ordered", order, factor).styled(1), line("actual", actual, factor).styled(0)]
 }
@@ -89,7 +89,7 @@ fn of_vessel(page: &Charts<'_>, name: &str, setup: &VesselSetup, trace: &VesselT
             (chart("Squat", zero("squat", "m"), vec![line("squat", &trace.squat_m, 1.0)]))
         }
         @if moves(&trace.under_keel_m) {
-            (chart("Water under the keel, squat taken off", zero("clearance", "m"), vec![
+            (chart("Under-keel clearance, squat included", zero("clearance", "m"), vec![
                 line("clearance", &trace.under_keel_m, 1.0),
             ]))
         }
@@ -101,7 +101,7 @@ fn of_vessel(page: &Charts<'_>, name: &str, setup: &VesselSetup, trace: &VesselT
     }
 }
 
-/// What a docking aid shows.
+/// Distance and speed, as on a docking aid.
 fn of_docking(page: &Charts<'_>, name: &str, docking: &DockingTrace) -> Markup {
     let two = |of: &[Decimator; 2], factor: f64| {
         vec![line("bow", &of[0], factor), line("stern", &of[1], factor)]
@@ -110,8 +110,8 @@ fn of_docking(page: &Charts<'_>, name: &str, docking: &DockingTrace) -> Markup {
     let title = format!("Distance to the line of the fenders, {name}");
     let mut distance = page.chart(&title, distance, two(&docking.distance_m, 1.0));
     distance.note =
-        "Nearest point of the fore and of the after third of her hull to the line through the \
-                     fenders' faces; below 0 she presses them, or is on the other side."
+        "Nearest points of the forward and the after third of the hull to the line through the \
+                     fenders' faces. Below 0 the hull compresses them, or is on the other side."
             .to_owned();
     let speed = Axis::new("speed", "cm/s").including(0.0);
     let title = format!("Speed towards the fenders, {name}");
@@ -121,7 +121,7 @@ fn of_docking(page: &Charts<'_>, name: &str, docking: &DockingTrace) -> Markup {
     }
 }
 
-/// Forces of all tugs, and what was ordered.
+/// Forces and orders of all tugs.
 pub(super) fn tugs(page: &Charts<'_>, recorder: &Recorder) -> Markup {
     let setup = page.outcome.setup;
     let traces = setup.world.tugs.iter().zip(&recorder.world.tugs).take(STYLES / 2);
@@ -136,7 +136,7 @@ pub(super) fn tugs(page: &Charts<'_>, recorder: &Recorder) -> Markup {
     page.chart("Forces of the tugs", Axis::new("force", &unit).including(0.0), series).render()
 }
 
-/// Tensions of all lines, with break load and working load where they are the same for all.
+/// Tensions of all lines, with break load and working load if they are the same for all.
 pub(super) fn lines(page: &Charts<'_>, recorder: &Recorder) -> Markup {
     let setup = page.outcome.setup;
     let totals = &page.outcome.world.lines;
@@ -166,13 +166,16 @@ pub(super) fn lines(page: &Charts<'_>, recorder: &Recorder) -> Markup {
         })
         .collect();
     if setup.world.lines.len() > order.len() {
-        chart.note =
-            format!("The {} hardest pulled of {} lines.", order.len(), setup.world.lines.len());
+        chart.note = format!(
+            "The {} lines with the largest tensions, of {}.",
+            order.len(),
+            setup.world.lines.len()
+        );
     }
     chart.render()
 }
 
-/// What the prefix of a unit of force multiplies newtons by.
+/// The factor from newtons to a unit of force.
 fn series_factor(unit: &str) -> f64 {
     match unit {
         "kN" => 1e-3,

@@ -1,4 +1,4 @@
-//! What of vessels, tugs, lines and providers stands at the top of the page.
+//! Vessels, tugs, lines and providers at the top of the page.
 
 use fenderline_contact::number::greater;
 
@@ -9,30 +9,19 @@ use crate::words::world_event_text;
 use fenderline_results::Outcome;
 use fenderline_results::{LineVerdict, Who};
 
-/// Events told by name.
+/// Most events listed.
 const EVENTS: usize = 12;
 
-/// The lines in a sentence, and who is aground; nothing where there are none.
+/// The lines in a sentence; nothing where there are none.
 pub(in crate::run_page) fn headline(outcome: &Outcome<'_>) -> Markup {
-    let (setup, world) = (outcome.setup, outcome.world);
-    let aground = setup.world.vessels.iter().zip(&world.vessels);
-    let aground = aground.filter(|(_, totals)| totals.aground.s() > 0.0);
-    let worst = world.lines.iter().map(|line| line.verdict()).max();
+    let world = outcome.world;
     let share = world.lines.iter().filter_map(|line| line.share_of_break_load());
     let share = share.fold(0.0, greater);
     let parted = world.lines.iter().filter(|line| line.parted_s.is_some()).count();
     html! {
-        @for (vessel, totals) in aground {
+        @if !world.lines.is_empty() {
             p {
-                span class="verdict failed" { "AGROUND" }
-                " " (setup.bodies[vessel.body].name) " was aground for "
-                (plain(totals.aground.s(), 4)) " s."
-            }
-        }
-        @if let Some(worst) = worst {
-            p {
-                span class={ "verdict " (class(worst)) } { "Lines: " (worst.text()) }
-                " " (counted(world.lines.len() as u64, "line", "lines"))
+                (counted(world.lines.len() as u64, "line", "lines"))
                 @if parted > 0 { ", " strong { (parted) " PARTED" } }
                 "; the most used reached " (fixed(100.0 * share, 0)) " % of its break load."
             }
@@ -40,7 +29,7 @@ pub(in crate::run_page) fn headline(outcome: &Outcome<'_>) -> Markup {
     }
 }
 
-/// The class that colours a verdict.
+/// The style class of a verdict.
 pub(super) fn class(verdict: LineVerdict) -> &'static str {
     match verdict {
         LineVerdict::Ok => "ok",
@@ -50,7 +39,7 @@ pub(super) fn class(verdict: LineVerdict) -> &'static str {
     }
 }
 
-/// What happened to vessels, tugs, lines and providers, in time.
+/// Events of vessels, tugs, lines and providers, in the order of time.
 pub(in crate::run_page) fn remarks(outcome: &Outcome<'_>) -> Markup {
     let events = &outcome.world.events;
     let all: u64 = events.counts().iter().map(|(_, count)| count).sum();

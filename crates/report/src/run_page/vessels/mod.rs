@@ -1,4 +1,4 @@
-//! The sections of vessels, tugs and lines: each only where the scenario has any.
+//! The sections of vessels, tugs and lines, if the scenario has any.
 
 mod charts;
 mod headline;
@@ -14,7 +14,7 @@ use fenderline_results::Outcome;
 pub(super) use headline::{headline, remarks};
 pub(super) use orders::compass;
 
-/// Both sections.
+/// All sections.
 pub(super) fn sections(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let world = &outcome.setup.world;
     let page = Charts::new(outcome);

@@ -9,7 +9,7 @@ use crate::run_page::tables::{ROWS, more, number};
 use crate::{Head, table_head};
 use fenderline_results::Outcome;
 
-/// One row an order, in the order of time.
+/// One row per order, in the order of time.
 pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
     let setup = outcome.setup;
     let mut orders: Vec<&Order> = setup.world.orders.iter().collect();
@@ -46,7 +46,7 @@ fn addressee(order: &Order, setup: &Setup) -> String {
     }
 }
 
-/// The order's word and its arguments, as the table of orders has them.
+/// The order's word and its arguments, by the table of orders.
 fn text(order: &Order, setup: &Setup) -> String {
     let spec = order.action.name().spec();
     let arguments = order.action.arguments();

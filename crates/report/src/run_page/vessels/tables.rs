@@ -15,7 +15,7 @@ use fenderline_results::Outcome;
 use fenderline_results::{ACCURACY, accuracy};
 use fenderline_results::{LineTotals, TugTotals, VesselTotals};
 
-/// Particulars and what they did.
+/// Particulars of the vessels, and their largest motions.
 pub(super) fn vessels(outcome: &Outcome<'_>) -> Markup {
     let (setup, world) = (outcome.setup, outcome.world);
     html! {
@@ -80,7 +80,7 @@ fn vessel_cells(name: &str, vessel: &VesselSetup, totals: &VesselTotals) -> Mark
     }
 }
 
-/// Where a vessel's numbers come from; what is no more than an estimate is said loudly.
+/// The sources of a vessel's data. Estimates are marked.
 fn source(outcome: &Outcome<'_>, vessel: &VesselSetup) -> Markup {
     let name = outcome.setup.bodies[vessel.body].name.as_str();
     let environment = &outcome.setup.world.environment;
@@ -124,7 +124,7 @@ fn source(outcome: &Outcome<'_>, vessel: &VesselSetup) -> Markup {
     }
 }
 
-/// Squat and the water under the keel, where the water has a depth.
+/// Squat and under-keel clearance, if the water has a depth.
 fn under_keel(name: &str, totals: &VesselTotals, environment: &Environment) -> Markup {
     html! {
         @if let Some(least) = totals.under_keel_m {

@@ -1,9 +1,9 @@
 //! Keys of the outline and of what is on deck: chocks, bitts and belting.
 
 use crate::choices::{Choice, Choices};
-use crate::keys::{FORWARD_M, LENGTH_M, key};
+use crate::keys::quantities::{LENGTH, PLACE};
 use crate::spec::Absent::Refused;
-use crate::spec::{Kind, TableSpec};
+use crate::spec::{Kind, TableSpec, key};
 use crate::vessels::shape::OutlineOrigin;
 
 pub(super) static OUTLINE: TableSpec = TableSpec {
@@ -14,12 +14,12 @@ pub(super) static OUTLINE: TableSpec = TableSpec {
             "origin",
             Kind::Choice(&ORIGINS),
             Refused,
-            "From where its points are counted.",
+            "The origin of the points.",
             &["\"midship\""],
         ),
         key(
             "points",
-            Kind::Outline(FORWARD_M),
+            Kind::Outline(PLACE),
             Refused,
             "Vertices, forward and to starboard, in either direction round; need not be convex.",
             &["[[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]"],
@@ -50,16 +50,10 @@ pub(super) static DECK_POINT: TableSpec = TableSpec {
     what: "a point on deck",
     doc: "Where a line meets the vessel.",
     keys: &[
-        key(
-            "at",
-            Kind::Point(FORWARD_M),
-            Refused,
-            "Forward and starboard of midship.",
-            &["[140, 5]"],
-        ),
+        key("at", Kind::Point(PLACE), Refused, "Forward and starboard of midship.", &["[140, 5]"]),
         key(
             "height",
-            Kind::Quantity(FORWARD_M),
+            Kind::Quantity(PLACE),
             Refused,
             "Above the still water at her draught.",
             &["\"12 m\""],
@@ -74,26 +68,26 @@ pub(super) static BELTING: TableSpec = TableSpec {
     keys: &[
         key(
             "from",
-            Kind::Point(FORWARD_M),
+            Kind::Point(PLACE),
             Refused,
             "One end: forward and starboard of midship.",
             &["[16, -4]"],
         ),
         key(
             "to",
-            Kind::Point(FORWARD_M),
+            Kind::Point(PLACE),
             Refused,
             "The other end: forward and starboard of midship.",
             &["[16, 4]"],
         ),
         key(
             "height",
-            Kind::Quantity(FORWARD_M),
+            Kind::Quantity(PLACE),
             Refused,
             "Its middle above the still water at her draught.",
             &["\"2 m\""],
         ),
-        key("extent", Kind::Quantity(LENGTH_M), Refused, "Its extent up and down.", &["\"1.5 m\""]),
+        key("extent", Kind::Quantity(LENGTH), Refused, "Its extent up and down.", &["\"1.5 m\""]),
     ],
     rules: None,
 };

@@ -3,9 +3,8 @@
 use serde_json::json;
 
 use super::{COEFFICIENT, POSITIVE, coefficients};
-use crate::keys::key;
-use crate::spec::Absent::{Means, Refused};
-use crate::spec::{Kind, Quantity, TableSpec};
+use crate::spec::Absent::{Refused, Unless};
+use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
 pub(super) static ADDED_MASS: TableSpec = TableSpec {
@@ -15,42 +14,42 @@ pub(super) static ADDED_MASS: TableSpec = TableSpec {
         key(
             "surge",
             Kind::Quantity(POSITIVE),
-            Means("`surge_volume` is given instead"),
+            Unless("`surge_volume` is given"),
             "m'x, over ½ρL²d.",
             &["0.022"],
         ),
         key(
             "sway",
             Kind::Quantity(POSITIVE),
-            Means("`sway_volume` is given instead"),
+            Unless("`sway_volume` is given"),
             "m'y, over ½ρL²d.",
             &["0.223"],
         ),
         key(
             "yaw",
             Kind::Quantity(POSITIVE),
-            Means("another key gives it"),
+            Unless("another key gives it"),
             "J'z, over ½ρL⁴d.",
             &["0.011"],
         ),
         key(
             "yaw_with_ship",
             Kind::Quantity(POSITIVE),
-            Means("another key gives it"),
-            "I'z + J'z, over ½ρL⁴d: the ship's own inertia is taken off.",
+            Unless("another key gives it"),
+            "I'z + J'z, over ½ρL⁴d: the ship's own inertia is subtracted.",
             &["0.0286"],
         ),
         key(
             "surge_volume",
             Kind::Quantity(Quantity { measure: &unit::VOLUME, low: 1e-9, high: 1e8 }),
-            Means("`surge` is given instead"),
+            Unless("`surge` is given"),
             "m_x/ρ.",
             &["\"1790.85 m^3\""],
         ),
         key(
             "sway_volume",
             Kind::Quantity(Quantity { measure: &unit::VOLUME, low: 1e-9, high: 1e8 }),
-            Means("`sway` is given instead"),
+            Unless("`sway` is given"),
             "m_y/ρ.",
             &["\"44324 m^3\""],
         ),
@@ -61,7 +60,7 @@ pub(super) static ADDED_MASS: TableSpec = TableSpec {
                 low: 1e-9,
                 high: 1e15,
             }),
-            Means("another key gives it"),
+            Unless("another key gives it"),
             "J_z/ρ.",
             &["\"140067300 m^5\""],
         ),
@@ -119,8 +118,8 @@ pub(super) static LOW_SPEED: TableSpec = TableSpec {
         "astern": "X'₀A, resistance astern, negative.",
         "x_vr": "X'vr.", "y_v": "Y'v.", "y_r": "Y'r.", "n_v": "N'v.", "n_r": "N'r.",
         "drag": "C_D of the cross flow.",
-        "yaw_gain_force": "CrY: what the yaw rate is multiplied with in the cross-flow force.",
-        "yaw_gain_moment": "CrN: the same in its moment.",
+        "yaw_gain_force": "CrY: factor on the yaw rate in the cross-flow force.",
+        "yaw_gain_moment": "CrN: factor on the yaw rate in the cross-flow moment.",
     },
     rules: None,
 };

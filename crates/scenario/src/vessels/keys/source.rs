@@ -1,8 +1,8 @@
 //! Keys of the sources of a vessel's numbers.
 
-use crate::keys::{STANDINGS, key};
+use crate::keys::STANDINGS;
 use crate::spec::Absent::Refused;
-use crate::spec::{Kind, TableSpec};
+use crate::spec::{Kind, TableSpec, key};
 
 pub(super) static SOURCE: TableSpec = TableSpec {
     what: "a source",
@@ -12,8 +12,8 @@ pub(super) static SOURCE: TableSpec = TableSpec {
             "of",
             Kind::Texts,
             Refused,
-            "Keys of the vessel, as `beam`, `propeller` or `propeller.wake`: a table stands for all in it that no \
-             other source names more closely.",
+            "Keys of the vessel, as `beam`, `propeller` or `propeller.wake`. The name of a table covers everything in it \
+             that no other source names more closely.",
             &["[\"length_bp\", \"beam\", \"rudder\"]"],
         ),
         key(

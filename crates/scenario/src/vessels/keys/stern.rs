@@ -5,16 +5,16 @@ use serde_json::json;
 
 use super::{COEFFICIENT, ESTIMATED, POSITIVE, coefficients};
 use crate::choices::{Choice, Choices};
-use crate::keys::{LENGTH_M, key};
-use crate::spec::Absent::{Means, Refused};
-use crate::spec::{Kind, Quantity, TableSpec};
+use crate::keys::quantities::LENGTH;
+use crate::spec::Absent::{Means, Refused, Unless};
+use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
 pub(super) static PROPELLER: TableSpec = TableSpec {
     what: "a propeller of a file",
     doc: "Propeller, wake and shaft.",
     keys: &[
-        key("diameter", Kind::Quantity(LENGTH_M), Refused, "Diameter.", &["\"8.5 m\""]),
+        key("diameter", Kind::Quantity(LENGTH), Refused, "Diameter.", &["\"8.5 m\""]),
         key(
             "full",
             Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-3, high: 1e3 }),
@@ -115,40 +115,40 @@ static WAKE_CHANGE: TableSpec = TableSpec {
 
 pub(super) static RUDDER: TableSpec = TableSpec {
     what: "a rudder of a file",
-    doc: "Rudder, what hull and propeller make of it, and its steering gear.",
+    doc: "Rudder, its interaction with hull and propeller, and its steering gear.",
     keys: &[
         key(
             "area",
             Kind::Quantity(Quantity { measure: &unit::AREA, low: 1e-6, high: 1e4 }),
-            Means("`area_ratio` is given instead"),
+            Unless("`area_ratio` is given"),
             "Movable area.",
             &["\"60 m^2\""],
         ),
         key(
             "area_ratio",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 1e3 }),
-            Means("`area` is given instead"),
+            Unless("`area` is given"),
             "Length times draught over the movable area.",
             &["54.86"],
         ),
         key(
             "span",
-            Kind::Quantity(LENGTH_M),
-            Means("`propeller_to_span` and `aspect_ratio` say it"),
+            Kind::Quantity(LENGTH),
+            Unless("`propeller_to_span` and `aspect_ratio` are given"),
             "Span.",
             &["\"9 m\""],
         ),
         key(
             "propeller_to_span",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.01, high: 1.0 }),
-            Means("`span` is given instead"),
+            Unless("`span` is given"),
             "η: diameter of the propeller over span.",
             &["0.8"],
         ),
         key(
             "aspect_ratio",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 20.0 }),
-            Means("`span` or `lift_gradient` is given instead"),
+            Unless("`span` or `lift_gradient` is given"),
             "Λ: span² over area.",
             &["1.8"],
         ),
@@ -170,7 +170,7 @@ pub(super) static RUDDER: TableSpec = TableSpec {
             "race_gain",
             Kind::Quantity(POSITIVE),
             Means(ESTIMATED),
-            "κ: how much of the race's speed reaches the rudder.",
+            "κ: share of the race's speed gain that reaches the rudder.",
             &["0.5"],
         ),
         key(
@@ -198,7 +198,7 @@ pub(super) static RUDDER: TableSpec = TableSpec {
             "hull_gain",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -0.99, high: 9.9 }),
             Means(ESTIMATED),
-            "a_H: force that steering puts on the hull, over the rudder's own.",
+            "a_H: lateral force that steering induces on the hull, over the rudder's own.",
             &["0.312"],
         ),
         key(

@@ -89,7 +89,7 @@ impl Reading<'_, '_> {
 }
 
 impl AddedMassForm {
-    /// Of a ship: coefficients are the same for every size, volumes grow with L²d and L⁴d.
+    /// Added mass of a ship. Coefficients are the same for every size; volumes grow with L²d and L⁴d.
     pub(super) fn of(self, ship: &Particulars) -> AddedMass {
         match self {
             AddedMassForm::Coefficients([surge, sway, yaw]) => {
@@ -170,26 +170,25 @@ pub(super) fn low_speed(table: &Table) -> LowSpeedHull {
 
 pub(super) fn stern(propeller: Option<&Table>, rudder: Option<&Table>) -> SternCoefficients {
     let number = |table: Option<&Table>, name: &str| table?.number_if_any(name);
-    let inner = |table: Option<&Table>, name: &str| -> Option<[f64; 3]> {
-        let table = table?.item_if_any(name)?.table();
-        let mut values = [0.0; 3];
-        for (value, item) in values.iter_mut().zip(table.spec.keys) {
-            *value = *table.given(item.name).number();
-        }
-        Some(values)
-    };
+    fn inner<'t>(table: Option<&'t Table>, name: &str) -> Option<&'t Table> {
+        Some(table?.item_if_any(name)?.table())
+    }
+    let of = |table: &Table, name: &str| *table.given(name).number();
     SternCoefficients {
-        thrust_polynomial: inner(propeller, "thrust"),
+        thrust_polynomial: inner(propeller, "thrust")
+            .map(|table| ["k0", "k1", "k2"].map(|name| of(table, name))),
         series: propeller.and_then(|table| table.item_if_any("series")).map(Item::choice),
         thrust_deduction: number(propeller, "thrust_deduction"),
         thrust_deduction_astern: number(propeller, "thrust_deduction_astern"),
         wake: number(propeller, "wake"),
-        wake_change: inner(propeller, "wake_change").map(|[c1, below, above]| (c1, [below, above])),
+        wake_change: inner(propeller, "wake_change")
+            .map(|table| (of(table, "c1"), [of(table, "c2_below"), of(table, "c2_above")])),
         propeller_place: number(propeller, "place"),
         lift_gradient: number(rudder, "lift_gradient"),
         wake_ratio: number(rudder, "wake_ratio"),
         race_gain: number(rudder, "race_gain"),
-        straightening: inner(rudder, "straightening").map(|[below, above, _]| [below, above]),
+        straightening: inner(rudder, "straightening")
+            .map(|table| ["below", "above"].map(|name| of(table, name))),
         straightening_place: number(rudder, "straightening_place"),
         resistance_deduction: number(rudder, "resistance_deduction"),
         hull_gain: number(rudder, "hull_gain"),

@@ -16,10 +16,10 @@ use crate::vessels::figures::digits;
 
 type Read<T> = Result<T, ScenarioError>;
 
-/// Acceleration of gravity (m/s²) in the Froude numbers of vessel files: published trials round it so.
+/// Acceleration of gravity (m/s²) in the Froude numbers of vessel files, rounded as in published trials.
 const FROUDE_GRAVITY_MPS2: f64 = 9.81;
 
-/// Rate of a steering gear where the file gives none (rad/s): 2.32 °/s, which is IMO\'s 65° in 28 s.
+/// Rate of a steering gear where the file gives none (rad/s): 2.32 °/s, which is IMO's 65° in 28 s.
 const USUAL_RATE_RADPS: f64 = 2.32 * TAU / 360.0;
 
 /// Largest rudder angle where the file gives none (rad): 35°.

@@ -16,22 +16,23 @@ impl Reading<'_, '_> {
         let number = |name: &str| *table.given(name).number();
         let (length_m, beam_m, draught_m) =
             (number("length_bp"), number("beam"), number("draught"));
-        let mut said = VOLUMES.iter().filter_map(|name| table.item_if_any(name));
-        let (first, second) = (said.next(), said.next());
-        if let (Some(first), Some(second)) = (first, second) {
+        let mut given =
+            GivenBy::ALL.iter().filter_map(|kind| Some((kind, table.item_if_any(kind.key())?)));
+        let (first, second) = (given.next(), given.next());
+        if let (Some((_, first)), Some((_, second))) = (first, second) {
             return Err(self.together(table, second, first.name).with_help("keep one of the two"));
         }
-        let Some(volume) = first else {
+        let Some((kind, item)) = first else {
             let help =
                 "give one of `volume`, `displacement`, `block_coefficient` and `mass_coefficient`";
             return Err(self.missing(table, "block_coefficient", help));
         };
-        let value = *volume.number();
-        let volume_m3 = match volume.name {
-            "volume" => value,
-            "displacement" => value / SEA_WATER_KGPM3,
-            "mass_coefficient" => value * (0.5 * length_m * length_m * draught_m),
-            _ => value * length_m * beam_m * draught_m,
+        let value = *item.number();
+        let volume_m3 = match kind {
+            GivenBy::Volume => value,
+            GivenBy::Displacement => value / SEA_WATER_KGPM3,
+            GivenBy::MassCoefficient => value * (0.5 * length_m * length_m * draught_m),
+            GivenBy::BlockCoefficient => value * length_m * beam_m * draught_m,
         };
         let centre_of_gravity_m = table.number_if_any("centre_of_gravity").unwrap_or_else(|| {
             assumed.push(figure("centre_of_gravity", "0 m"));
@@ -55,15 +56,18 @@ impl Reading<'_, '_> {
 
     /// An error about particulars, at the key that causes it.
     pub(super) fn impossible(&self, error: &HydroError) -> ScenarioError {
-        const KEYS: [(&str, &[&str]); 6] = [
+        const VOLUMES: &[&str] = &{
+            let [a, b, c, d] = GivenBy::ALL;
+            [a.key(), b.key(), c.key(), d.key()]
+        };
+        // How a quantity's name begins, and the keys that can cause the error.
+        const CAUSES: [(&str, &[&str]); 15] = [
             ("length", &["length_bp"]),
             ("beam", &["beam"]),
             ("draught", &["draught"]),
             ("displaced volume", VOLUMES),
             ("block coefficient", VOLUMES),
             ("centre of gravity", &["centre_of_gravity"]),
-        ];
-        const LATER: [(&str, &[&str]); 9] = [
             ("yaw gyradius", &["gyradius"]),
             ("added", &["added_mass"]),
             ("diameter of the propeller", &["propeller"]),
@@ -75,7 +79,7 @@ impl Reading<'_, '_> {
             ("resistance", &["low_speed", "sway_polynomial", "drift_polynomial"]),
         ];
         if let HydroError::OutOfRange { quantity, .. } = error {
-            let about = KEYS.iter().chain(&LATER).find(|(start, _)| quantity.starts_with(start));
+            let about = CAUSES.iter().find(|(start, _)| quantity.starts_with(start));
             let mut items = about
                 .into_iter()
                 .flat_map(|(_, keys)| *keys)
@@ -89,6 +93,30 @@ impl Reading<'_, '_> {
     }
 }
 
-/// The ways in which a displacement may be given.
-pub(super) const VOLUMES: &[&str] =
-    &["volume", "displacement", "block_coefficient", "mass_coefficient"];
+/// How a table gives the displaced volume.
+#[derive(Clone, Copy)]
+enum GivenBy {
+    Volume,
+    Displacement,
+    BlockCoefficient,
+    MassCoefficient,
+}
+
+impl GivenBy {
+    const ALL: [GivenBy; 4] = [
+        GivenBy::Volume,
+        GivenBy::Displacement,
+        GivenBy::BlockCoefficient,
+        GivenBy::MassCoefficient,
+    ];
+
+    /// Its key.
+    const fn key(self) -> &'static str {
+        match self {
+            GivenBy::Volume => "volume",
+            GivenBy::Displacement => "displacement",
+            GivenBy::BlockCoefficient => "block_coefficient",
+            GivenBy::MassCoefficient => "mass_coefficient",
+        }
+    }
+}

@@ -1,4 +1,4 @@
-//! What heave, roll and pitch are computed from.
+//! Data for heave, roll and pitch.
 
 use fenderline_sim::attitude::{HydrostaticParticulars, Hydrostatics, oscillator_estimates};
 use fenderline_sim::constants::SEA_WATER_KGPM3;
@@ -24,13 +24,13 @@ impl Reading<'_, '_> {
         };
         hydrostatics(&stability, ship, SEA_WATER_KGPM3)
             .map_err(|error| self.at(self.table, item, &error))?;
-        // A box has the highest metacentre of all: KB at most the draught, BM = I/∇.
+        // An upper bound of the metacentre: KB is at most the draught, and BM = I/∇ is largest for a box.
         let most_m = ship.draught_m
             + ship.length_m * ship.beam_m * ship.beam_m * ship.beam_m / (12.0 * ship.volume_m3);
         let above_keel_m = stability.gm_m + stability.gravity_above_keel_m;
         if above_keel_m > most_m {
             let message = format!(
-                "a metacentre {} m above the keel, but no hull of this size can have it above {} m",
+                "the metacentre would be {} m above the keel, but a hull of this size has it at most {} m above",
                 digits(above_keel_m),
                 digits((10.0 * most_m).round() / 10.0)
             );
@@ -43,7 +43,7 @@ impl Reading<'_, '_> {
 /// Heave, roll and pitch in water of a density (kg/m³).
 ///
 /// # Errors
-/// A ship that does not float upright.
+/// A ship that is not stable upright.
 pub(crate) fn hydrostatics(
     stability: &Stability,
     ship: &Particulars,
@@ -60,7 +60,7 @@ pub(crate) fn hydrostatics(
     })
 }
 
-/// How heave, roll and pitch are estimated, where they are, in sea water.
+/// The estimates of heave, roll and pitch in sea water, if the vessel has stability data.
 pub(super) fn oscillators(stability: Option<&Stability>, ship: &Particulars) -> Option<Source> {
     let of_sea = |stability| hydrostatics(stability, ship, SEA_WATER_KGPM3).ok();
     stability.and_then(of_sea).map(|of| oscillator_estimates(&of))

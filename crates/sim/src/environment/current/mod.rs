@@ -25,10 +25,14 @@ pub enum Current {
 }
 
 impl Current {
+    /// The fastest current that is accepted, to the north and to the east (m/s). The strongest tidal stream is about 11 m/s
+    /// (Saltstraumen; recalled).
+    pub const FASTEST_MPS: f64 = 15.0;
+
     /// A uniform current.
     ///
     /// # Errors
-    /// A current above 15 m/s; the strongest tidal stream is about 11 m/s (Saltstraumen; recalled).
+    /// A current above [`Current::FASTEST_MPS`].
     pub fn uniform(velocity_mps: Vec2) -> Result<Current, EnvironmentError> {
         check_velocity(velocity_mps)?;
         Ok(Current::Uniform(velocity_mps))
@@ -47,7 +51,8 @@ impl Current {
 }
 
 pub(super) fn check_velocity(velocity_mps: Vec2) -> Result<(), OutOfRange> {
-    within("current to the north [m/s]", velocity_mps.x, -15.0, 15.0)?;
-    within("current to the east [m/s]", velocity_mps.y, -15.0, 15.0)?;
+    const MOST: f64 = Current::FASTEST_MPS;
+    within("current to the north [m/s]", velocity_mps.x, -MOST, MOST)?;
+    within("current to the east [m/s]", velocity_mps.y, -MOST, MOST)?;
     Ok(())
 }

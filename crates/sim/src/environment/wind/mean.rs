@@ -41,13 +41,15 @@ pub enum WindProfile {
 }
 
 impl MeanWind {
+    /// The fastest mean wind that is accepted (m/s). The strongest gust on record is about 113 m/s (recalled).
+    pub const FASTEST_MPS: f64 = 120.0;
+
     /// Checks every number.
     ///
     /// # Errors
-    /// A wind speed above 120 m/s, or a profile parameter out of range. The strongest gust on record is about 113 m/s
-    /// (recalled).
+    /// A wind speed above [`MeanWind::FASTEST_MPS`], or a profile parameter out of range.
     pub fn check(&self) -> Result<(), OutOfRange> {
-        within("wind speed [m/s]", self.speed_mps, 0.0, 120.0)?;
+        within("wind speed [m/s]", self.speed_mps, 0.0, Self::FASTEST_MPS)?;
         within("wind direction [rad]", self.from_rad, -100.0, 100.0)?;
         match self.profile {
             WindProfile::Uniform => {}

@@ -2,6 +2,7 @@
 
 use core::f64::consts::TAU;
 
+use super::mean::MeanWind;
 use crate::environment::error::EnvironmentError;
 use crate::environment::table::{check_axis, place};
 use crate::range::within;
@@ -24,7 +25,7 @@ impl WindSeries {
         let mut points = points;
         for index in 0..points.len() {
             let [_, speed_mps, from_rad] = points[index];
-            within("wind speed [m/s]", speed_mps, 0.0, 120.0)?;
+            within("wind speed [m/s]", speed_mps, 0.0, MeanWind::FASTEST_MPS)?;
             within("wind direction [rad]", from_rad, -100.0, 100.0)?;
             if index > 0 {
                 let before_rad = points[index - 1][2];

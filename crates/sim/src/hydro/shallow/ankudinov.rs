@@ -1,20 +1,20 @@
-//! Ankudinov's factors on added mass and derivatives (1990), as a public implementation of Taimuri et al. (2020) has
-//! them (nikpau/mmgdynamics): sums of K₀, K₁ and K₂, polynomials in T/(h − T), by how full and broad the hull is.
+//! Ankudinov's factors on added mass and derivatives (1990), as in a public implementation of Taimuri et al. (2020)
+//! (nikpau/mmgdynamics): sums of K₀, K₁ and K₂, polynomials in T/(h − T), weighted by block coefficient and beam.
 //!
-//! Two things there were put right: K₂ of ships broader than four draughts has T/B where that code has B/T, for with
-//! B/T it would jump by a factor of 16 at B/T = 4; and the factors are not used beyond [`super::PUBLISHED_RATIO`].
+//! Two corrections: K₂ of ships broader than four draughts has T/B where that program has B/T, which would jump by a factor of
+//! 16 at B/T = 4; and the factors are not used beyond [`super::PUBLISHED_RATIO`].
 
 use super::stern;
 use super::{Corrections, HullFactors, MassFactors, PUBLISHED_RATIO};
 use crate::hydro::particulars::Particulars;
 
-/// Coefficients of K₀ of the powers 2, 3 and 5 of T/(h − T).
+/// Coefficients of K₀ for the powers 2, 3 and 5 of T/(h − T).
 const K0: [f64; 3] = [0.0775, -0.0110, 0.000_068];
-/// Of K₁, of the powers 1, 2, 3 and 5.
+/// Coefficients of K₁ for the powers 1, 2, 3 and 5.
 const K1: [f64; 4] = [-0.0643, 0.0724, -0.0113, 0.000_076_7];
 /// K₂ over T/(h − T).
 const K2: f64 = 0.0342;
-/// The same over T/B, of ships broader than four draughts.
+/// K₂ over T/(h − T) and T/B, for ships broader than four draughts.
 const K2_BROAD: f64 = 0.137;
 
 /// The factors by their names in the source.
@@ -29,7 +29,7 @@ pub(super) struct Ankudinov {
 }
 
 impl Ankudinov {
-    /// At T/h.
+    /// The factors at T/h.
     pub(super) fn of(ship: &Particulars, share: f64) -> Ankudinov {
         let inverse_clearance = share / (1.0 - share);
         let factor = |linear, square| factor(ship, inverse_clearance, linear, square);
@@ -44,10 +44,10 @@ impl Ankudinov {
         }
     }
 
-    /// The whole set. (m_y + X_vr) grows as m_y does: in the tanker of van Berlekom & Goddard (1972) both have the same
-    /// slope. So does the added mass in surge, which is ours: at h/T 1.5 and 1.2 that tanker's is 3 and 6 times as much, and
-    /// by Li & Wu KVLCC2's 2.4 and 5.7 times; by the same formula that of the paper's container ship is less than nothing.
-    /// It goes with Y_r, whose water it turns: (m + m_x) u r is what Y_r u r works against.
+    /// The whole set. (m_y + X_vr) has the factor of m_y: for the tanker of van Berlekom & Goddard (1972) both have the same
+    /// slope. The added mass in surge has the same factor, which is our choice; with it goes that of Y_r, as Y_r u r acts against
+    /// (m + m_x) u r. For comparison: that tanker's added mass in surge has 3 and 6 at h/T 1.5 and 1.2. The formula of Li & Wu
+    /// gives 2.4 and 5.7 for KVLCC2, but a negative added mass for the paper's container ship.
     pub(super) fn corrections(&self, ship: &Particulars, share: f64) -> Corrections {
         let Ankudinov { g_v, g_nr, f_yr, f_nr, f_yv, f_nv } = *self;
         let hull = HullFactors {
@@ -74,7 +74,7 @@ impl Ankudinov {
     }
 }
 
-/// K₀ + linear·K₁ b + square·K₂ b², b = Cb (B/T)(1 + B/L)², over z = T/(h − T); along its tangent beyond the z of
+/// K₀ + linear·K₁ b + square·K₂ b², b = Cb (B/T)(1 + B/L)², over z = T/(h − T); linear, along its tangent, beyond the z of
 /// [`PUBLISHED_RATIO`].
 fn factor(ship: &Particulars, z: f64, linear: f64, square: f64) -> f64 {
     let broad = ship.beam_m / ship.draught_m;
@@ -98,9 +98,9 @@ fn factor(ship: &Particulars, z: f64, linear: f64, square: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Worked out apart from this code, for KVLCC2 at h/T 1.5 and 1.2.
+    /// Calculated independently, for KVLCC2 at h/T 1.5 and 1.2.
     #[test]
-    fn factors_are_those_worked_out_by_hand() {
+    fn factors_agree_with_a_calculation_by_hand() {
         let ship = Particulars {
             length_m: 320.0,
             beam_m: 58.0,

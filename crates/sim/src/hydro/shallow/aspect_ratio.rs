@@ -1,10 +1,10 @@
 //! Linear terms by the effective aspect ratio of the hull as a wing: Hirano, Takashina, Moriya & Nakamura (1985), and
 //! Kijima & Nakiri after them.
 //!
-//! k_e = k/{½(T/h)k + [(πT/2h) cot(πT/2h)]^λ}, k = 2T/L, with λ of each derivative. Public code has been seen without
-//! the k in the first term of the denominator (an early nikpau/mmgdynamics, which calls itself "not working"); k_e
-//! would then end at 2k instead of at the 2 of a wing between walls. That it belongs there is recalled; with it Y_v and
-//! N_v of KVLCC2 agree with the other sets within 10 % at h/T 1.5 and 1.2, without it they are a third of theirs.
+//! k_e = k/{½(T/h)k + [(πT/2h) cot(πT/2h)]^λ}, k = 2T/L, with a λ for each derivative. One public program (an early
+//! nikpau/mmgdynamics, which calls itself "not working") lacks the k in the first term of the denominator; the limit of k_e
+//! would then be 2k instead of 2, that of a wing between walls. The k is recalled. With it Y_v and N_v of KVLCC2 agree with the
+//! other sets within 10 % at h/T 1.5 and 1.2; without it they are a third of theirs.
 
 use fenderline_contact::number::lesser;
 
@@ -13,13 +13,14 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::DEEPEST_HULL;
 use crate::hydro::particulars::Particulars;
 
-/// λ of Y_v, of Y_r and N_r, and of N_v.
+/// λ for Y_v, for Y_r and N_r, and for N_v.
 const EXPONENTS: [f64; 3] = [2.3, 0.7, 1.7];
-/// k_e at which 0.54 k_e − k_e² is greatest: beyond it is held, for damping does not fall as the water shoals.
+/// k_e at which 0.54 k_e − k_e² is greatest. Greater k_e give the same value, because damping does not decrease in shallower
+/// water.
 const TURNING_POINT: f64 = 0.27;
 
 /// Factors on Y_v, Y_r, N_v and N_r at T/h: Y_v = −(½π k_e + 1.4 Cb B/L), Y_r = ¼π k_e, N_v = −k_e,
-/// N_r = −(0.54 k_e − k_e²), each over itself in deep water.
+/// N_r = −(0.54 k_e − k_e²), each over its value in deep water.
 pub(super) fn linear(ship: &Particulars, share: f64) -> [f64; 4] {
     let ratio = 2.0 * ship.draught_m / ship.length_m;
     let viscous = 1.4 * ship.block_coefficient() * ship.beam_m / ship.length_m;
@@ -34,7 +35,7 @@ pub(super) fn linear(ship: &Particulars, share: f64) -> [f64; 4] {
 /// k_e/k; 1 in deep water.
 fn growth(ratio: f64, share: f64, exponent: f64) -> f64 {
     let angle = FRAC_PI_2 * share;
-    // x cot x goes to 1 with x.
+    // x cot x tends to 1 as x tends to 0.
     let open = if angle == 0.0 { 1.0 } else { angle / libm::tan(angle) };
     1.0 / (0.5 * share * ratio + libm::pow(open, exponent))
 }
@@ -43,9 +44,9 @@ fn growth(ratio: f64, share: f64, exponent: f64) -> f64 {
 mod tests {
     use super::growth;
 
-    /// KVLCC2's 2T/L of 0.13 at h/T 1.2: 1.30900·cot 1.30900 = 0.35074; worked out apart.
+    /// KVLCC2's 2T/L of 0.13 at h/T 1.2: 1.30900·cot 1.30900 = 0.35074; calculated independently.
     #[test]
-    fn effective_aspect_ratio_is_that_worked_out_by_hand() {
+    fn effective_aspect_ratio_agrees_with_a_calculation_by_hand() {
         for (exponent, theirs) in [(2.3, 6.944), (0.7, 1.871), (1.7, 4.492)] {
             let ours = growth(0.13, 1.0 / 1.2, exponent);
             assert!((ours / theirs - 1.0).abs() < 1e-3, "{ours} {theirs}");

@@ -1,15 +1,15 @@
-//! The drag of a ship that lies in a current or is pushed sideways: at her berth, crabbing, adrift.
+//! Drag of a ship at low speed across the flow: at her berth, crabbing, adrift.
 
 use super::draught_over_depth;
 use crate::hydro::error::{HydroError, within};
 use crate::hydro::particulars::Particulars;
 use crate::hydro::quantities::Water;
 
-/// Drag coefficient of a hull abeam where no water passes under her keel, UFC 4-159-03 (recalled).
+/// Drag coefficient of a hull abeam without water under her keel, UFC 4-159-03 (recalled).
 const BLOCKED_DRAG: f64 = 3.2;
 
-/// Force (N) of a current abeam on a ship that lies in water of a depth, UFC 4-159-03:
-/// ½ρ V² L T C_y, C_y = C₀ + (3.2 − C₀)(T/h)², C₀ = 0.22 √(L² A_m/(B∇)), of the current's sign.
+/// Force (N) of a current abeam on a ship at rest in water of a depth, UFC 4-159-03:
+/// ½ρ V² L T C_y, C_y = C₀ + (3.2 − C₀)(T/h)², C₀ = 0.22 √(L² A_m/(B∇)), in the direction of the current.
 ///
 /// `midship_coefficient` is A_m/(B T).
 ///
@@ -32,9 +32,9 @@ pub fn current_abeam_n(
     Ok(0.5 * water.density_kgpm3 * side_m2 * coefficient * current_mps * current_mps.abs())
 }
 
-/// Drag coefficient across a ship in water of a depth from that in deep water, C + (3.2 − C)(T/h)²: the form of
-/// UFC 4-159-03 with the ship's own coefficient for C₀ (ours). The two coefficients of the container ship in deep
-/// water, Hoerner's 0.60 and UFC's 0.67, are near each other.
+/// Cross-flow drag coefficient in water of a depth, from that in deep water: C + (3.2 − C)(T/h)², the form of UFC 4-159-03 with
+/// the ship's own coefficient for C₀ (ours). For the container ship in deep water both are close: 0.60 by Hoerner and 0.67 by
+/// UFC.
 ///
 /// # Errors
 /// [`HydroError::Aground`].

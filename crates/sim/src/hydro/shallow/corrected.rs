@@ -1,4 +1,4 @@
-//! A ship with corrections.
+//! Applies corrections for shallow water to a ship.
 
 use super::{Corrections, HullFactors, MassFactors, SternFactors, shallow_cross_flow_drag};
 use crate::hydro::added_mass::AddedMass;
@@ -9,11 +9,11 @@ use crate::hydro::particulars::Particulars;
 use crate::hydro::rudder::Rudder;
 
 impl Corrections {
-    /// A ship in deep water, as she is in water of a depth (m), which must be deeper than her draught.
+    /// The ship in water of a depth (m), from the ship in deep water. The depth must be greater than her draught.
     ///
-    /// The cross-flow drag of a ship which crabs, drifts or lies at her berth grows by [`shallow_cross_flow_drag`]; that
-    /// of a ship under way does not. How she moves decides, as in [`crate::hydro::polynomial_weight`]: a ship without a
-    /// polynomial has her form for low speed twice.
+    /// The cross-flow drag increases by [`shallow_cross_flow_drag`] where she crabs, drifts or lies at her berth, but not under
+    /// way. The blend of both is that of [`crate::hydro::polynomial_weight`]: a ship without a polynomial uses her low-speed
+    /// form for both.
     pub(crate) fn on(&self, deep: &Mmg, depth_m: f64) -> Mmg {
         let ship = &deep.particulars;
         let MassFactors { surge, sway, yaw } = self.mass;
@@ -23,7 +23,7 @@ impl Corrections {
         let slow = low_speed(&deep_hull.low_speed, &self.hull, ship, masses);
         let flow = deep_hull.low_speed.cross_flow;
         let drag_coefficient = shallow_cross_flow_drag(ship, flow.drag_coefficient, depth_m)
-            .unwrap_or_else(|error| unreachable!("the depth is held: {error}"));
+            .unwrap_or_else(|error| unreachable!("the depth is limited: {error}"));
         let berthed = LowSpeedHull { cross_flow: CrossFlow { drag_coefficient, ..flow }, ..slow };
         let under_way = match &deep_hull.under_way {
             Some(polynomial) => polynomial_in(polynomial, &self.hull, ship, masses),
@@ -38,8 +38,9 @@ impl Corrections {
     }
 }
 
-/// X_vr and Y_r where the hull's part and the added mass' Coriolis term are apart: of both together, less the new term.
-fn apart(
+/// X_vr and Y_r of the hull without the Coriolis term of the added mass. The factor on X_vr applies to the sum of both, from
+/// which the new Coriolis term is subtracted.
+fn without_coriolis(
     surge_vr: f64,
     sway_r: f64,
     factors: &HullFactors,
@@ -57,7 +58,7 @@ fn low_speed(
     ship: &Particulars,
     masses: [&AddedMass; 2],
 ) -> LowSpeedHull {
-    let [surge_vr, sway_r] = apart(deep.surge_vr, deep.sway_r, factors, ship, masses);
+    let [surge_vr, sway_r] = without_coriolis(deep.surge_vr, deep.sway_r, factors, ship, masses);
     LowSpeedHull {
         ahead: deep.ahead * factors.resistance,
         astern: deep.astern * factors.resistance,
@@ -78,7 +79,7 @@ fn polynomial_in(
 ) -> Polynomial {
     match *deep {
         Polynomial::Sway(mut p) => {
-            [p.x_vr, p.y_r] = apart(p.x_vr, p.y_r, factors, ship, masses);
+            [p.x_vr, p.y_r] = without_coriolis(p.x_vr, p.y_r, factors, ship, masses);
             p.resistance *= factors.resistance;
             p.x_vv *= factors.x_vv;
             p.x_rr *= factors.x_rr;
@@ -100,7 +101,7 @@ fn polynomial_in(
             let [before, after] = masses.map(|mass| mass.surge_m3 / ship.mass_unit_m3());
             p.x_0 *= factors.resistance;
             p.x_bb *= factors.x_vv;
-            // Holds −m'y: all of what the factor is on.
+            // It includes −m'y, so the factor applies to all of it.
             p.x_br *= factors.x_vr;
             p.x_rr *= factors.x_rr;
             p.x_bbbb *= factors.x_vvvv;

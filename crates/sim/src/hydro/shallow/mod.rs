@@ -1,30 +1,31 @@
-//! What shallow water does to a ship: hull, added mass, propeller and rudder as one set of corrections; the drag of a
-//! ship at her berth; squat.
+//! Shallow water: corrections of hull, added mass, propeller and rudder; the drag of a ship at her berth; squat.
 //!
-//! A correction is a factor on the ship's own number in deep water, 1 there. The factors of a set belong together: the
-//! destabilising N_v grows as much as the damping, and who corrects a part of a set gets another ship.
+//! A correction is a factor on the ship's value in deep water. The factors of a set belong together: the destabilising N_v
+//! increases as much as the damping, so that a part of a set alone gives a different ship.
 //!
-//! | set | linear terms | the rest |
+//! | set | linear terms | other terms |
 //! |---|---|---|
 //! | [`CorrectionSet::Combined`], the default | Y_v and N_v by the effective aspect ratio (`aspect_ratio.rs`); Y_r by Ankudinov (`ankudinov.rs`); N_r by the mean of both | nonlinear terms and added mass by Ankudinov; resistance, wake, thrust deduction and flow straightening as `stern.rs` |
 //! | [`CorrectionSet::EffectiveAspectRatio`] | by the effective aspect ratio | as the default |
 //! | [`CorrectionSet::Ankudinov`] | by Ankudinov | as the default |
 //! | [`CorrectionSet::Taimuri`] | by Taimuri et al. (2020) | theirs, wake and all |
 //!
-//! How it was chosen: against the derivatives of a tanker of 190 000 dwt that was tested in shallow water (van Berlekom &
-//! Goddard, SNAME Trans. 80, 1972, as in the public MSS toolbox), and against what turning circles and zig-zags of
-//! tankers and container ships do there; `fenderline validate`, chapter "Shallow water", has both for all four sets.
-//! For Y_v and N_v the published factors agree within a tenth for such ships. For N_r the effective aspect ratio has 1.40
-//! at h/T 1.2 and Ankudinov 2.68, where the tanker's is 2.02; at 1.5 it is 1.21 and 1.51 beside her 1.41: their mean is
-//! hers within 4 % at both depths. Kijima's power (`taimuri.rs`) has 2.29 for her, but 3.4 to 5.7 for ships of less draught
-//! beside their length, who by it need three times the room: it is not taken. For Y_r the tanker has 4.9, Ankudinov 2.4
-//! and the effective aspect ratio 1.9: the nearer one is taken. Taimuri's set has cubics in T/h that leave their range
-//! for broad ships.
+//! The default was chosen by comparison with the derivatives of a tanker of 190 000 dwt that was tested in shallow water (van
+//! Berlekom & Goddard, SNAME Trans. 80, 1972, as in the public MSS toolbox), and with turning circles and zig-zags of tankers
+//! and container ships. `fenderline validate`, chapter "Shallow water", has both for all four sets.
 //!
-//! What is ours in it, besides that mean: Ankudinov's factors end at [`PUBLISHED_RATIO`] draughts of water, as their
-//! fifth power triples them between there and [`SHALLOWEST_RATIO`]; in between they go on along their tangent over
-//! T/(h − T), the inverse of the clearance, in which that tanker's derivatives are linear. Below [`SHALLOWEST_RATIO`]
-//! everything is held.
+//! - Y_v and N_v: the published factors agree within a tenth for such ships.
+//! - N_r: at h/T 1.2 the effective aspect ratio gives 1.40 and Ankudinov 2.68, where the tanker has 2.02; at 1.5 they give 1.21
+//!   and 1.51, where she has 1.41. Their mean is within 4 % of hers at both depths. Kijima's power (`taimuri.rs`) gives 2.29 for
+//!   her, but 3.4 to 5.7 for ships with a smaller ratio of draught to length, whose turning circles would be three times as
+//!   wide: it is not used.
+//! - Y_r: the tanker has 4.9, Ankudinov 2.4 and the effective aspect ratio 1.9: Ankudinov, the nearer one, is used.
+//! - Taimuri's set has cubics in T/h that leave their range for broad ships.
+//!
+//! Besides that mean, the extrapolation is ours. Ankudinov's factors are used down to [`PUBLISHED_RATIO`] draughts of water,
+//! because their fifth power triples them between there and [`SHALLOWEST_RATIO`]. In between they are linear, along their
+//! tangent, in T/(h − T), the inverse of the clearance, in which that tanker's derivatives are linear. Below
+//! [`SHALLOWEST_RATIO`] all values are constant.
 
 mod ankudinov;
 mod aspect_ratio;
@@ -43,21 +44,21 @@ use super::error::HydroError;
 use super::particulars::Particulars;
 use ankudinov::Ankudinov;
 
-/// Depth over draught below which the factors of shallow water are ours: published tests end here.
+/// Depth over draught at which published tests end. Below it the factors are our extrapolation.
 pub const PUBLISHED_RATIO: f64 = 1.2;
 
-/// Depth over draught from which on, downwards, every factor of shallow water is held.
+/// Depth over draught below which every factor is constant.
 pub const SHALLOWEST_RATIO: f64 = 1.1;
 
 /// A set of corrections.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CorrectionSet {
-    /// What the program takes.
+    /// The default.
     #[default]
     Combined,
-    /// All linear terms by the effective aspect ratio of Hirano et al. (1985) and Kijima & Nakiri.
+    /// Linear terms by the effective aspect ratio of Hirano et al. (1985) and Kijima & Nakiri.
     EffectiveAspectRatio,
-    /// All linear terms by Ankudinov (1990).
+    /// Linear terms by Ankudinov (1990).
     Ankudinov,
     /// Taimuri et al. (2020).
     Taimuri,
@@ -70,15 +71,15 @@ pub enum CorrectionSet {
     reason = "each is named as in the method: its index is its powers of v' and r'"
 )]
 pub struct HullFactors {
-    /// On the resistance, ahead and astern.
+    /// Factor on the resistance, ahead and astern.
     pub resistance: f64,
     pub x_vv: f64,
-    /// On X_vr *with* the added mass' m_y, whose Coriolis term it takes a part of: (m_y + X_vr).
+    /// Factor on (m_y + X_vr): X_vr with the Coriolis term of the added mass.
     pub x_vr: f64,
     pub x_rr: f64,
     pub x_vvvv: f64,
     pub y_v: f64,
-    /// On Y_r without the added mass' −m_x.
+    /// Factor on Y_r without the −m_x of the added mass.
     pub y_r: f64,
     pub y_vvv: f64,
     pub y_vvr: f64,
@@ -92,16 +93,16 @@ pub struct HullFactors {
     pub n_rrr: f64,
 }
 
-/// What shallow water does to propeller and rudder behind the hull.
+/// Factors on propeller and rudder behind the hull.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SternFactors {
-    /// On 1 − t, of thrust ahead.
+    /// Factor on 1 − t, for thrust ahead.
     pub driving: f64,
-    /// On the wake fraction w.
+    /// Factor on the wake fraction w.
     pub wake: f64,
-    /// On 1 − w, after [`SternFactors::wake`].
+    /// Factor on 1 − w, applied after [`SternFactors::wake`].
     pub inflow: f64,
-    /// On γ_R, both sides.
+    /// Factor on γ_R, both sides.
     pub straightening: f64,
 }
 
@@ -116,25 +117,26 @@ pub struct MassFactors {
     pub yaw: f64,
 }
 
-/// All that a depth of water does to a ship under way.
+/// All corrections for a depth of water.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corrections {
-    /// To her hull.
+    /// Hull.
     pub hull: HullFactors,
-    /// To propeller and rudder.
+    /// Propeller and rudder.
     pub stern: SternFactors,
-    /// To her added mass.
+    /// Added mass.
     pub mass: MassFactors,
 }
 
 impl Corrections {
-    /// Of a set, for a ship in water of a depth (m), which may be infinite; held below [`SHALLOWEST_RATIO`] draughts.
+    /// The corrections of a set for a ship in water of a depth (m), which may be infinite. They are constant below
+    /// [`SHALLOWEST_RATIO`] draughts.
     ///
     /// # Panics
-    /// With a depth that is no number.
+    /// If the depth is NaN.
     #[must_use]
     pub fn of(set: CorrectionSet, ship: &Particulars, depth_m: f64) -> Corrections {
-        assert!(!depth_m.is_nan(), "a depth is a number");
+        assert!(!depth_m.is_nan(), "the depth is not NaN");
         let share = ship.draught_m / greater(depth_m, SHALLOWEST_RATIO * ship.draught_m);
         if set == CorrectionSet::Taimuri {
             return taimuri::corrections(ship, share);
@@ -152,8 +154,8 @@ impl Corrections {
     }
 }
 
-/// T/L of the deepest hull, beside her length, that factors of N_r are asked about: by a wide margin those that were
-/// tested. Stubbier hulls have the factor of this one, as the formulas would turn negative.
+/// Largest T/L for factors of N_r, much greater than those that were tested. Hulls with a greater T/L have the factors of this one,
+/// because the formulas would become negative.
 const DEEPEST_HULL: f64 = 0.08;
 
 /// T/h, below 1.

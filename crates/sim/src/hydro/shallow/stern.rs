@@ -4,12 +4,12 @@
 use super::SternFactors;
 use crate::hydro::particulars::Particulars;
 
-/// γ_R by 1 + 0.0161x + 4.4222x² − 4.9825x³, x = T/h; (1 − t) by the root of 1/(1 − 0.2x + 0.7295x²) and (1 − w) by that
-/// of cos(1.4 Cb x).
+/// Factors on γ_R: 1 + 0.0161x + 4.4222x² − 4.9825x³, x = T/h; on (1 − t): the square root of 1/(1 − 0.2x + 0.7295x²); on
+/// (1 − w): the square root of cos(1.4 Cb x).
 ///
-/// The roots are ours: the geometric mean of the factor and of no change. What is published contradicts itself: for KVLCC2
-/// at h/T 1.2 Taimuri et al. have 0.80 on (1 − w) and 1.05 on (1 − t) where these have 0.59 and 0.75, and the tanker of
-/// van Berlekom & Goddard has the same thrust at any depth.
+/// The square roots are ours: the geometric mean of the published factor and 1, because published factors contradict each
+/// other. For KVLCC2 at h/T 1.2 Taimuri et al. have 0.80 on (1 − w) and 1.05 on (1 − t), where these have 0.59 and 0.75, and the
+/// tanker of van Berlekom & Goddard has the same thrust at any depth.
 pub(super) fn factors(ship: &Particulars, share: f64) -> SternFactors {
     SternFactors {
         driving: 1.0 / (1.0 - 0.2 * share + 0.7295 * share * share).sqrt(),
@@ -19,7 +19,7 @@ pub(super) fn factors(ship: &Particulars, share: f64) -> SternFactors {
     }
 }
 
-/// On R₀: 1 + 0.388(T/h)².
+/// Factor on R₀: 1 + 0.388(T/h)².
 pub(super) fn resistance(share: f64) -> f64 {
     1.0 + 0.388 * share * share
 }

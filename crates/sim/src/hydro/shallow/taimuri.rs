@@ -1,8 +1,8 @@
-//! The corrections of Taimuri et al. (2020), as the public implementation nikpau/mmgdynamics has them, to be held against
-//! the others: powers of 1 − T/h and cubics in T/h after Kijima et al. (1990), the rest after Ankudinov.
+//! The corrections of Taimuri et al. (2020), as the public implementation nikpau/mmgdynamics has them, for comparison with the
+//! others: powers of 1 − T/h and cubics in T/h after Kijima et al. (1990), the rest after Ankudinov.
 //!
-//! The cubics were fitted to tankers: for a container ship of B/T 5 that on N_vrr is −21 at h/T 2. The two branches of
-//! γ_R do not meet. So it is not what the program takes.
+//! The cubics were fitted to tankers: for a container ship of B/T 5 the factor on N_vrr is −21 at h/T 2. The two branches of
+//! γ_R do not meet. So this set is not the default.
 
 use fenderline_contact::number::lesser;
 
@@ -21,7 +21,7 @@ pub(super) fn corrections(ship: &Particulars, x: f64) -> Corrections {
     let hull = HullFactors {
         resistance: 1.0,
         x_vv: f_yv,
-        // There f_yr is on X_vr alone, which is a small part of the two.
+        // In the source f_yr applies to X_vr alone, which is a small part of the two.
         x_vr: g_v,
         x_rr: f_nr,
         x_vvvv: f_yv,
@@ -49,7 +49,7 @@ pub(super) fn corrections(ship: &Particulars, x: f64) -> Corrections {
     Corrections { hull, stern: stern(ship, x), mass }
 }
 
-/// On N_r, (1 − x)^(14.28 T/L − 1.5) − x, of Kijima et al. (1990).
+/// Factor on N_r: (1 − x)^(14.28 T/L − 1.5) − x, by Kijima et al. (1990).
 fn yaw_damping(ship: &Particulars, x: f64) -> f64 {
     let slender = lesser(ship.draught_m / ship.length_m, DEEPEST_HULL);
     libm::pow(1.0 - x, 14.28 * slender - 1.5) - x
@@ -85,7 +85,7 @@ mod tests {
 
     /// By hand, KVLCC2 at h/T 1.5: −2/3 + 3^(0.4·0.809744·2.788462), −2/3 + 3^(1.5 − 14.28·0.065).
     #[test]
-    fn powers_are_those_worked_out_by_hand() {
+    fn powers_agree_with_a_calculation_by_hand() {
         let ship = Particulars {
             length_m: 320.0,
             beam_m: 58.0,

@@ -1,0 +1,21 @@
+//! Quantities with their bounds that the keys of several tables share.
+
+use crate::spec::Quantity;
+use crate::units::measures as unit;
+
+/// A length of a vessel or a line.
+pub(crate) const LENGTH: Quantity = Quantity { measure: &unit::LENGTH, low: 0.01, high: 5000.0 };
+/// A coordinate on a vessel.
+pub(crate) const PLACE: Quantity = Quantity { measure: &unit::LENGTH, low: -5000.0, high: 5000.0 };
+/// A coordinate in the horizontal plane.
+pub(super) const POSITION: Quantity = Quantity { measure: &unit::LENGTH, low: -1e8, high: 1e8 };
+/// A measure of a fender.
+pub(super) const FENDER_SIZE: Quantity = Quantity { measure: &unit::LENGTH, low: 1e-3, high: 1e3 };
+/// A compass direction, or one relative to a body.
+pub(super) const DIRECTION: Quantity = Quantity { measure: &unit::ANGLE, low: -100.0, high: 100.0 };
+/// A time since the start of the run.
+pub(super) const TIME: Quantity = Quantity { measure: &unit::TIME, low: 0.0, high: 1e9 };
+/// Magnitude of a force that a tug, a line or a thruster exerts.
+pub(super) const FORCE: Quantity = Quantity { measure: &unit::FORCE, low: 1.0, high: 1e8 };
+/// A velocity component of a body.
+pub(super) const SPEED: Quantity = Quantity { measure: &unit::SPEED, low: -1e4, high: 1e4 };

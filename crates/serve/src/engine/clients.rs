@@ -1,0 +1,152 @@
+//! Connected clients: joining, leaving, greetings and notices.
+
+use std::mem;
+use std::sync::{Arc, PoisonError};
+use std::time::Instant;
+
+use fenderline_live::message::{self, Hello, Link, Reply, Role};
+use fenderline_live::{COMMAND_LIMITS, Control};
+use tokio::sync::{mpsc, watch};
+
+use super::Engine;
+use crate::claims::ClientId;
+use crate::hub::Text;
+use crate::permit;
+
+/// A connected client.
+pub(super) struct Client {
+    pub(super) role: Role,
+    /// Its role and number, for notices.
+    pub(super) label: String,
+    /// Holds the latest greeting.
+    hello: watch::Sender<Option<Text>>,
+    /// Queues answers and notices.
+    out: mpsc::Sender<Text>,
+}
+
+impl Engine {
+    /// Links of all roles that the scenario has.
+    pub(crate) fn links(&self) -> Vec<Link> {
+        let tokens = self.hub.tokens.read().unwrap_or_else(PoisonError::into_inner);
+        tokens.links(&self.roles())
+    }
+
+    fn roles(&self) -> Vec<Role> {
+        let tugs = self.session.cast().tug_names().into_iter();
+        let tugs = tugs.map(|tug| Role::Tugmaster { tug });
+        [Role::Instructor, Role::Pilot].into_iter().chain(tugs).chain([Role::Observer]).collect()
+    }
+
+    /// Makes tokens for the scenario's roles that have none yet.
+    pub(super) fn make_tokens(&self) -> Result<(), getrandom::Error> {
+        let mut tokens = self.hub.tokens.write().unwrap_or_else(PoisonError::into_inner);
+        tokens.add(&self.roles())
+    }
+
+    pub(super) fn join(
+        &mut self,
+        client: ClientId,
+        role: Role,
+        hello: watch::Sender<Option<Text>>,
+        out: mpsc::Sender<Text>,
+    ) {
+        let label = match &role {
+            Role::Instructor => format!("instructor {client}"),
+            Role::Pilot => format!("pilot {client}"),
+            Role::Tugmaster { tug } => format!("master of {tug} {client}"),
+            Role::Observer => format!("observer {client}"),
+        };
+        self.notify_all(&format!("{label} has joined"));
+        self.clients.insert(client, Client { role, label, hello, out });
+        self.greet(client);
+        if mem::take(&mut self.starts_with_first_client) {
+            self.paused = false;
+            self.pacer.restart(Instant::now());
+        }
+        self.publish_frame();
+    }
+
+    pub(super) fn leave(&mut self, client: ClientId) {
+        let Some(gone) = self.clients.remove(&client) else { return };
+        let vacated = self.claims.gone(client);
+        let names: Vec<&str> = vacated
+            .iter()
+            .map(|control| match control {
+                Control::Vessel(name) | Control::Tug(name) => name.as_str(),
+                Control::Session(_) => "the session",
+            })
+            .collect();
+        let mut text = format!("{} has left", gone.label);
+        if !names.is_empty() {
+            text += &format!("; the orders of {} stay as they are", names.join(", "));
+        }
+        self.notify_all(&text);
+        if !vacated.is_empty() {
+            self.greet_all();
+        }
+        self.publish_frame();
+    }
+
+    pub(super) fn greet_all(&self) {
+        self.clients.keys().for_each(|&client| self.greet(client));
+    }
+
+    /// Sends a client its role, the scenario, and which controls it may use.
+    fn greet(&self, client: ClientId) {
+        let Some(of) = self.clients.get(&client) else { return };
+        let cast = self.session.cast();
+        let controls = cast.controls();
+        let is_mine = |control: &Control| {
+            self.claims.holds(control, client)
+                || permit::may_order(&of.role, control, cast)
+                    && self.claims.may_use(control, client).is_ok()
+        };
+        let is_instructor = of.role == Role::Instructor;
+        let session = is_instructor.then_some(Control::Session(true));
+        let links = is_instructor.then(|| self.links());
+        let claims = self.claims.list(&controls);
+        let hello = Hello {
+            protocol: message::PROTOCOL,
+            role: &of.role,
+            title: self.session.title(),
+            file: &self.session.source().file,
+            step_s: self.session.simulation().setup().step_s,
+            bodies: &self.info.bodies,
+            vessels: &self.info.vessels,
+            fenders: &self.info.fenders,
+            lines: &self.info.lines,
+            tugs: &self.info.tugs,
+            orders: &self.info.orders,
+            limits: COMMAND_LIMITS,
+            places: &self.info.places,
+            mine: controls
+                .iter()
+                .filter(|control| is_mine(control))
+                .cloned()
+                .chain(session)
+                .collect(),
+            claims: &claims,
+            gallery: self.gallery.entries(),
+            berth: self.info.berth.map(|berth| berth.info()),
+            depth_m: self.info.depth_m,
+            links: links.as_deref(),
+        };
+        of.hello.send_replace(Some(message::text(&hello).into()));
+    }
+
+    /// Sends a notice to all clients.
+    pub(super) fn notify_all(&self, text: &str) {
+        let text: Text = message::text(&Reply::Notice { text: text.to_owned() }).into();
+        for client in self.clients.values() {
+            // The queue of a client that does not read is full. Its connection is about to be closed for that.
+            let _ = client.out.try_send(Arc::clone(&text));
+        }
+    }
+
+    /// Sends an answer to one client.
+    pub(super) fn reply(&self, client: ClientId, answer: &Reply) {
+        if let Some(client) = self.clients.get(&client) {
+            let _ = client.out.try_send(message::text(answer).into());
+        }
+    }
+}

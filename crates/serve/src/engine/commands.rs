@@ -1,0 +1,184 @@
+//! Commands of clients: checked against role and claims, then carried out.
+
+use std::time::Instant;
+
+use fenderline_live::message::{Reply, Role};
+use fenderline_live::{Action, COMMAND_LIMITS, Conduct, Control, Refusal, Request};
+
+use super::Engine;
+use crate::claims::ClientId;
+use crate::opening::{Requester, Work};
+use crate::permit::{self, Needs};
+
+/// How a command was carried out.
+enum Done {
+    /// At this tick. With `shows`, clients get a frame now.
+    AtTick { tick: u64, shows: bool },
+    /// The answer follows when work on another thread has ended.
+    AnswerFollows,
+}
+
+impl Engine {
+    /// Carries out a command, or refuses it.
+    pub(super) fn command(
+        &mut self,
+        client: ClientId,
+        id: Option<i64>,
+        request: Result<Request, Refusal>,
+    ) {
+        let Some(from) = self.clients.get(&client) else { return };
+        let role = from.role.clone();
+        let requester = Requester { client, label: from.label.clone(), id };
+        let label = requester.label.clone();
+        let done = request.and_then(|request| match request {
+            Request::Action(action) => self.act(&requester, &role, action),
+            Request::Conduct(conduct) => self.conduct(requester, &role, conduct),
+        });
+        let answer = match (done, id) {
+            (Ok(Done::AtTick { tick, shows }), Some(id)) => {
+                if shows {
+                    self.publish_frame();
+                }
+                Reply::Ack { id, tick }
+            }
+            // A command without a number gets no acknowledgement.
+            (Ok(_), _) => return,
+            (Err(refusal), id) => {
+                let reason = refusal.to_string();
+                self.hub.log.refused(&format!("refused {label}: {reason}"));
+                Reply::Refused { id, reason }
+            }
+        };
+        self.reply(client, &answer);
+    }
+
+    /// Carries out an action in the simulation: an order, a fault, a change of the weather.
+    fn act(&mut self, requester: &Requester, role: &Role, action: Action) -> Result<Done, Refusal> {
+        let (client, label) = (requester.client, requester.label.as_str());
+        let needs = permit::for_action(role, &action, self.session.cast())?;
+        if let Needs::Helm(control) | Needs::NobodyAt(control) = &needs {
+            self.claims.may_use(control, client)?;
+        }
+        let tick = self.session.command(label, super::unix_ms(), action)?;
+        if let Needs::Helm(control) = needs
+            && !self.claims.holds(&control, client)
+        {
+            self.claims.take(control, (client, label), false)?;
+            self.greet_all();
+        }
+        self.record();
+        // While paused, the frame and a new prediction show the effect of the order.
+        if self.paused {
+            self.predictor.reset();
+        }
+        Ok(Done::AtTick { tick, shows: self.paused })
+    }
+
+    /// Carries out a command about the session itself: pause, rewind, load, save, claims.
+    fn conduct(
+        &mut self,
+        requester: Requester,
+        role: &Role,
+        conduct: Conduct,
+    ) -> Result<Done, Refusal> {
+        permit::for_conduct(role, &conduct)?;
+        let now = Instant::now();
+        let (client, label) = (requester.client, requester.label.as_str());
+        match conduct {
+            Conduct::Claim { control } => self.claim(client, role, label, control)?,
+            Conduct::Release { control } => {
+                if !self.claims.release(&control, client) {
+                    return Err(Refusal::new("you do not hold this control"));
+                }
+                self.greet_all();
+            }
+            Conduct::Pause {} => {
+                (self.paused, self.starts_with_first_client) = (true, false);
+                self.session.mark();
+            }
+            Conduct::Resume {} => {
+                self.paused = false;
+                self.pacer.restart(now);
+            }
+            Conduct::SingleStep {} => {
+                self.paused = true;
+                self.tick();
+            }
+            Conduct::Pace { pace } => {
+                let [least, most] = COMMAND_LIMITS.pace;
+                if !(least..=most).contains(&pace) {
+                    return Err(Refusal::new(format_args!("a pace is from {least} to {most}")));
+                }
+                self.pacer.set_pace(pace, now);
+            }
+            Conduct::Rewind { tick } => {
+                let was_rewound = self.session.is_rewound();
+                self.session.rewind(tick)?;
+                self.paused_elsewhere();
+                // Once, not for every position while the timeline is dragged.
+                if !was_rewound && self.session.is_rewound() {
+                    self.notify_all(&format!("{label} has rewound the session"));
+                }
+            }
+            Conduct::Branch {} => {
+                let id = self.session.branch()?;
+                self.greet_all();
+                self.notify_all(&format!("{label} has begun branch {id}"));
+            }
+            Conduct::ShowBranch { id } => {
+                self.session.go_to_branch(id)?;
+                self.paused_elsewhere();
+                self.greet_all();
+                self.notify_all(&format!("{label} shows branch {id}"));
+            }
+            Conduct::Load { file } => self.load(requester, file)?,
+            Conduct::StopOpening {} => {
+                if !self.work.as_ref().is_some_and(Work::stop) {
+                    return Err(Refusal::new("nothing is being opened"));
+                }
+            }
+            Conduct::Acknowledge { key } => {
+                let text = self.alarms.acknowledge(&key, role)?;
+                let t_s = self.session.simulation().time_s();
+                self.events.add(t_s, format!("{label} acknowledges: {text}"));
+            }
+            Conduct::Save { name } => {
+                self.save(requester, &name)?;
+                return Ok(Done::AnswerFollows);
+            }
+        }
+        self.record();
+        Ok(Done::AtTick { tick: self.session.tick(), shows: true })
+    }
+
+    /// Pauses after the session was moved to another time or branch.
+    fn paused_elsewhere(&mut self) {
+        self.paused = true;
+        self.predictor.reset();
+        self.restart_alarms();
+    }
+
+    fn claim(
+        &mut self,
+        client: ClientId,
+        role: &Role,
+        label: &str,
+        control: Control,
+    ) -> Result<(), Refusal> {
+        let cast = self.session.cast();
+        if !cast.controls().contains(&control) {
+            return Err(Refusal::new("there is no such control"));
+        }
+        if !permit::may_claim(role, &control, cast) {
+            return Err(Refusal::new("your link does not open this control"));
+        }
+        let by_force = *role == Role::Instructor;
+        let former = self.claims.take(control, (client, label), by_force)?;
+        if let Some(former) = former {
+            let text = format!("{label} has taken the control from you");
+            self.reply(former, &Reply::Notice { text });
+        }
+        self.greet_all();
+        Ok(())
+    }
+}

@@ -1,0 +1,39 @@
+//! The latest events, for frames.
+
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+use fenderline_live::message::EventNow;
+
+/// Events that a frame carries for clients that missed some.
+const KEPT: usize = 64;
+
+/// The latest events. Each has a number that is never used twice, so that a client gets each event once.
+#[derive(Debug)]
+pub(super) struct EventLog {
+    next: u64,
+    latest: VecDeque<(u64, EventNow)>,
+}
+
+impl EventLog {
+    pub(super) fn new() -> EventLog {
+        EventLog { next: 1, latest: VecDeque::new() }
+    }
+
+    pub(super) fn add(&mut self, t_s: f64, text: String) {
+        self.latest.push_back((self.next, EventNow { t_s, text }));
+        self.next += 1;
+        if self.latest.len() > KEPT {
+            self.latest.pop_front();
+        }
+    }
+
+    /// Drops all events. Their numbers are not used again.
+    pub(super) fn clear(&mut self) {
+        self.latest.clear();
+    }
+
+    pub(super) fn latest(&self) -> Arc<[(u64, EventNow)]> {
+        self.latest.iter().cloned().collect()
+    }
+}

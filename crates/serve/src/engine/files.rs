@@ -1,0 +1,129 @@
+//! Loading and saving sessions. Both take a while and run on a thread of their own; this thread begins them and takes
+//! their result.
+
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Instant;
+
+use fenderline_live::message::{GalleryEntry, Reply};
+use fenderline_live::{Info, Refusal};
+
+use super::Engine;
+use crate::gallery::Opened;
+use crate::hub::ToEngine;
+use crate::opening::{Outcome, Requester, Work};
+use crate::recorder::Recorder;
+use crate::saved::ENDING;
+
+impl Engine {
+    /// Begins to open an entry of the gallery. The present session goes on until the new one is open.
+    pub(super) fn load(&mut self, requester: Requester, file: String) -> Result<(), Refusal> {
+        self.check_no_work()?;
+        let path = self.gallery.path(&file);
+        let path = path.ok_or_else(|| Refusal::new("there is no such scenario in the gallery"))?;
+        let (path, sessions) = (path.to_owned(), self.sessions.clone());
+        let work = Work::open(self.send_outcome(), requester, file, path, sessions);
+        self.work = Some(work.map_err(Refusal::new)?);
+        Ok(())
+    }
+
+    /// Begins to save a copy of the session up to now.
+    pub(super) fn save(&mut self, requester: Requester, name: &str) -> Result<(), Refusal> {
+        self.check_no_work()?;
+        self.session.mark();
+        self.record();
+        if self.recording_failed {
+            return Err(Refusal::new("the session is no longer recorded"));
+        }
+        let copy = self.recorder.copy(name, self.session.end_line()).map_err(Refusal::new)?;
+        self.work = Some(Work::save(self.send_outcome(), requester, copy).map_err(Refusal::new)?);
+        Ok(())
+    }
+
+    /// Sends the outcome of work on another thread to this one.
+    fn send_outcome(&self) -> impl FnOnce(Outcome) + Send + 'static {
+        let hub = Arc::clone(&self.hub);
+        move |outcome| {
+            hub.send_to_engine(ToEngine::WorkDone(outcome));
+        }
+    }
+
+    fn check_no_work(&self) -> Result<(), Refusal> {
+        match &self.work {
+            None => Ok(()),
+            Some(work) => Err(Refusal::new(match work.now() {
+                Some(opening) => format!("{} is still being opened", opening.file),
+                None => "the session is still being saved".to_owned(),
+            })),
+        }
+    }
+
+    /// Takes the result of work on another thread.
+    pub(super) fn work_done(&mut self, outcome: Outcome) {
+        let Some(work) = self.work.take() else { return };
+        let done = match outcome {
+            Outcome::Opened(opened) => match *opened {
+                Ok((_, recorder)) if work.is_stopped() => {
+                    recorder.discard();
+                    Err(format!("{}: stopped", work.file.as_deref().unwrap_or_default()))
+                }
+                Ok((opened, recorder)) => self.take_over(&work.requester, opened, recorder),
+                Err(why) => Err(why),
+            },
+            Outcome::Saved(saved) => {
+                saved.map(|(path, entry)| self.saved(&work.requester, &path, entry))
+            }
+            Outcome::Panicked => {
+                Err("a bug in this program: see the server's standard error".to_owned())
+            }
+        };
+        if let Err(reason) = done {
+            let Requester { client, label, id } = work.requester;
+            self.hub.log.refused(&format!("refused {label}: {reason}"));
+            // The start of an opening was acknowledged: its number is used up.
+            let id = id.filter(|_| work.file.is_none());
+            self.reply(client, &Reply::Refused { id, reason });
+        }
+        self.publish_frame();
+    }
+
+    /// Adds a saved session to the gallery.
+    fn saved(&mut self, requester: &Requester, path: &Path, entry: Option<GalleryEntry>) {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if let Some(entry) = entry {
+            self.gallery.put(path, entry);
+        }
+        if let Some(id) = requester.id {
+            self.reply(requester.client, &Reply::Ack { id, tick: self.session.tick() });
+        }
+        self.greet_all();
+        let name = name.strip_suffix(ENDING).unwrap_or(&name);
+        self.notify_all(&format!("saved as {name}"));
+    }
+
+    /// Ends the present session and continues with an opened one, paused.
+    fn take_over(
+        &mut self,
+        requester: &Requester,
+        opened: Opened,
+        recorder: Recorder,
+    ) -> Result<(), String> {
+        self.end_recording();
+        self.session = opened.session;
+        self.recorder = recorder;
+        self.recording_failed = false;
+        self.info = Info::of(self.session.simulation().setup(), self.session.cast());
+        self.claims.clear();
+        self.restart_alarms();
+        self.make_tokens().map_err(|e| e.to_string())?;
+        self.events.clear();
+        self.predictor.reset();
+        self.paused = true;
+        self.pacer.set_step(self.session.simulation().setup().step_s, Instant::now());
+        self.greet_all();
+        let label = &requester.label;
+        self.notify_all(&format!("{label} has loaded {}; it is paused", self.session.title()));
+        opened.notices.iter().for_each(|notice| self.notify_all(notice));
+        Ok(())
+    }
+}
