@@ -1,8 +1,8 @@
-//! `cargo xtask book`: the book of `docs/`, built into `target/book`. A warning, a dead link, or a text that names a file
-//! or a function that does not exist is a failure.
+//! `cargo xtask book`: the book of `docs/`, built into `target/book`. A warning, a dead link, or a text that names a
+//! file or a function that does not exist is a failure.
 //!
-//! Sphinx and its theme come from PyPI, in the versions of `docs/requirements.txt`. `docs/generate` makes reference pages
-//! and figures from the program's output. Nothing generated is committed.
+//! Sphinx and its theme come from PyPI, in the versions of `docs/requirements.txt`. `docs/generate` makes reference
+//! pages and figures from the program's output. Nothing generated is committed.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -1,6 +1,6 @@
-//! `cargo xtask c`: the C interface, used from C. Examples and guide are compiled with all warnings as errors, run under
-//! the address and undefined-behaviour sanitizers, and their numbers are compared with `fenderline run`. Random sequences
-//! of calls follow.
+//! `cargo xtask c`: the C interface, used from C. Examples and guide are compiled with all warnings as errors, run
+//! under the address and undefined-behaviour sanitizers, and their numbers are compared with `fenderline run`. Random
+//! sequences of calls follow.
 
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitCode, Stdio};
@@ -134,8 +134,8 @@ fn same_forces(printed: &str, bodies: &str) -> Result<usize, String> {
     Ok(3 * ours.len())
 }
 
-/// Random sequences of calls. A plain build runs all of them and a build with sanitizers a part, at the same time. Their
-/// results must be the same.
+/// Random sequences of calls. A plain build runs all of them and a build with sanitizers a part, at the same time.
+/// Their results must be the same.
 pub(crate) fn random_calls(sequences: u64) -> Result<Done, String> {
     if let Err(missing) = tools::c_compiler() {
         return Ok(Done::NotRun(missing));

@@ -1,9 +1,9 @@
 //! Checks that the files and functions that documents name exist.
 //!
-//! - A code span of a Markdown file that looks like a path of the repository must be one. `…`, `*`, `<`, `{` or a word in
-//!   capitals in it marks a pattern, which is not checked.
-//! - In `ARCHITECTURE.md` a code span `name()` must be a function, and one `Name` in a table's column must be a type, of
-//!   a file that the same line names.
+//! - A code span of a Markdown file that looks like a path of the repository must be one. `…`, `*`, `<`, `{` or a word
+//!   in capitals in it marks a pattern, which is not checked.
+//! - In `ARCHITECTURE.md` a code span `name()` must be a function, and one `Name` in a table's column must be a type,
+//!   of a file that the same line names.
 //! - A code span that is a name, such as `advance_in_place`, must occur in some source.
 //! - Code that cites a Markdown file must cite one that exists.
 
@@ -83,8 +83,8 @@ fn read(name: &str) -> Result<String, String> {
     std::fs::read_to_string(name).map_err(|e| format!("{name}: {e}"))
 }
 
-/// Paths in code spans of a Markdown text that are not in the repository. The changelog is left out: it names files of the
-/// past.
+/// Paths in code spans of a Markdown text that are not in the repository. The changelog is left out: it names files of
+/// the past.
 fn dead_in_document(name: &str, text: &str) -> Vec<String> {
     if name == "CHANGELOG.md" {
         return Vec::new();

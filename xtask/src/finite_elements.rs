@@ -1,5 +1,5 @@
-//! `cargo xtask finite-elements`: fenders by finite elements. FElupe, numpy and scipy come from PyPI, in the versions of
-//! `validation/finite_elements/requirements.txt`, into a virtual environment below `target`.
+//! `cargo xtask finite-elements`: fenders by finite elements. FElupe, numpy and scipy come from PyPI, in the versions
+//! of `validation/finite_elements/requirements.txt`, into a virtual environment below `target`.
 
 use std::process::{Command, ExitCode};
 

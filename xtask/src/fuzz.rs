@@ -45,8 +45,8 @@ pub(crate) fn fuzz(seconds: u64) -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// The command for one target. It uses no sanitizer: sanitizers need a nightly toolchain and find faults of unsafe code,
-/// which the targets do not have. Debug assertions and overflow checks are on.
+/// The command for one target. It uses no sanitizer: sanitizers need a nightly toolchain and find faults of unsafe
+/// code, which the targets do not have. Debug assertions and overflow checks are on.
 fn fuzz_one(target: &str, corpus: &Path, more: &[&str], seconds: u64) -> Command {
     let mut command = cargo(["fuzz", "run", "--fuzz-dir", "fuzz", "--sanitizer", "none", target]);
     command.arg(corpus).arg(Path::new("fuzz/seeds").join(target)).args(more);

@@ -7,8 +7,8 @@ use crate::command::{cargo, run};
 /// Default length of a run (s), also in continuous integration.
 pub(crate) const SECONDS: u64 = 20;
 
-/// Prints late ticks, delays and memory. Fails if memory grew or a tick was missed; missed ticks do not count if times are
-/// only reported.
+/// Prints late ticks, delays and memory. Fails if memory grew or a tick was missed; missed ticks do not count if times
+/// are only reported.
 pub(crate) fn live_load(seconds: u64, times_reported_only: bool) -> Result<(), String> {
     let test = ["test", "--release", "--package", "fenderline", "--test", "live_load", "--"];
     let mut command = cargo(test);

@@ -26,7 +26,8 @@ fn check() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// Runs all tests of `web/e2e` against the program; in one, a pilot and a tug master bring a ship alongside on two pages.
+/// Runs all tests of `web/e2e` against the program; in one, a pilot and a tug master bring a ship alongside on two
+/// pages.
 fn in_a_browser() -> Result<Done, String> {
     for missing in [tools::node(), tools::chromium()] {
         if let Err(missing) = missing {

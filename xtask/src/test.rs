@@ -59,8 +59,8 @@ fn lints() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// Compiles the engine for a target without `std` if the toolchain has one. Otherwise checks the source: in a crate that
-/// declares `no_std` and does not name `std` outside tests, no path to `std` resolves.
+/// Compiles the engine for a target without `std` if the toolchain has one. Otherwise checks the source: in a crate
+/// that declares `no_std` and does not name `std` outside tests, no path to `std` resolves.
 fn no_std() -> Result<Done, String> {
     const ENGINE: &str = "fenderline-contact";
     const ROOT: &str = "crates/contact/src/lib.rs";
@@ -89,8 +89,8 @@ fn no_std() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// The property tests draw the same cases every time, so that the outcome depends on the change only. `cargo test` without
-/// the seed draws new cases, as the fuzz targets do.
+/// The property tests draw the same cases every time, so that the outcome depends on the change only. `cargo test`
+/// without the seed draws new cases, as the fuzz targets do.
 fn tests() -> Result<Done, String> {
     const SEED: (&str, &str) = ("PROPTEST_RNG_SEED", "20261121");
     let mut tests = cargo(["test", "--workspace", "--lib", "--bins", "--tests", "--examples"]);
@@ -165,8 +165,8 @@ fn validate() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// Checks the identities of the independent implementations, and that they still compute the committed results, with which
-/// the engine's tests compare.
+/// Checks the identities of the independent implementations, and that they still compute the committed results, with
+/// which the engine's tests compare.
 fn independent() -> Result<Done, String> {
     const FOLDER: &str = "validation/independent";
     const RESULTS: &str = "validation/independent/oblique_hit";

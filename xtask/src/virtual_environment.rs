@@ -12,8 +12,8 @@ pub(crate) fn target_folder() -> PathBuf {
     std::path::absolute(&folder).unwrap_or(folder)
 }
 
-/// The Python of the virtual environment `folder` with the packages of `requirements`. The environment is created again if
-/// the requirements have changed.
+/// The Python of the virtual environment `folder` with the packages of `requirements`. The environment is created again
+/// if the requirements have changed.
 ///
 /// # Errors
 /// No such list, or a package that could not be installed.

@@ -22,6 +22,9 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     }
     let simulation = Simulation::new(scenario.setup).map_err(error)?;
     let setup = simulation.setup();
+    for finding in simulation.start_findings() {
+        tell(&format!("notice: {}", finding.sentence(setup)));
+    }
     say(&format!(
         "{}: good; {}, {} named, {} of {} s\n",
         args.scenario.display(),

@@ -170,6 +170,9 @@ pub(crate) struct RunArgs {
     /// Format of the tables of bodies, contacts, fenders and energy
     #[arg(long, value_enum, default_value_t = Format::Csv)]
     pub(crate) format: Format,
+    /// Exit code 0 even where a structure was struck, a fender failed or a line parted
+    #[arg(long)]
+    pub(crate) allow_failures: bool,
     #[command(flatten)]
     pub(crate) changes: Changes,
 }

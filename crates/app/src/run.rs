@@ -2,6 +2,7 @@
 
 mod fenders;
 mod printed;
+mod verdict;
 mod world;
 
 use std::path::{Path, PathBuf};
@@ -26,9 +27,8 @@ use fenderline_validate::errors_of;
 
 /// Runs the scenario that `args` name. Nothing is written before the scenario is accepted.
 ///
-/// A fender that failed is a result, not a failed case: the run is complete and its files are correct, so
-/// the exit code is 0. The printed summary says it in capitals, and scripts can test `fenders[].verdict` in
-/// `summary.json`.
+/// A run in which something broke or was struck is complete and its files are right; its exit code is 1, unless
+/// `--allow-failures` is given.
 ///
 /// # Errors
 /// Bad input. A simulation or a file that failed: no result file is left. A run that was interrupted: its files are complete
@@ -41,6 +41,9 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let mut notices: Vec<String> = scenario.notices.iter().map(recorded).collect();
     let Scenario { title, setup, .. } = scenario;
     let mut simulation = Simulation::new(setup).map_err(error)?;
+    for finding in simulation.start_findings() {
+        tell(&format!("notice: {}", finding.sentence(simulation.setup())));
+    }
     let interrupt = Interrupt::listen();
     let folder_path = args.out.clone().unwrap_or_else(|| default_folder(&args.scenario));
     let folder = Folder::open(&folder_path)?;
@@ -74,7 +77,9 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         notices.push(gain.to_string());
     }
     let fenders: Vec<FenderSummary> = simulation.fender_summaries().cloned().collect();
+    let findings = simulation.findings();
     let outcome = Outcome {
+        findings: &findings,
         title: &title,
         scenario_file: &file_name(&args.scenario),
         setup: simulation.setup(),
@@ -97,7 +102,10 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let tables = tables.finish()?;
     publish(folder, tables, &report, &summary)?;
     say(&printed::summary(&outcome, &folder_path, &files))?;
-    if outcome.interrupted.is_some() { Err(Failure::Interrupted) } else { Ok(()) }
+    if outcome.interrupted.is_some() {
+        return Err(Failure::Interrupted);
+    }
+    verdict::exit(&findings, args.allow_failures)
 }
 
 /// Steps `simulation` to its end, or until it `is_stopped`. `before` sets external forces before each step; `each` takes the

@@ -52,7 +52,15 @@ fn assert_same(field: &Field, text: &str) {
 fn both_formats_hold_the_same_values() {
     let place = Workplace::new("both_formats");
     for format in ["csv", "parquet"] {
-        let run = place.run(&["run", "berth.toml", "--format", format, "--out", format]);
+        let run = place.run(&[
+            "run",
+            "berth.toml",
+            "--allow-failures",
+            "--format",
+            format,
+            "--out",
+            format,
+        ]);
         assert_eq!(run.code, 0, "{}", run.stderr);
     }
     for name in ["bodies", "contacts", "fenders", "energy"] {
@@ -76,7 +84,10 @@ fn both_formats_hold_the_same_values() {
 #[test]
 fn every_column_tells_its_unit_and_meaning() {
     let place = Workplace::new("metadata");
-    assert_eq!(place.run(&["run", "berth.toml", "--format", "parquet"]).code, 0);
+    assert_eq!(
+        place.run(&["run", "berth.toml", "--allow-failures", "--format", "parquet"]).code,
+        0
+    );
     for name in ["bodies", "contacts", "fenders", "energy"] {
         let table = read(&place, &format!("out/berth/{name}.parquet"));
         for (column, _) in &table.columns {

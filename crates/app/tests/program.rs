@@ -153,7 +153,12 @@ fn two_runs_give_the_same_bytes() {
         ("berth.toml", "parquet"),
     ] {
         for out in ["a", "b"] {
-            assert_eq!(place.run(&["run", scenario, "--out", out, "--format", format]).code, 0);
+            assert_eq!(
+                place
+                    .run(&["run", scenario, "--allow-failures", "--out", out, "--format", format])
+                    .code,
+                0
+            );
         }
         for name in place.files("a") {
             let [a, b] = ["a", "b"].map(|out| place.read(&format!("{out}/{name}")));

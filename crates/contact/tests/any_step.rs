@@ -1,7 +1,7 @@
 //! The coupled method at long time steps against its own converged solution: peak force, peak depth,
-//! and the speeds in the end.
+//! and final speeds.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 mod small_host;
 
@@ -9,20 +9,20 @@ use fenderline_contact::BodyState;
 use small_host::scenes::{oblique_berthing, oblique_tug_impact, tug_impact, tug_push};
 use small_host::{Host, Method, Scene};
 
-/// The converged solution's Δt (s), as issue 3 asks.
+/// Δt of the converged solution (s).
 const CONVERGED_S: f64 = 1e-3;
 
-/// What issue 3 asks for.
+/// Allowed relative deviation.
 const TOLERANCE: f64 = 0.02;
 
-/// What is compared of a run.
+/// The compared results of a run.
 #[derive(Debug)]
 struct Outcome {
-    /// Peak normal force and peak depth of every contact that there was, in a fixed order.
+    /// Peak normal force and peak depth of every contact, in a fixed order.
     peaks: Vec<(String, f64, f64)>,
     after: Vec<BodyState>,
-    /// Largest speed of each body in the run, and its largest rate of turn or, where that is more, the
-    /// rate at which it would have as much energy in yaw: the scales of what is left in the end.
+    /// Largest speed of each body in the run, and the larger of its largest rate of turn and the rate with the
+    /// same energy in yaw: the scales for final velocities.
     fastest: Vec<(f64, f64)>,
 }
 
@@ -41,8 +41,8 @@ fn outcome(scene: Scene) -> Outcome {
         let gyradius_m = (mass.yaw_inertia_kgm2 / mass.mass_kg).sqrt();
         most.1 = most.1.max(most.0 / gyradius_m);
     }
-    // The quay's contacts are compared fender by fender: the sum over its pair adds up peaks that come
-    // at different times of a long step.
+    // The quay's contacts are compared by fender: a sum over the pair would add peaks from different times
+    // of a long step.
     let has_fenders = !host.scene.fenders.is_empty();
     let is_quay = |bodies: [usize; 2]| has_fenders && bodies[0] == 0;
     let pairs = host.pairs.iter().filter(|(bodies, _)| !is_quay(*bodies));
@@ -56,16 +56,16 @@ fn outcome(scene: Scene) -> Outcome {
     Outcome { peaks, after: host.states.clone(), fastest }
 }
 
-/// Below this share of the largest in the run a final velocity is next to zero.
+/// A final velocity below this share of the run's largest counts as zero.
 const NEXT_TO_ZERO: f64 = 0.05;
 
-/// What a deviation of `right` is measured by: itself, or where that is next to zero, as what is left of
-/// a swing on undamped springs, which has any phase after ten minutes, the largest in the run.
+/// The scale of a deviation from `right`: `right` itself or, where that counts as zero, the run's largest
+/// value. What remains of a swing on undamped springs has any phase after ten minutes.
 fn scale(right: f64, largest: f64) -> f64 {
     if right < NEXT_TO_ZERO * largest { largest } else { right }
 }
 
-/// Peaks against the largest of their kind in the scene: the eighth fender of a row gets next to nothing.
+/// Compares peaks relative to the largest of their kind in the scene: the eighth fender of a row is barely touched.
 fn assert_close(what: &str, ours: &Outcome, converged: &Outcome) {
     let largest =
         |of: fn(&(String, f64, f64)) -> f64| converged.peaks.iter().map(of).fold(0.0, f64::max);
@@ -104,31 +104,31 @@ fn assert_any_step(what: &str, scene: impl Fn(f64) -> Scene, steps_s: &[f64]) {
 const STEPS_S: [f64; 4] = [0.1, 0.5, 1.0, 2.0];
 
 #[test]
-fn a_tugs_impact_on_a_ship_is_the_same_at_any_time_step() {
+fn tug_impact_converges_at_any_time_step() {
     assert_any_step("amidships", |step_s| tug_impact(2.06, 0.0, step_s), &STEPS_S);
     assert_any_step("60 m forward", |step_s| tug_impact(2.06, 60.0, step_s), &STEPS_S);
 }
 
 #[test]
-fn an_oblique_berthing_on_eight_fenders_is_the_same_at_any_time_step() {
+fn oblique_berthing_converges_at_any_time_step() {
     assert_any_step("berthing", oblique_berthing, &STEPS_S);
 }
 
 #[test]
-fn a_tug_that_rolls_along_the_side_leaves_with_the_same_turn() {
-    // Not 2 s: the terms by which her added mass turns are loads, held over a step; they alone shift
-    // her speed by 3.6 % there.
+fn oblique_tug_impact_converges_at_any_time_step() {
+    // Not 2 s: the Coriolis terms of her added mass are loads, constant over a step; they alone change her
+    // speed by 3.6 % there.
     assert_any_step("20° off square", |step_s| oblique_tug_impact(2.06, step_s), &STEPS_S[..3]);
 }
 
 #[test]
-fn a_tug_pushing_on_a_ship_alongside_is_the_same_at_any_time_step() {
+fn tug_push_converges_at_any_time_step() {
     assert_any_step("push", tug_push, &STEPS_S);
 }
 
-/// The sum of the mean forces times Δt was up to 0.8 % off where the length of the sub-steps changes within a contact.
+/// The sum of mean force times Δt was up to 0.8 % off where the length of the sub-steps changes within a contact.
 #[test]
-fn the_impulse_of_a_pair_is_the_change_of_momentum_at_any_time_step() {
+fn the_impulse_of_a_pair_equals_the_change_of_momentum() {
     for (method, damping_nspm2) in
         [(Method::Coupled, 0.0), (Method::Coupled, 1e5), (Method::Paper, 0.0), (Method::Paper, 1e5)]
     {
@@ -140,7 +140,7 @@ fn the_impulse_of_a_pair_is_the_change_of_momentum_at_any_time_step() {
             let mass_kg = ship.mass_kg
                 + match method {
                     Method::Coupled => ship.added_sway_kg,
-                    // It knows one mass for all directions.
+                    // The paper's method has one mass for all directions.
                     Method::Paper => ship.added_surge_kg,
                 };
             let mut host = Host::new(scene);
@@ -148,7 +148,7 @@ fn the_impulse_of_a_pair_is_the_change_of_momentum_at_any_time_step() {
                 host.step();
             }
             let [(_, pair)] = *host.pairs else { panic!("one pair") };
-            // Head-on: the ship, at rest before, has it all.
+            // Head-on: the ship, at rest before, gets all of it.
             let right_ns = mass_kg * host.states[0].velocity_mps.length();
             let off = pair.impulse_ns / right_ns - 1.0;
             let case = format!("{method:?}, {damping_nspm2} N·s/m², Δt {step_s}");

@@ -1,8 +1,7 @@
-//! What a host can get wrong: numbers that are none, and bodies where no body can be. Bad numbers
-//! are errors that name body and field and change nothing; bad places are answered by finite,
-//! bounded forces and an event.
+//! Mistakes of a host. Non-finite numbers are errors that name body and field and change nothing;
+//! impossible positions give finite, bounded forces and an event.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 #[allow(dead_code, reason = "each test uses its own part of the scene")]
 mod scene;
@@ -27,7 +26,7 @@ const FIELDS: [Field; 6] = [
     ("yaw rate", |s| &mut s.yaw_rate_radps),
 ];
 
-/// A ship pressed into its fenders and sliding, a few steps on.
+/// A ship pressed on its fenders and sliding, after a few steps.
 fn at_berth() -> (Model, Memory, Workspace, Vec<BodyState>) {
     let model = scene::berth(500e3);
     let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
@@ -58,9 +57,9 @@ fn a_bad_number_names_body_and_field_and_changes_nothing() {
                     .expect_err("a bad number");
                 let name = &model.bodies()[body].name;
                 match &error {
-                    StepError::BadState { body, field: named, value: told } => {
+                    StepError::BadState { body, field: named, value: reported } => {
                         assert_eq!((body, *named), (name, field));
-                        assert_eq!(told.to_bits(), value.to_bits());
+                        assert_eq!(reported.to_bits(), value.to_bits());
                     }
                     other => panic!("{field} of {name} = {value}: {other:?}"),
                 }
@@ -101,7 +100,7 @@ fn a_wrong_number_of_states_and_a_foreign_memory_change_nothing() {
 }
 
 #[test]
-fn after_bad_input_the_run_goes_on_as_if_it_had_not_been() {
+fn bad_input_changes_no_bit_of_the_run() {
     let (model, mut memory, mut work, good) = at_berth();
     let (mut other_memory, mut other_work) = (memory.clone(), work.clone());
     let mut bad = good.clone();
@@ -117,7 +116,7 @@ const STIFFNESS_NPM2: f64 = 500e3;
 const FRICTION: f64 = 0.5;
 const MASS_KG: f64 = 1e6;
 
-/// A square of the given side that floats, and one that is fixed.
+/// A floating and a fixed square.
 struct Squares {
     model: Model,
     memory: Memory,
@@ -165,8 +164,8 @@ impl Squares {
         }
     }
 
-    /// One step with the floating square at `position_m`; what happened, after all forces were
-    /// found finite and within what the material and the smaller body allow.
+    /// Takes one step with the floating square at `position_m`, checks that forces are finite and within the
+    /// bounds of the material and the smaller body, and returns the events.
     fn step_at(&mut self, position_m: Vec2, velocity_mps: Vec2) -> Vec<EventKind> {
         let tug = BodyState { position_m, velocity_mps, ..BodyState::default() };
         let states = [tug, BodyState::default()];
@@ -187,7 +186,7 @@ impl Squares {
 }
 
 #[test]
-fn a_teleport_out_of_contact_and_back_is_told_and_starts_afresh() {
+fn a_teleport_out_of_contact_and_back_is_reported_and_begins_anew() {
     let mut squares = Squares::new(10.0, 10.0, 0.1);
     let (touching, away) = (vec2(-9.9, 0.0), vec2(-5_000.0, 3.0));
     assert_eq!(squares.step_at(touching, vec2(0.1, 0.2)), [EventKind::ContactBegan]);
@@ -205,15 +204,15 @@ fn a_teleport_out_of_contact_and_back_is_told_and_starts_afresh() {
     assert_eq!(squares.work.contacts()[0].shear_m, 0.0);
 }
 
-/// A jump from one side of a body to the other while touching: the old shear would be metres.
+/// A teleport from one side of a body to the other: with the old memory the shear would be metres.
 #[test]
 fn a_teleport_within_a_contact_drops_its_memory() {
     let mut squares = Squares::new(10.0, 40.0, 0.1);
     squares.step_at(vec2(-24.9, -12.0), Vec2::ZERO);
     squares.step_at(vec2(-24.9, -12.0), Vec2::ZERO);
     let events = squares.step_at(vec2(-24.9, 12.0), Vec2::ZERO);
-    let told = [EventKind::Teleported, EventKind::ContactEnded, EventKind::ContactBegan];
-    assert!(told.iter().all(|kind| events.contains(kind)), "{events:?}");
+    let reported = [EventKind::Teleported, EventKind::ContactEnded, EventKind::ContactBegan];
+    assert!(reported.iter().all(|kind| events.contains(kind)), "{events:?}");
     assert_eq!(squares.work.contacts()[0].shear_m, 0.0);
     let tug = squares.model.bodies()[0].name.as_str();
     let teleported: Vec<BodyId> = squares
@@ -227,7 +226,7 @@ fn a_teleport_within_a_contact_drops_its_memory() {
 }
 
 #[test]
-fn full_containment_is_bounded_and_told_once() {
+fn full_containment_is_bounded_and_reported_once() {
     let mut squares = Squares::new(4.0, 400.0, 0.1);
     let velocity_mps = vec2(0.5, 0.1);
     let events = squares.step_at(vec2(-20.0, 7.0), velocity_mps);
@@ -238,14 +237,14 @@ fn full_containment_is_bounded_and_told_once() {
     let events = squares.step_at(vec2(-19.95, 7.01), velocity_mps);
     assert_eq!(events, []);
 
-    // Either of the two may be the one inside.
+    // Either of the two may be inside the other.
     let mut squares = Squares::new(400.0, 4.0, 0.1);
     let events = squares.step_at(vec2(20.0, -7.0), velocity_mps);
     assert!(events.contains(&EventKind::Contained), "{events:?}");
 }
 
 #[test]
-fn identical_bodies_at_the_same_place_are_answered() {
+fn identical_bodies_at_the_same_position_get_finite_forces() {
     let mut squares = Squares::new(10.0, 10.0, 0.1);
     let events = squares.step_at(Vec2::ZERO, vec2(0.1, 0.0));
     assert!(events.contains(&EventKind::Contained), "{events:?}");
@@ -253,20 +252,20 @@ fn identical_bodies_at_the_same_place_are_answered() {
 }
 
 #[test]
-fn thousands_of_metres_of_overlap_are_bounded_and_told() {
+fn thousands_of_metres_of_overlap_are_bounded_and_reported() {
     let mut squares = Squares::new(5_000.0, 9_000.0, 1.0);
-    // 3 km deep, and so fast that the limiter lets all of kS through.
+    // 3 km deep, and so fast that the limiter does not reduce kS.
     let events = squares.step_at(vec2(-4_000.0, 100.0), vec2(1e6, 1e3));
     assert!(events.contains(&EventKind::DeepOverlap), "{events:?}");
     let contact = squares.work.contacts()[0];
     assert!((contact.area_m2 - 3_000.0 * 5_000.0).abs() < 1e-3, "{}", contact.area_m2);
     assert!((contact.depth_m - 3_000.0).abs() < 1e-6, "{}", contact.depth_m);
-    // At a walking pace the limiter holds it to what stops the body in one step.
+    // At walking speed the limiter reduces it to the force that stops the body in one step.
     let mut squares = Squares::new(5_000.0, 5_000.0, 1.0);
     squares.step_at(vec2(-2_000.0, 0.0), vec2(1.0, 0.0));
     let largest_n = 2.0 * MASS_KG * 1.0 / STEP_S;
     assert!(squares.work.contacts()[0].normal_force_n <= largest_n * (1.0 + 1e-12));
-    // At the edge of the coordinates that the engine takes.
+    // At the largest coordinates that the engine accepts.
     let mut squares = Squares::new(1e8, 1e8, 1.0);
     let events = squares.step_at(vec2(-5e7, 3e6), vec2(1e6, -1e6));
     assert!(events.contains(&EventKind::ContactBegan), "{events:?}");

@@ -1,25 +1,25 @@
-//! The length of the sub-steps changes while bodies touch: what comes after is as hard as energy says.
+//! The length of the sub-steps changes during contact: later forces follow from conservation of energy.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 use std::f64::consts::PI;
 
 use fenderline_contact::*;
 
 const MASS_KG: f64 = 1e6;
-/// Of the fenders together, and of what is met behind them.
+/// Stiffness of the fenders together, and of what is behind them.
 const SOFT_NPM: f64 = 4e5;
 const HARD_NPM: f64 = 4e8;
-/// Deflection of the fenders where that is met.
+/// Deflection of the fenders at which that begins.
 const TRAVEL_M: f64 = 0.5;
 
-/// What is met behind the soft part of the fenders.
+/// What is behind the soft part of the fenders.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Behind {
     Nothing,
     /// The fenders' own stops.
     Stop,
-    /// The quay, as it is drawn.
+    /// The quay's own outline.
     Concrete,
 }
 
@@ -73,8 +73,8 @@ fn model(behind: Behind, restitution: f64) -> Model {
     builder.build().expect("a good model")
 }
 
-/// The peak of what is behind the fender, as energy has it, for a barge of this kinetic energy at the first touch and
-/// this load: ½ m v² + W(d + y) = ½ k (d + y)² + ½ K y².
+/// Peak force of what is behind the fenders by conservation of energy, for a barge with this kinetic energy at first
+/// touch and this load: ½ m v² + W(d + y) = ½ k (d + y)² + ½ K y².
 fn hard_peak_n(kinetic_j: f64, load_n: f64) -> f64 {
     let left_j = kinetic_j + load_n * TRAVEL_M - 0.5 * SOFT_NPM * TRAVEL_M * TRAVEL_M;
     let (a, b) = (0.5 * (SOFT_NPM + HARD_NPM), SOFT_NPM * TRAVEL_M - load_n);
@@ -90,7 +90,7 @@ struct Run {
 }
 
 impl Run {
-    /// A barge this far off, with this speed towards the fender, under this load.
+    /// A barge at this distance, with this speed towards the fenders, under this load.
     fn new(model: Model, gap_m: f64, speed_mps: f64, load_n: f64) -> Run {
         let barge = BodyState {
             position_m: vec2(-5.0 - gap_m, 0.0),
@@ -125,10 +125,10 @@ fn hard_n(behind: Behind, contacts: &[Contact]) -> f64 {
     contacts.iter().map(of_contact).sum()
 }
 
-/// With the velocities that belong to half of a soft fender's sub-step before, and sub-steps of the concrete from
-/// there on, the second peak was up to 6.4 % too high.
+/// The velocities were half of a fender's long sub-step old while the concrete's short sub-steps followed: the second
+/// peak was up to 6.4 % too high.
 #[test]
-fn concrete_behind_a_fender_is_met_as_hard_as_energy_says_at_any_time_step() {
+fn peak_force_on_concrete_behind_a_fender_conserves_energy() {
     for (behind, speed_mps, load_n) in [
         (Behind::Stop, 0.4, 0.0),
         (Behind::Stop, 0.6, 0.0),
@@ -136,7 +136,7 @@ fn concrete_behind_a_fender_is_met_as_hard_as_energy_says_at_any_time_step() {
         (Behind::Concrete, 0.4, 0.0),
         (Behind::Concrete, 0.4, 1e5),
         (Behind::Concrete, 1.0, 0.0),
-        // From rest.
+        // Starting at rest.
         (Behind::Concrete, 0.0, 1e5),
         (Behind::Stop, 0.0, 3e5),
     ] {
@@ -159,9 +159,9 @@ fn concrete_behind_a_fender_is_met_as_hard_as_energy_says_at_any_time_step() {
     }
 }
 
-/// The same of what is reported of the hit: its impulse is the change of momentum.
+/// Likewise for the reported impulse: it is the change of momentum.
 #[test]
-fn the_impulse_on_concrete_behind_a_fender_is_the_change_of_momentum_at_any_time_step() {
+fn the_impulse_on_concrete_behind_a_fender_is_the_change_of_momentum() {
     for (behind, step_s) in [Behind::Nothing, Behind::Stop, Behind::Concrete]
         .iter()
         .flat_map(|&behind| [0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 1.0, 2.0].map(|s| (behind, s)))
@@ -175,13 +175,13 @@ fn the_impulse_on_concrete_behind_a_fender_is_the_change_of_momentum_at_any_time
             }
             let right_ns = MASS_KG * (1.0 - run.states[0].velocity_mps.x);
             let case = format!("{behind:?}, Δt {step_s}, {gap_m} m");
-            assert!(right_ns > MASS_KG, "{case}: it came to a hit");
+            assert!(right_ns > MASS_KG, "{case}: there was an impact");
             assert!((impulse_ns / right_ns - 1.0).abs() < 1e-9, "{case}: {impulse_ns} {right_ns}");
         }
     }
 }
 
-/// Steps as a game's frames, with long ones among them.
+/// Steps like a game's frames, some of them long.
 fn frames(seed: u32) -> impl Iterator<Item = f64> {
     let mut state = seed;
     core::iter::from_fn(move || {
@@ -191,13 +191,13 @@ fn frames(seed: u32) -> impl Iterator<Item = f64> {
     })
 }
 
-/// On a linear spring she swings with the energy that she had, however the steps change.
+/// A swing on a linear spring conserves energy however the steps change.
 #[test]
-fn a_swing_on_a_fender_keeps_its_energy_when_the_time_step_changes_from_step_to_step() {
+fn a_swing_on_a_fender_conserves_energy_with_varying_steps() {
     for seed in 1..20 {
         let load_n = 2e5;
         let depth_m = load_n / SOFT_NPM;
-        // From where the fender is slack: to twice her static depth and back.
+        // From the uncompressed fender to twice her static depth and back.
         let mut run = Run::new(model(Behind::Nothing, 1.0), 0.0, 0.0, load_n);
         let (mut deepest_m, mut t) = (0.0_f64, 0.0);
         for step_s in frames(seed) {
@@ -213,9 +213,9 @@ fn a_swing_on_a_fender_keeps_its_energy_when_the_time_step_changes_from_step_to_
     }
 }
 
-/// At rest the load and the fender's force have one time to act, whatever the steps.
+/// At rest the load and the fender's force act over the same time, whatever the steps.
 #[test]
-fn what_rests_on_a_fender_rests_when_the_time_step_changes_from_step_to_step() {
+fn a_barge_at_rest_on_a_fender_stays_at_rest_with_varying_steps() {
     for seed in 1..20 {
         let load_n = 1e5;
         let mut run = Run::new(model(Behind::Nothing, 0.1), -load_n / SOFT_NPM, 0.0, load_n);

@@ -1,8 +1,7 @@
 //! The clip of two convex polygons against rational arithmetic. The oracle gets the second
-//! polygon's vertices as the clip's own transform leaves them, so that only the clip's rounding
-//! counts.
+//! polygon's vertices after the clip's own transform, so that only the clip's rounding is compared.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 mod support;
 
@@ -15,7 +14,7 @@ fn config(cases: u32) -> ProptestConfig {
     ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(cases) }
 }
 
-/// Both answers to one question.
+/// The overlap by the clip and by the oracle.
 fn both(a: &[Vec2], a_pose: Pose, b: &[Vec2], b_pose: Pose) -> (Option<Clip>, ExactOverlap) {
     let (first, second) = (ConvexPolygon::new(a), ConvexPolygon::new(b));
     let b_in_a = a_pose.to(b_pose);
@@ -24,7 +23,7 @@ fn both(a: &[Vec2], a_pose: Pose, b: &[Vec2], b_pose: Pose) -> (Option<Clip>, Ex
     (found, exact_overlap(first.vertices(), &placed))
 }
 
-/// Area to 1e-11 relative, centroid and chord to `1e-11 m` times what flat crossings magnify.
+/// Area to a relative 1e-11, centroid and chord to 1e-11 m times the magnification by flat crossings.
 #[track_caller]
 fn check(a: &[Vec2], a_pose: Pose, b: &[Vec2], b_pose: Pose) -> ExactOverlap {
     let (found, exact) = both(a, a_pose, b, b_pose);
@@ -36,7 +35,7 @@ fn check(a: &[Vec2], a_pose: Pose, b: &[Vec2], b_pose: Pose) -> ExactOverlap {
     let allowed = 1e-11 * exact.area_m2 + NEGLIGIBLE_M2;
     assert!(error <= allowed, "area {} not {}: {error:e}", found.area_m2(), exact.area_m2);
     if let Some(centroid) = exact.centroid_m {
-        // A sliver's ends are where flat edges cross: rounding over its mean depth, of its length.
+        // A sliver ends where flat edges cross: its error is its length times rounding over its mean depth.
         let (off, extent) = ((found.centroid_m() - centroid).length(), extent_m(&exact));
         let allowed = extent * (1e-12 + 1e-12 * extent / exact.area_m2);
         assert!(off <= allowed, "centroid off by {off:e} of {extent} m");
@@ -44,7 +43,7 @@ fn check(a: &[Vec2], a_pose: Pose, b: &[Vec2], b_pose: Pose) -> ExactOverlap {
     exact
 }
 
-/// An overlap of 300 m by the rounding of a vertex (m²).
+/// Area of an overlap 300 m long and as deep as the rounding of a vertex (m²).
 const NEGLIGIBLE_M2: f64 = 300.0 * 1e-13;
 
 fn extent_m(exact: &ExactOverlap) -> f64 {
@@ -52,7 +51,7 @@ fn extent_m(exact: &ExactOverlap) -> f64 {
     exact.vertices_m.iter().fold(0.0, |e, &v| f64::max(e, (v - first).length()))
 }
 
-/// Least sine between two edges that lie near one another in direction.
+/// Smallest sine between two nearly parallel edges.
 fn least_sine(a: &[Vec2], b: &[Vec2], b_in_a: Pose) -> f64 {
     let edges = |ring: &[Vec2]| -> Vec<Vec2> {
         let next = ring.iter().cycle().skip(1);
@@ -89,7 +88,7 @@ proptest! {
     }
 }
 
-/// A heap of shapes that lie on one another: every degenerate position there is among them.
+/// Shapes on a grid, in all degenerate positions.
 #[test]
 fn polygons_on_a_grid_have_the_exact_area() {
     let shapes = [
@@ -118,7 +117,7 @@ fn polygons_on_a_grid_have_the_exact_area() {
                 touching += 1;
                 let centroid = exact.centroid_m.expect("there is an area");
                 assert!((found.centroid_m() - centroid).length() <= 1e-14);
-                if exact.shared_boundary_m == Vec2::ZERO && !runs_together(a, b, at) {
+                if exact.shared_boundary_m == Vec2::ZERO && !edges_coincide(a, b, at) {
                     let chord = found.chord_m();
                     assert!(
                         (chord - exact.boundary_of_a_m).length() <= 1e-14,
@@ -132,8 +131,8 @@ fn polygons_on_a_grid_have_the_exact_area() {
     assert!(touching > 3000);
 }
 
-/// Do edges of the same direction lie on one another? Then the chord has two values.
-fn runs_together(a: &[Vec2], b: &[Vec2], at: Vec2) -> bool {
+/// Do edges of the same direction coincide? Then the chord has two values.
+fn edges_coincide(a: &[Vec2], b: &[Vec2], at: Vec2) -> bool {
     let sides = |ring: &[Vec2], by: Vec2| -> Vec<(Vec2, Vec2)> {
         let next = ring.iter().cycle().skip(1);
         ring.iter().zip(next).map(|(p, q)| (*p + by, *q - *p)).collect()
@@ -146,7 +145,7 @@ fn runs_together(a: &[Vec2], b: &[Vec2], at: Vec2) -> bool {
     })
 }
 
-/// Polygons through one another: 4, 6, 8 … 48 crossings.
+/// Polygons with 4, 6, 8 … 48 crossings.
 #[test]
 fn stars_of_two_polygons_have_the_exact_area_and_chord() {
     for count in [3usize, 4, 5, 6, 8, 12, 24] {
@@ -174,7 +173,7 @@ fn stars_of_two_polygons_have_the_exact_area_and_chord() {
 }
 
 #[test]
-fn one_within_the_other_has_its_own_area_and_no_chord() {
+fn a_contained_polygon_has_its_own_area_and_no_chord() {
     let (ship, pile) = (hull(298.0, 46.0, 24), ellipse(2.0, 1.0, 16, &[]));
     let (at, pile_at) = (Pose::new(vec2(700.0, 700.0), 0.2), Pose::new(vec2(690.0, 702.0), 0.9));
     for (a, a_pose, b, b_pose) in [(&ship, at, &pile, pile_at), (&pile, pile_at, &ship, at)] {
@@ -185,18 +184,18 @@ fn one_within_the_other_has_its_own_area_and_no_chord() {
 }
 
 #[test]
-fn the_same_polygon_twice_overlaps_wholly() {
+fn identical_polygons_overlap_wholly() {
     let still = Pose::new(vec2(700.0, 700.0), 0.7);
     for shape in [hull(298.0, 46.0, 64), regular(1.0, 3), rectangle(30.0, 0.2)] {
         check(&shape, still, &shape, still);
     }
 }
 
-/// The depths of the law of a contact that just begins. A vertex is known to its own rounding,
-/// 3e-14 m for a hull of 298 m, and so is the depth: relative to it, the area is off by a few times
-/// 3e-14 m / δ. With places that need no rounding it must come out far better than that.
+/// Depths of a contact that just begins. A vertex of a hull of 298 m is rounded by 3e-14 m, and so is the
+/// depth: the relative error of the area is a few times 3e-14 m / δ. At positions that need no rounding it
+/// must be far smaller.
 #[test]
-fn corner_overlap_goes_with_the_square_of_the_depth_and_flat_overlap_with_the_depth() {
+fn corner_area_is_quadratic_and_flat_area_linear_in_the_depth() {
     let corner = points(&[(0.0, 0.0), (8.0, 8.0), (0.0, 16.0), (-8.0, 8.0)]);
     let (wall, fender) = (rectangle(64.0, 32.0), rectangle(4.0, 2.0));
     let still = Pose::new(vec2(700.0, 700.0), 0.0);
@@ -220,7 +219,7 @@ fn corner_overlap_goes_with_the_square_of_the_depth_and_flat_overlap_with_the_de
         assert_eq!(found.area_m2(), 4.0 * depth_m, "flat at {depth_m:e} m");
         assert_eq!(found.chord_m(), vec2(-4.0, 0.0));
     }
-    // The same at odd angles, where every vertex is rounded.
+    // Likewise at arbitrary angles, where every vertex is rounded.
     let heading = 0.7;
     let tilted = Pose::new(vec2(700.0, 700.0), heading);
     let out = tilted.rotation.apply(vec2(0.0, 1.0));
@@ -232,7 +231,7 @@ fn corner_overlap_goes_with_the_square_of_the_depth_and_flat_overlap_with_the_de
             let found = PairClip::default().clip(&first, tilted, &second, place(reach));
             found.expect("touching").area_m2()
         };
-        // Positions of 1 km are rounded to 1.1e-13 m, and that is in the depth.
+        // Positions of 1 km are rounded to 1.1e-13 m, which affects the depth.
         let allowed = 1e-15 + 4e-13 / depth_m;
         let (of_corner, of_flat) = (area(&corner, 16.0), area(&fender, 17.0));
         assert!((of_corner / (depth_m * depth_m) - 1.0).abs() <= 2.0 * allowed, "{depth_m:e}");
@@ -243,8 +242,8 @@ fn corner_overlap_goes_with_the_square_of_the_depth_and_flat_overlap_with_the_de
 proptest! {
     #![proptest_config(config(150))]
 
-    /// Sides that are parallel but for a hair's breadth, of the same and of opposite direction: a
-    /// ship alongside. What the angle does to the area must not be lost at any angle.
+    /// Nearly parallel sides, of the same and of opposite direction, as of a ship alongside. The angle's effect
+    /// on the area must not be lost at any angle.
     #[test]
     fn nearly_parallel_sides_keep_their_area(
         a_count in 6usize..30,
@@ -279,8 +278,8 @@ fn touching_or_apart_is_no_contact() {
     }
 }
 
-/// What the clip got wrong once: places found by comparing some millions of touching pairs, as
-/// offset, cosine and sine of the second polygon in the frame of the first.
+/// Positions at which the clip was once wrong, from a comparison of millions of touching pairs: offset,
+/// cosine and sine of the second polygon in the frame of the first.
 struct Place(f64, f64, f64, f64);
 
 #[track_caller]
@@ -291,9 +290,9 @@ fn check_at(a: &[Vec2], b: &[Vec2], places: &[Place]) {
     }
 }
 
-/// 6854 m² where 0.33 m² were: a corner that rounding had put behind the one before it.
+/// The clip gave 6854 m² instead of 0.33 m²: by rounding, a corner was behind the one before it.
 #[test]
-fn half_a_ship_was_found_where_her_side_touched_another_at_a_hairs_angle() {
+fn nearly_parallel_sides_gave_half_a_ship() {
     let ship = rectangle(298.0, 46.0);
     let places = [
         Place(
@@ -307,9 +306,9 @@ fn half_a_ship_was_found_where_her_side_touched_another_at_a_hairs_angle() {
     check_at(&ship, &ship, &places);
 }
 
-/// 13,709 m² where a gap of 4 mm was.
+/// The clip gave 13,709 m² across a gap of 4 mm.
 #[test]
-fn a_whole_ship_was_found_where_there_was_a_gap() {
+fn a_gap_gave_a_whole_ship() {
     let ship = rectangle(298.0, 46.0);
     let places = [Place(6.878172198582397e-12, 46.004026732655795, 1.0, -2.9846851925757016e-13)];
     check_at(&ship, &ship, &places);
@@ -318,9 +317,9 @@ fn a_whole_ship_was_found_where_there_was_a_gap() {
     check_at(&bent, &bent, &places);
 }
 
-/// Edges that lie on one another from outside: no area, and a whole polygon found.
+/// Edges coincided from outside: the clip gave a whole polygon instead of no area.
 #[test]
-fn a_whole_polygon_was_found_where_two_touched_along_an_edge() {
+fn touching_edges_gave_a_whole_polygon() {
     let needle = points(&[(0.0, 0.0), (30.0, 0.0), (30.0, 1e-3)]);
     let places = [
         Place(3.946255641466365e-13, 0.0, -3.3343455858814586e-5, -0.999999999444107),
@@ -335,9 +334,9 @@ fn a_whole_polygon_was_found_where_two_touched_along_an_edge() {
     check_at(&regular(10.0, 64), &rectangle(20.0, 0.3), &places);
 }
 
-/// A wedge of 300 m at 1e-10 rad: 22 N at the paper's stiffness that were not there.
+/// A wedge of 300 m at 1e-10 rad: 22 N at the paper's stiffness were missing.
 #[test]
-fn sides_within_a_billionth_of_parallel_had_no_contact() {
+fn sides_within_1e_9_of_parallel_had_no_contact() {
     let ship = rectangle(298.0, 46.0);
     for angle in [1e-9, -1e-9, 3e-10, 1e-11, -1e-12] {
         let (a_pose, b_pose) = (Pose::new(Vec2::ZERO, 0.0), Pose::new(vec2(0.0, 46.0), angle));

@@ -1,7 +1,7 @@
-//! The warm clip against the cold one: what was found in the last step may make the answer come
-//! faster, but may not change it.
+//! The warm clip against the cold one: the last step's result may speed up the clip, but not change its
+//! result.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 mod support;
 
@@ -14,7 +14,7 @@ fn config(cases: u32) -> ProptestConfig {
     ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(cases) }
 }
 
-/// A pair clipped warm, and again as if for the first time.
+/// A pair that is clipped both warm and cold.
 struct Twice {
     a: ConvexPolygon,
     b: ConvexPolygon,
@@ -31,10 +31,10 @@ impl Twice {
         Twice { a, b, warm, cold, touching: 0, placed: Vec::new() }
     }
 
-    /// Both clips give the same bits, and the area of a clip that knows no tricks.
+    /// Checks that both clips give the same bits, and the area of a plain clip.
     ///
-    /// Where a vertex lies on an edge to rounding the two may name it by different edges: there
-    /// area and chord may differ by that rounding, which is what `SLACK_M` allows.
+    /// Where a vertex is on an edge to rounding, the two clips may attribute it to different edges: there
+    /// area and chord may differ by `SLACK_M`.
     #[track_caller]
     fn clip(&mut self, a_pose: Pose, b_pose: Pose) -> Option<Clip> {
         self.cold.forget();
@@ -61,19 +61,19 @@ impl Twice {
             (area(warm) - area(cold)).abs() <= slack_m2,
             "warm {warm:?} not cold {cold:?} at {b_in_a:?}"
         );
-        self.odd_ones(warm, cold, b_in_a);
+        self.check_difference(warm, cold, b_in_a);
         warm
     }
 
-    /// Differences of bits, where they are allowed at all: a corner on an edge.
-    fn odd_ones(&self, warm: Option<Clip>, cold: Option<Clip>, b_in_a: Pose) {
+    /// Checks a difference in bits, which is allowed only with a corner on an edge.
+    fn check_difference(&self, warm: Option<Clip>, cold: Option<Clip>, b_in_a: Pose) {
         let (Some(w), Some(c)) = (warm, cold) else { return }; // no more area than rounding
         let on_an_edge = least_distance(self.a.vertices(), &self.placed) <= SLACK_M;
         assert!(on_an_edge, "warm {w:?} not cold {c:?} at {b_in_a:?}");
     }
 }
 
-/// Rounding of a vertex of 300 m, some operations on (m).
+/// Rounding of a vertex at 300 m after some operations (m).
 const SLACK_M: f64 = 4e-13;
 
 fn same_bits(one: Option<Clip>, two: Option<Clip>) -> bool {
@@ -84,7 +84,7 @@ fn same_bits(one: Option<Clip>, two: Option<Clip>) -> bool {
     one.map(bits) == two.map(bits)
 }
 
-/// Of any vertex of either ring from the other ring's boundary (m).
+/// Smallest distance of a vertex of either ring from the other ring's boundary (m).
 fn least_distance(a: &[Vec2], b: &[Vec2]) -> f64 {
     let one_way = |from: &[Vec2], to: &[Vec2]| {
         let ends = to.iter().zip(to.iter().cycle().skip(1));
@@ -103,7 +103,7 @@ fn distance(v: Vec2, p: Vec2, q: Vec2) -> f64 {
 proptest! {
     #![proptest_config(config(400))]
 
-    /// Ships that slide and turn along one another, with corners that come and go.
+    /// Ships that slide and turn along each other, with corners that enter and leave the overlap.
     #[test]
     fn a_sliding_and_turning_contact_is_the_same_warm_and_cold(
         a in any_convex(),
@@ -126,7 +126,7 @@ proptest! {
         }
     }
 
-    /// Through each other: no contact, corner, poking through, contained, and out again.
+    /// A pass through each other: apart, corner, across, contained, and apart again.
     #[test]
     fn a_pass_right_through_is_the_same_warm_and_cold(
         a in any_convex(),
@@ -145,8 +145,7 @@ proptest! {
         }
     }
 
-    /// Round and round inside and across: crossings come in fours and go again while the warm clip
-    /// holds one of the two lenses.
+    /// Turning inside and across: a second lens appears and disappears while the warm clip follows the first.
     #[test]
     fn four_crossings_that_appear_beside_a_lens_are_the_same_warm_and_cold(
         (length_a, width_a) in (5.0..60.0f64, 0.001..20.0f64),
@@ -166,7 +165,7 @@ proptest! {
         }
     }
 
-    /// A hint from anywhere: jumps, so that the warm clip starts from edges that mean nothing.
+    /// Random jumps: the warm clip starts from unrelated edges.
     #[test]
     fn a_jump_to_any_place_is_the_same_warm_and_cold(
         a in any_convex(),
@@ -182,8 +181,7 @@ proptest! {
     }
 }
 
-/// Polygons whose far side has all its turn in one place, so that an inscribed polygon of a few of
-/// its vertices is a bad likeness.
+/// Polygons with nearly all their turn at one place, which few of their vertices approximate badly.
 #[test]
 fn lopsided_polygons_are_the_same_warm_and_cold() {
     let mut drop = points(&[(40.0, 0.0)]);
@@ -207,8 +205,7 @@ fn lopsided_polygons_are_the_same_warm_and_cold() {
     }
 }
 
-/// A slow walk of a corner along a face and over its end, 50,000 steps without a cold one in
-/// between unless the certificate asks for it.
+/// A corner moves slowly along a face and past its end: 50,000 steps, cold only where the warm clip requires it.
 #[test]
 fn fifty_thousand_small_steps_round_a_hull_are_the_same_warm_and_cold() {
     let (ship, tug) = (hull(298.0, 46.0, 64), hull(32.0, 13.0, 24));
@@ -216,7 +213,7 @@ fn fifty_thousand_small_steps_round_a_hull_are_the_same_warm_and_cold() {
     for step in 0..50_000 {
         let t = f64::from(step) / 50_000.0;
         let (sin, cos) = libm::sincos(core::f64::consts::TAU * t);
-        // Round the ship at about its own shape, now deeper, now free.
+        // Round the ship along about its own shape, at times deeper, at times free.
         let sunk = 1.0 - 0.02 * libm::sin(300.0 * t).max(-0.5);
         let at = vec2((149.0 + 8.0) * cos, (23.0 + 6.5) * sin) * sunk;
         both.clip(Pose::new(vec2(2.0, 3.0), 0.1), Pose::new(at, 40.0 * t));

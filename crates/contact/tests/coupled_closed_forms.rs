@@ -1,5 +1,4 @@
-//! The coupled method against every row of docs/contact_model.md, section 5: what the paper's method gets
-//! wrong, with the right answers.
+//! The coupled method in every case of docs/contact_model.md, section 5, where the paper's method fails.
 
 mod small_host;
 
@@ -10,7 +9,7 @@ use small_host::{
     spring, two,
 };
 
-/// A ship 200 m × 32 m, sideways against `count` fenders 4 m wide spread along her side, `gap_m` off.
+/// A ship 200 m × 32 m, sideways at `gap_m` from `count` fenders 4 m wide along her side.
 fn ship_and_fenders(
     count: usize,
     gap_m: f64,
@@ -56,7 +55,7 @@ fn a_ship_pushed_on_a_fender_rests_at_force_over_stiffness() {
 }
 
 #[test]
-fn a_ship_on_many_fenders_rebounds_at_gamma_whatever_their_number_stiffness_and_time_step() {
+fn a_ship_rebounds_at_gamma_from_any_number_of_fenders() {
     for count in [1, 2, 8, 20] {
         for stiffness in [0.5e6, 50e6] {
             for step_s in [0.1, 1.0] {
@@ -98,7 +97,7 @@ fn a_tug_that_pushes_on_a_wall_does_not_creep() {
 }
 
 #[test]
-fn a_tug_does_not_leave_faster_than_it_came() {
+fn a_tug_does_not_rebound_faster_than_it_hits() {
     for gamma in [0.0, 0.1, 0.5, 0.9] {
         for step_s in [0.01, 0.1, 0.5, 1.0, 2.0] {
             let host = Host::run(tug_at_a_wall(2.0, 2.06, spring(500e3, gamma), step_s));
@@ -113,7 +112,7 @@ fn a_tug_does_not_leave_faster_than_it_came() {
 }
 
 #[test]
-fn two_seconds_a_step_give_the_peak_and_depth_of_a_hundredth() {
+fn a_step_of_2_s_gives_the_peak_and_depth_of_0_01_s() {
     let result = |step_s| {
         let host = Host::run(tug_at_a_wall(2.0, 2.06, spring(500e3, 0.1), step_s));
         let (_, peaks) = host.pairs[0];
@@ -131,7 +130,7 @@ fn two_seconds_a_step_give_the_peak_and_depth_of_a_hundredth() {
 }
 
 #[test]
-fn a_moored_ship_held_by_friction_does_not_creep_along() {
+fn a_moored_ship_held_by_friction_does_not_creep() {
     let mut rubber = spring(500e3, 0.1);
     rubber.shear_stiffness_npm = 3e6;
     rubber.friction_static = 0.5;
@@ -140,7 +139,7 @@ fn a_moored_ship_held_by_friction_does_not_creep_along() {
         let mut scene = ship_and_fenders(8, 0.0, rubber, step_s, 3600.0);
         scene.loads.push(steady(0, 800e3, 200e3));
         let mut host = Host::new(scene);
-        // Her swing on the shear springs, which nothing but the rebound damps, has died out then.
+        // By then her swing on the shear springs, damped by the rebound alone, has decayed.
         let mut at_rest = None;
         while !host.is_done() {
             host.step();
@@ -211,7 +210,7 @@ fn a_restored_snapshot_replays_the_run_bit_for_bit() {
     let mut states = host.states.to_vec();
     let mut loads = vec![fenderline_contact::Wrench::default(); states.len()];
     loads[9].force_n = vec2(0.0, 400e3);
-    // The engine alone, from the restored memory and from the old one, each in its own workspace.
+    // The engine alone, from the restored and from the original memory, each with its own workspace.
     let mut other_memory = host.memory.clone();
     let mut other_work = fenderline_contact::Workspace::new(&model);
     let mut other_states = states.clone();
@@ -234,7 +233,7 @@ fn a_restored_snapshot_replays_the_run_bit_for_bit() {
 }
 
 #[test]
-fn contact_gives_no_energy_in_a_busy_berth() {
+fn contacts_make_no_energy_at_a_busy_berth() {
     for step_s in [0.1, 0.5, 2.0] {
         let host = Host::run(busy_berth(step_s));
         assert!(host.contact_work_j < 0.0, "Δt {step_s}: {} J", host.contact_work_j);
@@ -245,10 +244,10 @@ fn contact_gives_no_energy_in_a_busy_berth() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 
-    /// Oblique hits with friction, at any time step: with chord normals too, nobody left with more
-    /// energy than it came with, and the solve settled within its bounded work. (1e-9: rounding.)
+    /// Oblique impacts with friction at any time step, chord normals included: no energy is created, and the
+    /// solve converges within its iteration limit. (1e-9: rounding.)
     #[test]
-    fn a_hit_makes_no_energy_and_the_solve_settles(
+    fn an_impact_makes_no_energy_and_the_solve_converges(
         y in -40.0..40.0_f64,
         heading in -0.6..0.6_f64,
         surge in 0.2..3.2_f64,

@@ -1,6 +1,6 @@
-//! What hosts do to the coupled method: bad loads, absurd places, speeds and time steps.
+//! Bad input to the coupled method: bad loads, absurd positions, speeds and time steps.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 #[allow(dead_code, reason = "each test uses its own part of the scene")]
 mod scene;
@@ -26,7 +26,7 @@ fn alongside() -> BodyState {
 }
 
 #[test]
-fn a_load_that_is_no_number_is_refused_by_body_and_field_and_changes_nothing() {
+fn a_non_finite_load_names_body_and_field_and_changes_nothing() {
     let model = scene::berth(500e3);
     let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
     let states = scene::states(alongside());
@@ -57,10 +57,10 @@ fn a_load_that_is_no_number_is_refused_by_body_and_field_and_changes_nothing() {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) })]
 
-    /// Thousands of metres of overlap, teleports, wild speeds, stiff fenders and steps of minutes:
-    /// bounded work, finite forces and states.
+    /// Thousands of metres of overlap, teleports, absurd speeds, stiff fenders and steps of minutes give finite
+    /// forces and states in bounded time.
     #[test]
-    fn whatever_a_host_does_forces_and_states_stay_finite(
+    fn forces_and_states_are_finite_for_any_input(
         log_stiffness in 3.0..12.0_f64,
         log_step in -3.0..2.0_f64,
         moves in prop::collection::vec(
@@ -87,7 +87,7 @@ proptest! {
                 prop_assert!(wrench.force_n.is_finite() && wrench.moment_nm.is_finite());
                 sum += wrench.force_n;
             }
-            // Rounding is of the contacts' own forces, which may all but cancel in the ship's wrench.
+            // Relative to the contacts' forces, which may nearly cancel in the ship's wrench.
             let forces = work.contacts().iter().map(|c| c.force_on_body_1_n().length());
             let wrenches = work.wrenches().iter().map(|w| w.force_n.length());
             let largest = forces.chain(wrenches).fold(0.0, f64::max);
@@ -135,16 +135,16 @@ fn ship_off_two_fenders() -> (Model, Vec<BodyState>) {
         });
     }
     builder.all_other_pairs(rubber);
-    // Her side at 34 m less the half of her beam: a metre off the fenders' faces.
+    // Her side is a metre off the fenders' faces.
     let ship = BodyState { position_m: vec2(0.0, 11.0 + 23.0 + 1.0), ..BodyState::default() };
     (builder.build().expect("a good model"), vec![BodyState::default(), ship])
 }
 
-/// A ship that was put into her fenders by less than a tenth of her half-length stayed there for ever, with no load
-/// as with any: fenders give back what they have taken, and these had taken nothing.
+/// A ship placed in her fenders by less than a tenth of her half-length stayed there for ever, with or without load:
+/// fenders return absorbed energy, and these had absorbed none.
 #[test]
-fn a_ship_that_is_put_into_her_fenders_is_pressed_out_to_her_static_depth() {
-    // Depth and turn at which she is put, before that, and the load.
+fn a_ship_placed_in_her_fenders_is_pressed_out_to_her_static_depth() {
+    // Depth and heading at which she is placed, those before, and the load.
     for (put_m, turned_rad, before_m, load_n) in [
         (0.4, 0.0, None, 0.0),
         (0.9, 0.0, None, 1e6),

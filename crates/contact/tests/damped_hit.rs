@@ -1,6 +1,6 @@
-//! A damped hit, head-on, against its closed form, at any time step.
+//! A damped head-on impact against its closed form, at any time step.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 use std::f64::consts::PI;
 
@@ -11,18 +11,18 @@ const STIFFNESS_NPM: f64 = 5e6;
 const WIDTH_M: f64 = 4.0;
 const SPEED_MPS: f64 = 0.5;
 
-/// What meets the barge.
+/// What the barge hits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Buffer {
     /// The outline of a quay.
     Outline,
-    /// A face that is an elastic foundation, one with a reaction curve, and several beside each other.
+    /// A face that is an elastic foundation, one with a reaction curve, and several side by side.
     Foundation,
     Curve,
     Row,
 }
 
-/// A square barge and what meets her, of ω = √5 s⁻¹ and this damping ratio, all face to face.
+/// A square barge face to face with the buffer, with ω = √5 s⁻¹ and this damping ratio.
 fn model(buffer: Buffer, ratio: f64) -> Model {
     let rectangle = |x: [f64; 2], y: [f64; 2]| {
         let corners = [vec2(x[0], y[0]), vec2(x[1], y[0]), vec2(x[1], y[1]), vec2(x[0], y[1])];
@@ -80,7 +80,7 @@ fn model(buffer: Buffer, ratio: f64) -> Model {
     builder.build().expect("a good model")
 }
 
-/// Depth, peak force, the share of the energy that is lost, and the impulse over the change of momentum.
+/// Depth, peak force, share of energy lost, and impulse over change of momentum.
 #[derive(Clone, Copy, Debug)]
 struct Hit {
     depth_m: f64,
@@ -89,7 +89,7 @@ struct Hit {
     impulse: f64,
 }
 
-/// m ẍ = −k x − c ẋ from the first touch to where the force is nought: there a massless damper lets go.
+/// m ẍ = −k x − c ẋ from first touch until the force is zero, where a massless damper separates.
 fn closed_form(ratio: f64) -> Hit {
     let rate = (STIFFNESS_NPM / MASS_KG).sqrt();
     let damped = rate * (1.0 - ratio * ratio).sqrt();
@@ -108,7 +108,7 @@ fn closed_form(ratio: f64) -> Hit {
     Hit { depth_m, peak_n, lost: 1.0 - (speed(t) / SPEED_MPS).powi(2), impulse: 1.0 }
 }
 
-/// The same by the engine; the barge begins so far off.
+/// The same by the engine; the barge starts at `gap_m`.
 fn hit(buffer: Buffer, ratio: f64, step_s: f64, gap_m: f64) -> Hit {
     let model = model(buffer, ratio);
     let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
@@ -137,16 +137,16 @@ fn hit(buffer: Buffer, ratio: f64, step_s: f64, gap_m: f64) -> Hit {
     found
 }
 
-/// Steps of the engine (s), and how far off the barge begins as a share of what she goes in a step: the first touch
-/// falls anywhere.
+/// Steps of the engine (s), and the initial gap as a share of the barge's way in a step, so that the first touch may
+/// fall anywhere in a step.
 const STEPS_S: [f64; 8] = [0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 1.0, 2.0];
 
-/// The energy lost was 25 % too small where a step had several sub-steps: the growth of the last of them was taken
-/// over the time of the whole step, and where it had one alone the damper was half of it late. What is left is
-/// the leapfrog's own error at 0.15 rad a sub-step, (ωh)²/8 or 0.3 %, and at the least damping, where a sixth is lost
-/// of the energy, as much again of that.
+/// The energy lost was 25 % too small in steps with several sub-steps: the overlap's growth in the last sub-step was
+/// divided by the whole step. In steps with one sub-step the damper was half a step late. The remaining error is the
+/// leapfrog's at 0.15 rad per sub-step, (ωh)²/8 or 0.3 %, and as much again of the loss at the smallest damping,
+/// where a sixth of the energy is lost.
 #[test]
-fn a_damped_hit_is_as_deep_as_hard_and_as_lossy_at_any_time_step() {
+fn depth_force_and_loss_of_a_damped_impact_match_the_closed_form() {
     for buffer in [Buffer::Outline, Buffer::Foundation, Buffer::Curve, Buffer::Row] {
         for ratio in [0.03, 0.06, 0.1, 0.2] {
             let right = closed_form(ratio);
@@ -162,10 +162,10 @@ fn a_damped_hit_is_as_deep_as_hard_and_as_lossy_at_any_time_step() {
     }
 }
 
-/// Forces act for another time than the sub-steps' own where the length of these changes: the mean force times the step
+/// Where the length of the sub-steps changes, a force acts for another time than its sub-step: mean force times step
 /// was up to 0.8 % off.
 #[test]
-fn the_impulse_of_a_hit_is_the_change_of_momentum_where_sub_steps_change() {
+fn the_impulse_is_the_change_of_momentum_where_sub_steps_change() {
     for buffer in [Buffer::Outline, Buffer::Foundation, Buffer::Curve, Buffer::Row] {
         for ratio in [0.0, 0.03, 0.1, 0.2] {
             for (step_s, gap) in STEPS_S.iter().flat_map(|&s| (0..12).map(move |gap| (s, gap))) {

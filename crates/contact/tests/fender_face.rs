@@ -1,6 +1,6 @@
-//! A fender's force against what it must be: the gradient of the energy that it stores.
+//! A fender's force is the gradient of its stored energy.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 use fenderline_contact::*;
 use proptest::prelude::*;
@@ -9,7 +9,7 @@ fn hull(vertices: &[Vec2]) -> Outline {
     Outline::new(vertices).expect("a good outline").0
 }
 
-/// A blunt ship's end and side, 60 m × 16 m, with a step: not convex.
+/// A blunt, non-convex hull of 60 m × 16 m, with a step.
 fn stepped_hull() -> Outline {
     let points = [(-30.0, -8.0), (22.0, -8.0), (30.0, -2.0), (30.0, 3.0), (20.0, 8.0), (4.0, 8.0)];
     let mut vertices: Vec<Vec2> = points.iter().map(|&(x, y)| vec2(x, y)).collect();
@@ -48,7 +48,7 @@ fn cone() -> FenderLaw {
     FenderLaw::Curve(vec![[0.0, 0.0], [0.25, 6e5], [0.5, 5e5], [0.8, 6e5], [1.0, 9e5]])
 }
 
-/// A quay whose fender faces north, and a ship; `quay_first` decides whose frame is the pair's.
+/// A quay whose fender faces north, and a ship; `quay_first` decides whose frame the pair uses.
 fn model(law: FenderLaw, quay_first: bool) -> (Model, BodyId, BodyId) {
     let mut builder = Model::builder();
     let quay = Body {
@@ -70,13 +70,13 @@ fn model(law: FenderLaw, quay_first: bool) -> (Model, BodyId, BodyId) {
     (builder.build().expect("a good model"), quay, ship)
 }
 
-/// Stored energy, and the trial force and moment on the ship about her centre of gravity; as deep as the fender
-/// projects at most: twice that deep its zone ends.
+/// Stored energy, and the trial force and moment on the ship about her centre of gravity, for depths up to the
+/// fender's projection; its zone is twice as deep.
 fn pressed(model: &Model, pose: [f64; 3], origin_m: Vec2) -> Option<(f64, [f64; 3])> {
     pressed_up_to(1.2, model, pose, origin_m)
 }
 
-/// The same for another depth.
+/// [`pressed`] up to another depth.
 fn pressed_up_to(
     most_m: f64,
     model: &Model,
@@ -101,7 +101,7 @@ fn pressed_up_to(
     Some((contact.energy.stored_j, [force.x, force.y, moment]))
 }
 
-/// Poses in which the ship's side, bow or stern is on the fender: her side is along the quay at 90°.
+/// Poses with the ship's side, bow or stern on the fender; at 90° her side is parallel to the quay.
 fn poses() -> impl Strategy<Value = [f64; 3]> {
     let along_side = (8.2..9.1_f64, -28.0..28.0_f64, -0.25..0.25_f64)
         .prop_map(|(x, y, tilt)| [x, y, core::f64::consts::FRAC_PI_2 + tilt]);
@@ -113,9 +113,9 @@ fn poses() -> impl Strategy<Value = [f64; 3]> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(6000))]
 
-    /// Central differences over 10 µm: their own error is of the order of 1e-10 of the energy's third
-    /// derivative, and what rounding leaves of a stored 1e5 J is 1e-6 of the force. A corner that meets
-    /// a side of the fender within the difference makes a kink there, which the 1e-4 allows for.
+    /// Central differences over 10 µm: their error is of the order of 1e-10 of the energy's third derivative, and
+    /// rounding of a stored 1e5 J gives 1e-6 of the force. A corner that crosses a side of the fender within the
+    /// difference makes a kink, which 1e-4 allows for.
     #[test]
     fn the_force_is_the_gradient_of_the_stored_energy(
         pose in poses(),
@@ -124,7 +124,7 @@ proptest! {
     ) {
         let law = if area { FenderLaw::Area } else { cone() };
         let (model, ..) = model(law, quay_first);
-        // About one pose in four is on the fender and within its travel.
+        // About a quarter of the poses touch the fender within its travel.
         let Some((stored_j, force)) = pressed(&model, pose, Vec2::ZERO) else { return Ok(()) };
         if stored_j < 100.0 {
             return Ok(());
@@ -135,11 +135,11 @@ proptest! {
             let stored = |sign: f64| {
                 let mut moved = pose;
                 moved[axis] += sign * by;
-                // A little deeper than the pose itself may be.
+                // A little deeper than the pose itself.
                 pressed_up_to(1.3, &model, moved, Vec2::ZERO).map_or(0.0, |(stored_j, _)| stored_j)
             };
             let gradient = -(stored(1.0) - stored(-1.0)) / (2.0 * by);
-            // A moment's lever is up to 30 m.
+            // The moment's lever is up to 30 m.
             let scale = if axis == 2 { 30.0 } else { 1.0 } * (size + 1e3);
             prop_assert!(
                 (force[axis] - gradient).abs() <= 1e-4 * scale,
@@ -148,7 +148,7 @@ proptest! {
         }
     }
 
-    /// 1e7 m away, as UTM coordinates are; positions themselves are known to 2e-9 m there.
+    /// At UTM coordinates of 1e7 m, where positions are rounded to 2e-9 m.
     #[test]
     fn the_order_of_keys_and_the_charts_origin_do_not_matter(pose in poses()) {
         let (one, ..) = model(cone(), true);
@@ -169,11 +169,11 @@ proptest! {
 }
 
 #[test]
-fn a_flat_side_gets_the_reaction_of_its_depth() {
-    // The ship's port side, y = −8, parallel to the face: heading 90° puts it north of her, −90° south.
+fn a_flat_side_gets_the_reaction_at_its_depth() {
+    // The ship's port side, y = −8, parallel to the face: north of her at heading 90°, south at −90°.
     let heading = -core::f64::consts::FRAC_PI_2;
     for depth_m in [0.05, 0.25, 0.4, 0.7, 0.95] {
-        // Her port side lies at x_ship − 8 then; the face at 1.2.
+        // Her port side is at x_ship − 8, the face at 1.2.
         let pose = [1.2 + 8.0 - depth_m, 0.0, heading];
         let expected = [
             (FenderLaw::Area, 400e3 * 3.0 * depth_m, 0.5 * 400e3 * 3.0 * depth_m * depth_m),

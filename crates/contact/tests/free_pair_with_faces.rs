@@ -1,4 +1,4 @@
-//! Two floating bodies, one with fenders: what holds without any reference data.
+//! Two floating bodies, one with fenders: properties that need no reference data.
 
 mod small_host;
 
@@ -11,7 +11,7 @@ use small_host::{
     BodySetup, Host, Integrator, Method, PairSetup, Scene, floating, rectangle, spring,
 };
 
-/// A pontoon of `mass_kg` whose western side carries five cones, and a tug bow on to them.
+/// A pontoon of `mass_kg` with five cone fenders on its west side, and a tug bow on to them.
 fn pontoon_and_tug(mass_kg: f64, facing: Material, step_s: f64) -> Scene {
     let pontoon = floating("pontoon", rectangle(60.0, 20.0), mass_kg, 18.0);
     let mut boat = floating("tug", tug().outline, 1e6, 8.0);
@@ -50,7 +50,7 @@ fn facing(friction: f64, restitution: f64) -> Material {
 }
 
 #[test]
-fn a_symmetric_hit_on_faces_leaves_no_spin() {
+fn a_symmetric_impact_on_fenders_leaves_no_yaw() {
     for step_s in [0.05, 0.1, 0.5, 1.0, 2.0] {
         for law in [None, Some(FenderLaw::Area), Some(FenderLaw::linear(1e6))] {
             let mut scene = pontoon_and_tug(5e6, facing(0.3, 0.5), step_s);
@@ -75,7 +75,7 @@ fn a_symmetric_hit_on_faces_leaves_no_spin() {
 }
 
 #[test]
-fn a_ship_sideways_on_eight_fenders_leaves_without_spin() {
+fn a_ship_sideways_on_eight_fenders_rebounds_without_yaw() {
     for step_s in [0.1, 1.0] {
         let mut scene = small_host::scenes::oblique_berthing(step_s);
         scene.bodies[1] = BodySetup {
@@ -96,8 +96,7 @@ fn a_ship_sideways_on_eight_fenders_leaves_without_spin() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
-    /// With faces, friction and damping, at any time step. As without: 1e-10 is rounding over some
-    /// thousand sub-steps.
+    /// With fenders, friction and damping, at any time step. 1e-10 is rounding over some thousand sub-steps.
     #[test]
     fn momentum_of_a_free_pair_is_constant_to_rounding(
         log_mass in 5.5..8.0_f64,

@@ -1,5 +1,5 @@
-//! What a host can get wrong towards a `CoSimHost`: numbers that are none, wrong counts, another
-//! model, bodies put elsewhere. Errors change nothing.
+//! Mistakes of a co-simulation host: non-finite numbers, wrong counts, another model, teleports. Errors
+//! change nothing.
 
 #[allow(dead_code, reason = "each test uses its own part of the master")]
 mod master;
@@ -13,10 +13,10 @@ use master::{Master, ship_on_two_fenders, tug_against_a_ship, tug_at_a_wall};
 const STEP_S: f64 = 0.1;
 const BAD_NUMBERS: [f64; 5] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, 1e300];
 
-/// A tug against a ship, some steps into the contact, shown one step late.
+/// A tug against a ship, some steps into the contact, with states one step late.
 fn in_contact() -> Master {
-    let story = tug_against_a_ship(0.5);
-    let mut master = Master::known(story, HostIntegration::ForwardEuler, 1);
+    let scene = tug_against_a_ship(0.5);
+    let mut master = Master::known(scene, HostIntegration::ForwardEuler, 1);
     while master.work.contacts().is_empty() {
         master.step(STEP_S);
     }
@@ -40,9 +40,9 @@ fn a_bad_number_names_body_and_field_and_changes_nothing() {
     for body in 0..2 {
         for (field, field_of) in fields {
             for value in BAD_NUMBERS {
-                let mut states = master.shown().to_vec();
+                let mut states = master.input_states().to_vec();
                 *field_of(&mut states[body]) = value;
-                let model = &master.story.model;
+                let model = &master.scene.model;
                 match master.host.step(model, &mut master.work, &states, None, STEP_S) {
                     Err(StepError::BadState { body: name, field: named, .. }) => {
                         assert_eq!((name, named), (model.bodies()[body].name.clone(), field));
@@ -59,8 +59,8 @@ fn a_bad_number_names_body_and_field_and_changes_nothing() {
 fn bad_loads_counts_steps_and_models_are_errors_and_change_nothing() {
     let mut master = in_contact();
     let before = master.host.clone();
-    let states = master.shown().to_vec();
-    let (model, work) = (&master.story.model, &mut master.work);
+    let states = master.input_states().to_vec();
+    let (model, work) = (&master.scene.model, &mut master.work);
     for value in BAD_NUMBERS {
         let mut loads = [Wrench::default(); 2];
         loads[1].moment_nm = value;
@@ -78,21 +78,21 @@ fn bad_loads_counts_steps_and_models_are_errors_and_change_nothing() {
     assert_eq!(master.host, before);
 }
 
-/// Found by random calls from C: what is reckoned of a host was told of a step that failed.
+/// Found by random calls from C: after a failed step the estimate of the host was that of the failed step.
 #[test]
-fn a_step_that_fails_within_leaves_what_was_reckoned() {
-    let story = tug_at_a_wall(1.0, 0.0, 0.1);
+fn a_failed_step_leaves_the_estimate_unchanged() {
+    let scene = tug_at_a_wall(1.0, 0.0, 0.1);
     let settings = HostSettings { delay_steps: 1, integration: HostIntegration::ForwardEuler };
     let (mut host, mut work) =
-        (CoSimHost::new(&story.model, settings), HostWorkspace::new(&story.model));
-    host.step(&story.model, &mut work, &story.states, None, STEP_S).expect("good states");
+        (CoSimHost::new(&scene.model, settings), HostWorkspace::new(&scene.model));
+    host.step(&scene.model, &mut work, &scene.states, None, STEP_S).expect("good states");
     let (before, present, loads) =
         (host.clone(), work.estimated_states().to_vec(), work.loads().to_vec());
-    // The way that she goes in the step that is not shown yet leads out of what the engine takes.
-    let mut states = story.states.clone();
+    // Her motion in the step that the host has not reported yet leaves the accepted range.
+    let mut states = scene.states.clone();
     states[0].position_m = vec2(1e9, 0.0);
     states[0].velocity_mps = vec2(1e6, 0.0);
-    assert!(host.step(&story.model, &mut work, &states, None, STEP_S).is_err());
+    assert!(host.step(&scene.model, &mut work, &states, None, STEP_S).is_err());
     assert_eq!((&host, work.estimated_states(), work.loads()), (&before, &present[..], &loads[..]));
 }
 
@@ -103,7 +103,7 @@ fn an_error_between_two_steps_changes_no_bit_of_the_run() {
         for _ in 0..50 {
             if trip {
                 let bad = vec![BodyState::default()];
-                let model = &master.story.model;
+                let model = &master.scene.model;
                 assert!(master.host.step(model, &mut master.work, &bad, None, STEP_S).is_err());
             }
             master.step(STEP_S);
@@ -116,34 +116,34 @@ fn an_error_between_two_steps_changes_no_bit_of_the_run() {
 #[test]
 fn a_copy_and_a_reset_replay_the_same_bits() {
     let mut one = in_contact();
-    let mut two = Master::known(one.story.clone(), HostIntegration::ForwardEuler, 1);
+    let mut two = Master::known(one.scene.clone(), HostIntegration::ForwardEuler, 1);
     (two.host, two.past) = (one.host.clone(), one.past.clone());
     for _ in 0..100 {
         one.step(STEP_S);
         two.step(STEP_S);
         assert_eq!((&one.host, one.states()), (&two.host, two.states()));
     }
-    one.host.reset(&one.story.model);
-    assert_eq!(one.host, CoSimHost::new(&one.story.model, one.host.settings()));
+    one.host.reset(&one.scene.model);
+    assert_eq!(one.host, CoSimHost::new(&one.scene.model, one.host.settings()));
 }
 
 #[test]
-fn a_body_put_elsewhere_takes_no_load_and_no_force_with_it() {
+fn a_teleported_body_has_no_observed_load_and_no_force() {
     for delay_steps in 0..=2 {
-        let story = ship_on_two_fenders(0.0);
-        let mut master = Master::known(story, HostIntegration::ForwardEuler, delay_steps);
+        let scene = ship_on_two_fenders(0.0);
+        let mut master = Master::known(scene, HostIntegration::ForwardEuler, delay_steps);
         master.run(STEP_S, 60.0);
         assert_eq!(master.work.contacts().len(), 2);
-        // The host puts her 300 m off, at 1 m/s.
+        // The host moves her 300 m away, at 1 m/s.
         let ship = &mut master.past.last_mut().expect("never empty")[0];
         ship.position_m += vec2(300.0, -300.0);
         ship.velocity_mps = vec2(1.0, 0.0);
-        let mut told = false;
+        let mut reported = false;
         for _ in 0..=delay_steps {
             master.step(STEP_S);
-            told |= master.work.events().iter().any(|e| e.kind == EventKind::Teleported);
+            reported |= master.work.events().iter().any(|e| e.kind == EventKind::Teleported);
         }
-        assert!(told, "delay {delay_steps}");
+        assert!(reported, "delay {delay_steps}");
         for _ in 0..20 {
             master.step(STEP_S);
             assert_eq!(master.work.wrenches()[0], Wrench::default(), "delay {delay_steps}");
@@ -154,29 +154,29 @@ fn a_body_put_elsewhere_takes_no_load_and_no_force_with_it() {
 }
 
 #[test]
-fn a_velocity_set_anew_is_no_load_where_no_load_could_be_so_large() {
+fn a_sudden_velocity_is_not_a_load_beyond_plausible_size() {
     let settings = HostSettings { delay_steps: 0, integration: HostIntegration::SemiImplicit };
-    let story = tug_at_a_wall(100.0, 0.0, 0.1);
+    let scene = tug_at_a_wall(100.0, 0.0, 0.1);
     let (mut host, mut work) =
-        (CoSimHost::new(&story.model, settings), HostWorkspace::new(&story.model));
-    let mut states = story.states.clone();
-    host.step(&story.model, &mut work, &states, None, 1e-6).expect("good states");
+        (CoSimHost::new(&scene.model, settings), HostWorkspace::new(&scene.model));
+    let mut states = scene.states.clone();
+    host.step(&scene.model, &mut work, &states, None, 1e-6).expect("good states");
     states[0].velocity_mps = vec2(0.0, 1e4);
-    host.step(&story.model, &mut work, &states, None, 1e-6).expect("good states");
+    host.step(&scene.model, &mut work, &states, None, 1e-6).expect("good states");
     assert_eq!(work.loads()[0].force_n, Vec2::ZERO);
 }
 
-/// Wild masters: whatever they show, forces are finite or the step is refused.
+/// For any states, forces are finite or the step is refused.
 #[test]
-fn bodies_that_jump_about_get_finite_wrenches() {
+fn random_teleports_give_finite_wrenches() {
     for integration in [HostIntegration::ForwardEuler, HostIntegration::SemiImplicit] {
-        let story = ship_on_two_fenders(0.5);
+        let scene = ship_on_two_fenders(0.5);
         let settings = HostSettings { delay_steps: 2, integration };
-        let mut host = CoSimHost::new(&story.model, settings);
-        let mut work = HostWorkspace::new(&story.model);
-        let mut states = story.states.clone();
+        let mut host = CoSimHost::new(&scene.model, settings);
+        let mut work = HostWorkspace::new(&scene.model);
+        let mut states = scene.states.clone();
         for k in 0..2000_u32 {
-            // Pseudo-random by a multiplicative hash: the same every time.
+            // Pseudo-random by a multiplicative hash.
             let dice = |salt: u32| {
                 f64::from((k * 7 + salt).wrapping_mul(2_654_435_761) >> 8) / f64::from(1 << 23)
                     - 1.0
@@ -188,7 +188,7 @@ fn bodies_that_jump_about_get_finite_wrenches() {
                 yaw_rate_radps: 0.5 * dice(6),
             };
             let step_s = [0.01, 0.1, 2.0][k as usize % 3];
-            for wrench in host.step(&story.model, &mut work, &states, None, step_s).expect("finite")
+            for wrench in host.step(&scene.model, &mut work, &states, None, step_s).expect("finite")
             {
                 assert!(wrench.force_n.is_finite() && wrench.moment_nm.is_finite());
             }
@@ -196,15 +196,15 @@ fn bodies_that_jump_about_get_finite_wrenches() {
     }
 }
 
-/// 1e7 m from the chart's origin a position is told to 2e-9 m, a mean velocity over 0.1 s to 2e-8 m/s.
+/// 1e7 m from the chart's origin a position is rounded to 2e-9 m, a mean velocity over 0.1 s to 2e-8 m/s.
 #[test]
-fn far_from_the_charts_origin_she_leaves_the_same() {
+fn far_from_the_charts_origin_the_rebound_is_the_same() {
     for delay_steps in 0..=1 {
-        let mut story = tug_at_a_wall(1.7, 2.06, 0.1);
-        for state in &mut story.states {
+        let mut scene = tug_at_a_wall(1.7, 2.06, 0.1);
+        for state in &mut scene.states {
             state.position_m += vec2(6.7e6, 1e7);
         }
-        let mut master = Master::known(story, HostIntegration::ForwardEuler, delay_steps);
+        let mut master = Master::known(scene, HostIntegration::ForwardEuler, delay_steps);
         master.run(STEP_S, 60.0);
         let left = -master.states()[0].velocity_mps.x;
         assert!((left - 0.206).abs() < 1e-6, "{left} m/s");

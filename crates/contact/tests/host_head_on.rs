@@ -1,7 +1,7 @@
-//! Hosts that show old states and tell no loads, in one dimension: 1000 t against k·width = 6.5 MN/m
-//! (docs/contact_model.md, section 6, item 7), against closed forms.
+//! Co-simulation hosts with old states and without loads, in one dimension: 1000 t against
+//! k·width = 6.5 MN/m (docs/contact_model.md, section 6, item 7), compared with closed forms.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 #[allow(dead_code, reason = "each test uses its own part of the master")]
 mod master;
@@ -9,39 +9,39 @@ mod master;
 use fenderline_contact::{
     BodyState, HostIntegration, HostSettings, Memory, Mobility, Workspace, Wrench, advance, vec2,
 };
-use master::{Master, Service, Story, model, rectangle, rubber, tug_at_a_wall};
+use master::{Master, Scene, Service, model, rectangle, rubber, tug_at_a_wall};
 
 const SPEED_MPS: f64 = 2.06;
 const PUSH_N: f64 = 500e3;
 const STIFFNESS_NPM: f64 = 6.5e6;
-/// More than the tug goes in a step of 2 s: a forward Euler host is bound to go its first step whatever
-/// it is given, and one that begins nearer is within the wall before anything can act.
+/// More than the tug's way in a step of 2 s: a forward Euler host moves with its old velocity in the first
+/// step, and from nearer would be in the wall before any force can act.
 const GAP_M: f64 = 5.0;
 const INTEGRATIONS: [HostIntegration; 2] =
     [HostIntegration::ForwardEuler, HostIntegration::SemiImplicit];
 
-/// The speed at which the tug leaves the wall.
-fn left_mps(mut master: Master, step_s: f64) -> f64 {
+/// The speed at which the tug leaves the wall, after a run.
+fn rebound_mps(mut master: Master, step_s: f64) -> f64 {
     master.run(step_s, 60.0);
     -master.states()[0].velocity_mps.x
 }
 
-/// The tug at rest at the wall, then pushed steadily.
-fn pushed(restitution: f64) -> Story {
-    let mut story = tug_at_a_wall(0.0, 0.0, restitution);
-    story.loads[0].force_n.x = PUSH_N;
-    story
+/// The tug at rest at the wall, under a steady push.
+fn pushed(restitution: f64) -> Scene {
+    let mut scene = tug_at_a_wall(0.0, 0.0, restitution);
+    scene.loads[0].force_n.x = PUSH_N;
+    scene
 }
 
 #[test]
-fn a_tug_leaves_at_gamma_times_her_speed_whatever_delay_integrator_and_step() {
+fn a_tug_rebounds_at_gamma_for_any_delay_integrator_and_step() {
     for integration in INTEGRATIONS {
         for gamma in [0.0, 0.1, 0.5, 0.9] {
             for step_s in [0.1, 0.5, 2.0] {
                 for delay_steps in 0..=3 {
-                    let story = tug_at_a_wall(GAP_M, SPEED_MPS, gamma);
-                    let left = left_mps(Master::known(story, integration, delay_steps), step_s);
-                    // The limit is exact: what is left is rounding.
+                    let scene = tug_at_a_wall(GAP_M, SPEED_MPS, gamma);
+                    let left = rebound_mps(Master::known(scene, integration, delay_steps), step_s);
+                    // The limit is exact but for rounding.
                     assert!(
                         (left - gamma * SPEED_MPS).abs() < 1e-9,
                         "{integration:?}, γ {gamma}, Δt {step_s}, delay {delay_steps}: {left} m/s"
@@ -52,17 +52,17 @@ fn a_tug_leaves_at_gamma_times_her_speed_whatever_delay_integrator_and_step() {
     }
 }
 
-/// With forward Euler and nothing that limits the force (γ = 1) she leaves at 3.0 m/s by the paper's method
+/// With forward Euler and no limit of the force (γ = 1) she leaves at 3.0 m/s by the paper's method
 /// (`crates/contact/tests/paper_method_against_coupled.rs`).
 #[test]
-fn without_a_limit_a_forward_euler_tug_leaves_no_faster_than_she_came() {
+fn a_forward_euler_tug_does_not_rebound_faster_than_she_hits() {
     for integration in INTEGRATIONS {
         for step_s in [0.1, 0.5, 1.0, 2.0] {
             for delay_steps in 0..=2 {
-                let story = tug_at_a_wall(GAP_M, SPEED_MPS, 1.0);
-                let left = left_mps(Master::known(story, integration, delay_steps), step_s);
+                let scene = tug_at_a_wall(GAP_M, SPEED_MPS, 1.0);
+                let left = rebound_mps(Master::known(scene, integration, delay_steps), step_s);
                 assert!(left <= SPEED_MPS + 1e-9, "Δt {step_s}, delay {delay_steps}: {left} m/s");
-                // Nothing is lost either; 1 %: the sub-step in which the contact begins.
+                // Nor is energy lost. 1 %: the sub-step in which the contact begins.
                 assert!(left > 0.99 * SPEED_MPS, "Δt {step_s}, delay {delay_steps}: {left} m/s");
             }
         }
@@ -70,17 +70,17 @@ fn without_a_limit_a_forward_euler_tug_leaves_no_faster_than_she_came() {
 }
 
 #[test]
-fn the_hosts_own_position_is_as_deep_as_it_should() {
-    // Half a sine: v/ω deep.
+fn the_hosts_position_reaches_the_right_depth() {
+    // Depth v/ω of a half sine.
     let depth_m = SPEED_MPS / (STIFFNESS_NPM / 1e6_f64).sqrt();
     for integration in INTEGRATIONS {
         for delay_steps in 0..=2 {
-            let story = tug_at_a_wall(1.7, SPEED_MPS, 0.1);
-            let mut master = Master::known(story, integration, delay_steps);
+            let scene = tug_at_a_wall(1.7, SPEED_MPS, 0.1);
+            let mut master = Master::known(scene, integration, delay_steps);
             master.run(0.1, 20.0);
             let furthest_m = master.past.iter().map(|s| s[0].position_m.x).fold(0.0, f64::max);
             let deepest_m = furthest_m - 1.7;
-            // 1.5 %: the engine's sub-steps, and the instant between two samples of 0.1 s.
+            // 1.5 %: the engine's sub-steps, and the time between samples of 0.1 s.
             assert!(
                 (deepest_m / depth_m - 1.0).abs() < 0.015,
                 "{integration:?}, delay {delay_steps}: {deepest_m} m, not {depth_m} m"
@@ -90,10 +90,10 @@ fn the_hosts_own_position_is_as_deep_as_it_should() {
 }
 
 #[test]
-fn a_tug_pushed_by_a_load_that_nobody_told_rests_at_force_over_stiffness() {
+fn a_tug_pushed_by_an_unreported_load_rests_at_force_over_stiffness() {
     for integration in INTEGRATIONS {
-        // Not γ = 0.9 with 2 s: the load is not known for up to 6 s, in which she goes 12 m into the
-        // wall, and is thrown off and turned.
+        // Not γ = 0.9 with 2 s: the load is unknown for up to 6 s, in which she moves 12 m into the wall; she is
+        // then thrown off and turned.
         for (gamma, steps_s) in [(0.1, [0.1, 0.5, 2.0].as_slice()), (0.9, &[0.1, 0.5])] {
             for &step_s in steps_s {
                 for delay_steps in 0..=2 {
@@ -101,7 +101,7 @@ fn a_tug_pushed_by_a_load_that_nobody_told_rests_at_force_over_stiffness() {
                     master.run(step_s, 600.0);
                     let state = master.states()[0];
                     let depth_m = state.position_m.x;
-                    // At rest the law alone counts: what is left has not yet died away.
+                    // At rest only the law matters; the difference is a motion that still decays.
                     assert!(
                         (depth_m / (PUSH_N / STIFFNESS_NPM) - 1.0).abs() < 1e-6,
                         "{integration:?}, γ {gamma}, Δt {step_s}, delay {delay_steps}: {depth_m} m"
@@ -118,11 +118,11 @@ fn a_tug_pushed_by_a_load_that_nobody_told_rests_at_force_over_stiffness() {
 }
 
 #[test]
-fn loads_that_are_told_serve_as_well_as_observed_ones() {
+fn reported_loads_work_as_well_as_observed_ones() {
     for delay_steps in 0..=2 {
         let integration = HostIntegration::ForwardEuler;
         let settings = HostSettings { delay_steps, integration };
-        let service = Service::Told(settings);
+        let service = Service::CoSimWithLoads(settings);
         let mut master = Master::new(pushed(0.1), integration, delay_steps, service);
         master.run(0.5, 600.0);
         let depth_m = master.states()[0].position_m.x;
@@ -130,64 +130,67 @@ fn loads_that_are_told_serve_as_well_as_observed_ones() {
     }
 }
 
-/// What the predictor is for. A prototype without it left at 0.89 and 2.47 m/s; 2 % at 0.1 s, for that
-/// prototype's gap is not known and the answer hangs on where the first step falls (here: the gap of the
-/// paper's Fig. 8). At 0.5 s, where she leaves faster than she came, the engine's letting go of stored
-/// energy, which the prototype did not have, adds more than that.
+/// The purpose of the predictor. A prototype without it left at 0.89 and 2.47 m/s. 2 % at 0.1 s, as the
+/// prototype's gap is unknown and the result depends on when the first step touches (here: the gap of the
+/// paper's Fig. 8). At 0.5 s she leaves faster than she came, and the engine's release of stored energy, which
+/// the prototype did not have, adds more.
 #[test]
-fn without_the_predictor_a_delay_of_one_step_speeds_the_tug_up() {
+fn without_the_predictor_a_delay_accelerates_the_tug() {
     let left = |step_s| {
-        let story = tug_at_a_wall(1.7, SPEED_MPS, 0.1);
-        left_mps(Master::new(story, HostIntegration::ForwardEuler, 1, Service::Plain), step_s)
+        let scene = tug_at_a_wall(1.7, SPEED_MPS, 0.1);
+        rebound_mps(
+            Master::new(scene, HostIntegration::ForwardEuler, 1, Service::AdvanceWithoutLoads),
+            step_s,
+        )
     };
     assert!((left(0.1) / 0.89 - 1.0).abs() < 0.02, "{} m/s", left(0.1));
     assert!(left(0.5) > SPEED_MPS, "{} m/s", left(0.5));
-    // Nor does all else help a host whose delay is not known.
+    // The other measures do not help a host whose delay is not given either.
     for integration in INTEGRATIONS {
-        let service = Service::Following(HostSettings { delay_steps: 0, integration });
-        let story = tug_at_a_wall(1.7, SPEED_MPS, 0.1);
-        let left = left_mps(Master::new(story, integration, 1, service), 0.1);
+        let service = Service::CoSim(HostSettings { delay_steps: 0, integration });
+        let scene = tug_at_a_wall(1.7, SPEED_MPS, 0.1);
+        let left = rebound_mps(Master::new(scene, integration, 1, service), 0.1);
         assert!(left > 0.8, "{integration:?}: {left} m/s");
     }
 }
 
-/// What the observer is for: without it the limiter lets the load through.
+/// The purpose of the observer: without it the limiter does not resist the load.
 #[test]
-fn without_the_observer_a_steady_load_takes_the_tug_too_deep() {
-    // Long enough to stay in one dimension: she cannot come to lie within the wall, nor turn.
+fn without_the_observer_a_steady_load_pushes_the_tug_too_deep() {
+    // Long enough to stay in one dimension: she can neither get inside the wall nor turn.
     let still = Mobility::Free { mass_kg: 1e6, yaw_inertia_kgm2: 1e25 };
     let bodies = [(rectangle(200.0, 13.0), still), (rectangle(200.0, 100.0), Mobility::Fixed)];
     let wall = BodyState { position_m: vec2(200.0, 0.0), ..BodyState::default() };
     let push = Wrench { force_n: vec2(PUSH_N, 0.0), moment_nm: 0.0 };
-    let story = Story {
+    let scene = Scene {
         model: model(&bodies, rubber(500e3, 0.1, 0.0)),
         states: vec![BodyState::default(), wall],
         loads: vec![push, Wrench::default()],
     };
     let depth_m = |delay_steps, service| {
         let integration = HostIntegration::ForwardEuler;
-        let mut master = Master::new(story.clone(), integration, delay_steps, service);
+        let mut master = Master::new(scene.clone(), integration, delay_steps, service);
         master.run(0.1, 600.0);
         master.states()[0].position_m.x
     };
     for delay_steps in [0, 1] {
         let integration = HostIntegration::ForwardEuler;
         let settings = HostSettings { delay_steps, integration };
-        let with_m = depth_m(delay_steps, Service::Following(settings));
+        let with_m = depth_m(delay_steps, Service::CoSim(settings));
         assert!((with_m / (PUSH_N / STIFFNESS_NPM) - 1.0).abs() < 1e-6, "{with_m} m");
-        // Metres in a prototype, 15.7 and 24.6 with a delay; here the engine lets go of what
-        // no load that it knows of holds, and the depth is wrong by a factor.
-        for without in [Service::Plain, Service::ToldNothing(settings)] {
+        // In a prototype she went in by metres, 15.7 and 24.6 with a delay. Here the engine releases stored
+        // energy that no known load balances, and the depth is wrong by a factor.
+        for without in [Service::AdvanceWithoutLoads, Service::CoSimWithoutObserver(settings)] {
             let creep_m = depth_m(delay_steps, without);
             assert!(creep_m > 3.0 * with_m, "delay {delay_steps}: {creep_m} m");
         }
     }
 }
 
-/// A load that swells and ebbs, 250 to 750 kN in 60 s. Told nothing, a host's contact carries it about as
-/// closely as the engine's own motion does with the load told.
+/// A load that varies from 250 to 750 kN in 60 s. Without being given it, the contact of a host follows it about
+/// as closely as the engine's own motion does with the load given.
 #[test]
-fn a_slow_load_that_nobody_told_is_carried_as_by_the_engine() {
+fn a_slow_unreported_load_is_followed_as_by_the_engine() {
     let (step_s, omega) = (0.1, core::f64::consts::TAU / 60.0);
     let load_n = |step: u32| PUSH_N * (1.0 + 0.5 * libm::sin(omega * f64::from(step) * step_s));
     let worst = |carried_n: &mut dyn FnMut(f64) -> f64| {
@@ -197,25 +200,25 @@ fn a_slow_load_that_nobody_told_is_carried_as_by_the_engine() {
             .map(|(_, off_n)| off_n)
             .fold(0.0, f64::max)
     };
-    let mut story = pushed(0.1);
-    let (mut memory, mut work) = (Memory::new(&story.model), Workspace::new(&story.model));
+    let mut scene = pushed(0.1);
+    let (mut memory, mut work) = (Memory::new(&scene.model), Workspace::new(&scene.model));
     let engine_n = worst(&mut |now_n| {
-        story.loads[0].force_n.x = now_n;
-        let (states, loads) = (&story.states, &story.loads);
-        advance(&story.model, &mut memory, &mut work, states, loads, step_s).expect("good states");
-        story.states.copy_from_slice(work.states_after());
+        scene.loads[0].force_n.x = now_n;
+        let (states, loads) = (&scene.states, &scene.loads);
+        advance(&scene.model, &mut memory, &mut work, states, loads, step_s).expect("good states");
+        scene.states.copy_from_slice(work.states_after());
         -work.wrenches()[0].force_n.x
     });
     for integration in INTEGRATIONS {
         for delay_steps in 0..=2_u32 {
             let mut master = Master::known(pushed(0.1), integration, delay_steps);
             let host_n = worst(&mut |now_n| {
-                master.story.loads[0].force_n.x = now_n;
+                master.scene.loads[0].force_n.x = now_n;
                 master.step(step_s);
                 -master.work.wrenches()[0].force_n.x
             });
-            // What the load may change by until it is known: the delay and the observer's step, and
-            // one more in which the velocity that it gave her meanwhile is taken off her.
+            // The load's change until it is known: the delay and the observer's step, and one more step in which
+            // the velocity gained meanwhile is removed.
             let late_n = 0.5 * PUSH_N * omega * step_s * f64::from(delay_steps + 2);
             assert!(
                 host_n < engine_n + late_n,

@@ -1,4 +1,4 @@
-//! A co-simulation host as bytes: saved in mid-contact, restored, and replayed.
+//! A co-simulation host as bytes: saved during contact, restored, and replayed.
 
 #[allow(dead_code, reason = "each test uses its own part of the master")]
 mod master;
@@ -11,9 +11,9 @@ const STEP_S: f64 = 0.1;
 fn in_contact(delay_steps: u32, service: fn(HostSettings) -> Service) -> Master {
     let integration = HostIntegration::SemiImplicit;
     let settings = HostSettings { delay_steps, integration };
-    let mut story = tug_against_a_ship(0.5);
-    story.loads[0].force_n.y = 2e5;
-    let mut master = Master::new(story, integration, delay_steps, service(settings));
+    let mut scene = tug_against_a_ship(0.5);
+    scene.loads[0].force_n.y = 2e5;
+    let mut master = Master::new(scene, integration, delay_steps, service(settings));
     while master.work.contacts().is_empty() {
         master.step(STEP_S);
     }
@@ -22,12 +22,12 @@ fn in_contact(delay_steps: u32, service: fn(HostSettings) -> Service) -> Master 
 }
 
 #[test]
-fn a_run_goes_on_from_a_snapshot_bit_for_bit() {
-    for service in [Service::Following, Service::Told] {
+fn a_run_continues_from_a_snapshot_bit_for_bit() {
+    for service in [Service::CoSim, Service::CoSimWithLoads] {
         for delay_steps in [0, 1, 3] {
             let mut one = in_contact(delay_steps, service);
             let mut two = in_contact(delay_steps, service);
-            let model = one.story.model.clone();
+            let model = one.scene.model.clone();
             let bytes = one.host.snapshot(&model);
             two.host = CoSimHost::new(&model, HostSettings::default());
             two.host.restore(&model, &bytes).expect("a good snapshot");
@@ -43,9 +43,9 @@ fn a_run_goes_on_from_a_snapshot_bit_for_bit() {
 }
 
 #[test]
-fn bytes_that_were_changed_cut_or_made_for_another_model_change_nothing() {
-    let mut master = in_contact(1, Service::Following);
-    let model = master.story.model.clone();
+fn changed_truncated_and_foreign_bytes_change_nothing() {
+    let mut master = in_contact(1, Service::CoSim);
+    let model = master.scene.model.clone();
     let good = master.host.snapshot(&model);
     let before = master.host.clone();
     for at in 0..good.len() {

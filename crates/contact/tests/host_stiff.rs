@@ -1,4 +1,4 @@
-//! Stiff contacts of hosts that move their bodies by themselves.
+//! Stiff contacts of hosts that move their bodies themselves.
 
 #[allow(dead_code, reason = "each test uses its own part of the master")]
 mod master;
@@ -7,9 +7,9 @@ use fenderline_contact::{
     Body, BodyId, BodyState, DirectHost, HostIntegration, HostSettings, HostWorkspace, Material,
     Memory, Mobility, Model, Pair, Workspace, Wrench, advance, advance_from_engine_states, vec2,
 };
-use master::{Master, Service, Story, rectangle};
+use master::{Master, Scene, Service, rectangle};
 
-fn two_ships_and_a_tug(load_n: f64, stiffness_npm2: f64) -> Story {
+fn two_ships_and_a_tug(load_n: f64, stiffness_npm2: f64) -> Scene {
     let free = |mass_kg: f64| Mobility::Free { mass_kg, yaw_inertia_kgm2: mass_kg * 2000.0 };
     let bodies = [
         ("inner ship", rectangle(20.0, 150.0), free(1.5e7)),
@@ -35,14 +35,14 @@ fn two_ships_and_a_tug(load_n: f64, stiffness_npm2: f64) -> Story {
     let at = |x: f64, y: f64| BodyState { position_m: vec2(x, y), ..BodyState::default() };
     let mut loads = vec![Wrench::default(); 4];
     loads[2].force_n = vec2(load_n, 0.0);
-    Story {
+    Scene {
         model: builder.build().expect("a good model"),
         states: vec![at(-0.3, 0.0), at(-20.5, 5.0), at(-46.0, 20.0), at(30.0, 0.0)],
         loads,
     }
 }
 
-/// Frames from 1/60 s to 0.5 s, pseudo-random by Knuth's generator, or all of 0.2 s.
+/// Frames of 1/60 s to 0.5 s, pseudo-random by Knuth's generator, or all of 0.2 s.
 fn frames(jitter: bool) -> impl FnMut() -> f64 {
     let mut dice = 7_u64;
     move || {
@@ -52,17 +52,17 @@ fn frames(jitter: bool) -> impl FnMut() -> f64 {
     }
 }
 
-/// With `advance` and a host's own integration the tug's force went between 0 and 1.7 MN, with 1,400 begin and end
-/// events: where the host came to within a frame was not where the engine had been.
+/// With `advance` and a host's own integration the tug's force alternated between 0 and 1.7 MN, with 1,400 events of
+/// beginning and end, as the host's position after a frame differed from the engine's.
 #[test]
-fn two_stiff_ships_and_a_tug_that_pushes_do_not_chatter() {
+fn two_stiff_ships_and_a_pushing_tug_do_not_chatter() {
     for stiffness_npm2 in [1e6, 1e7] {
         for integration in [HostIntegration::ForwardEuler, HostIntegration::SemiImplicit] {
             let settings = HostSettings { delay_steps: 0, integration };
-            for service in [Service::Present, Service::Following(settings)] {
+            for service in [Service::Direct, Service::CoSim(settings)] {
                 for jitter in [false, true] {
-                    let story = two_ships_and_a_tug(500e3, stiffness_npm2);
-                    let mut master = Master::new(story, integration, 0, service);
+                    let scene = two_ships_and_a_tug(500e3, stiffness_npm2);
+                    let mut master = Master::new(scene, integration, 0, service);
                     let mut next_s = frames(jitter);
                     let who =
                         format!("{stiffness_npm2} N/m², {service:?}, {integration:?}, {jitter}");
@@ -72,12 +72,12 @@ fn two_stiff_ships_and_a_tug_that_pushes_do_not_chatter() {
                         time_s += step_s;
                         master.step(step_s);
                         events += master.events().len();
-                        let push = master.given()[2].force_n.length() / 500e3;
+                        let push = master.wrenches()[2].force_n.length() / 500e3;
                         assert!(time_s < 120.0 || (push - 1.0).abs() < 0.05, "{who}: {push}");
                     }
                     assert!(events < 30, "{who}: {events} events");
                     let tug_m = master.states()[2].position_m;
-                    // Each contact gives way by 500 kN over its width, at most.
+                    // Each contact yields by at most 500 kN over its stiffness.
                     let right_m = -45.0 + 500e3 / stiffness_npm2 * (0.1 + 2.0 / 150.0);
                     assert!((tug_m.x - right_m).abs() < 0.01, "{who}: {tug_m:?}, not {right_m}");
                 }
@@ -86,10 +86,10 @@ fn two_stiff_ships_and_a_tug_that_pushes_do_not_chatter() {
     }
 }
 
-/// One that shows the engine's own states again has its bits.
+/// A host that passes the engine's states back gets its bits.
 #[test]
-fn a_host_that_lets_the_engine_move_its_bodies_gets_the_bits_of_advance_on() {
-    let Story { model, mut states, loads } = two_ships_and_a_tug(500e3, 1e7);
+fn a_host_that_lets_the_engine_move_its_bodies_gets_the_bits_of_advance() {
+    let Scene { model, mut states, loads } = two_ships_and_a_tug(500e3, 1e7);
     let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
     let (mut host, mut host_work) = (DirectHost::new(&model), HostWorkspace::new(&model));
     let mut next_s = frames(true);
@@ -105,10 +105,10 @@ fn a_host_that_lets_the_engine_move_its_bodies_gets_the_bits_of_advance_on() {
     }
 }
 
-/// A tug that is dragged into a ship, whatever pushes back: forces are those of the states shown.
+/// A tug that is dragged into a ship without regard to forces: forces are those of the input states.
 #[test]
-fn a_body_that_answers_no_wrench_gets_the_forces_of_the_states_shown() {
-    let Story { model, mut states, loads } = two_ships_and_a_tug(0.0, 1e6);
+fn a_body_that_ignores_wrenches_gets_the_forces_of_its_input_states() {
+    let Scene { model, mut states, loads } = two_ships_and_a_tug(0.0, 1e6);
     let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
     let (mut host, mut host_work) = (DirectHost::new(&model), HostWorkspace::new(&model));
     for state in &mut states[1..] {
@@ -127,27 +127,27 @@ fn a_body_that_answers_no_wrench_gets_the_forces_of_the_states_shown() {
 }
 
 #[test]
-fn a_direct_host_continues_from_a_snapshot_bit_for_bit_and_detects_other_bytes() {
-    let story = two_ships_and_a_tug(500e3, 1e7);
+fn a_direct_host_continues_from_a_snapshot_bit_for_bit_and_refuses_other_bytes() {
+    let scene = two_ships_and_a_tug(500e3, 1e7);
     let run = |saves: bool| {
         let integration = HostIntegration::ForwardEuler;
-        let mut master = Master::new(story.clone(), integration, 0, Service::Present);
+        let mut master = Master::new(scene.clone(), integration, 0, Service::Direct);
         let mut next_s = frames(true);
         for k in 0..300 {
             if saves && k % 10 == 0 {
-                let model = &master.story.model;
-                let bytes = master.present.snapshot(model);
+                let model = &master.scene.model;
+                let bytes = master.direct.snapshot(model);
                 let mut other = DirectHost::new(model);
                 other.restore(model, &bytes).expect("its own bytes");
-                assert_eq!(other, master.present);
+                assert_eq!(other, master.direct);
                 for cut in [0, 7, 30, bytes.len() - 1] {
                     assert!(other.restore(model, &bytes[..cut]).is_err());
                 }
                 let mut changed = bytes.clone();
                 changed[bytes.len() / 2] ^= 1;
                 assert!(other.restore(model, &changed).is_err());
-                assert_eq!(other, master.present);
-                master.present = other;
+                assert_eq!(other, master.direct);
+                master.direct = other;
             }
             master.step(if k % 17 == 0 { 0.0 } else { next_s() });
         }

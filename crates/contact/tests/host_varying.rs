@@ -1,6 +1,6 @@
-//! Hosts whose step varies, as the frames of a game do: jitter, pauses, and single frames of seconds.
+//! Hosts with a varying step, like a game's frames: jitter, pauses, and single frames of seconds.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 #[allow(dead_code, reason = "each test uses its own part of the master")]
 mod master;
@@ -9,13 +9,13 @@ use fenderline_contact::{
     BodyState, CoSimHost, EventKind, HostIntegration, HostSettings, HostWorkspace, Memory,
     Mobility, Workspace, Wrench, advance, advance_in_place, vec2,
 };
-use master::{Master, Service, Story, model, rectangle, rubber, tug_at_a_wall};
+use master::{Master, Scene, Service, model, rectangle, rubber, tug_at_a_wall};
 
 const INTEGRATIONS: [HostIntegration; 2] =
     [HostIntegration::ForwardEuler, HostIntegration::SemiImplicit];
 const FRAME_S: f64 = 1.0 / 60.0;
 
-/// Frames from 1/60 s to the longest, pseudo-random and the same every time; and now and then one of 2 s.
+/// Pseudo-random frames from 1/60 s to the longest, and sometimes one of 2 s.
 #[derive(Clone)]
 struct Frames {
     dice: u64,
@@ -56,14 +56,14 @@ fn every_master(check: impl Fn(HostIntegration, u32)) {
     }
 }
 
-/// It was 1.04, 2.44, 4.83, 9.84 and 24.1 MN: half a kick of the longer step, given back in 1/60 s.
+/// The force was 1.04, 2.44, 4.83, 9.84 and 24.1 MN: half an impulse of the longer step, returned in 1/60 s.
 #[test]
-fn a_tug_at_rest_under_an_untold_push_feels_no_frame_that_takes_longer() {
+fn a_longer_frame_gives_no_jolt_to_a_tug_under_an_unreported_push() {
     const PUSH_N: f64 = 305e3;
-    let mut story = tug_at_a_wall(0.0, 0.0, 0.1);
-    story.loads[0].force_n.x = PUSH_N;
+    let mut scene = tug_at_a_wall(0.0, 0.0, 0.1);
+    scene.loads[0].force_n.x = PUSH_N;
     every_master(|integration, delay_steps| {
-        let mut master = Master::known(story.clone(), integration, delay_steps);
+        let mut master = Master::known(scene.clone(), integration, delay_steps);
         master.run(FRAME_S, 60.0);
         let place_m = master.states()[0].position_m.x;
         for long_s in [0.1, 0.25, 0.5, 1.0, 2.0] {
@@ -80,21 +80,22 @@ fn a_tug_at_rest_under_an_untold_push_feels_no_frame_that_takes_longer() {
     });
 }
 
-/// A tug at rest at a soft wall, pushed from the first step on. The host's own steps give her half a step of the load
-/// before she is at her place; the engine took her to have another half of a (sub-)step, and she went 2.8 % too deep.
+/// A tug at rest at a soft wall, pushed from the first step on. The host's steps give her half a step of the load before
+/// her position; the engine added another half (sub-)step, and she went 2.8 % too deep.
 #[test]
-fn a_tug_pushed_from_rest_has_not_half_a_step_of_the_load_too_much() {
+fn a_tug_pushed_from_rest_reaches_the_right_depth() {
     const PUSH_N: f64 = 2e5;
     let stiffness_npm = 50e3 * 13.0;
     for step_s in [0.1, 0.5, 1.0, 2.0] {
         every_master(|integration, delay_steps| {
-            let mut story = tug_at_a_wall(0.0, 0.0, 1.0);
-            let bodies = story.model.bodies().iter();
+            let mut scene = tug_at_a_wall(0.0, 0.0, 1.0);
+            let bodies = scene.model.bodies().iter();
             let bodies: Vec<_> = bodies.map(|b| (b.outline.clone(), b.mobility)).collect();
-            story.model = model(&bodies, rubber(50e3, 1.0, 0.0));
-            story.loads[0].force_n.x = PUSH_N;
+            scene.model = model(&bodies, rubber(50e3, 1.0, 0.0));
+            scene.loads[0].force_n.x = PUSH_N;
             let settings = HostSettings { delay_steps, integration };
-            let mut master = Master::new(story, integration, delay_steps, Service::Told(settings));
+            let mut master =
+                Master::new(scene, integration, delay_steps, Service::CoSimWithLoads(settings));
             let (mut deepest_m, mut time_s) = (0.0_f64, 0.0);
             while time_s < 12.0 {
                 master.step(step_s);
@@ -110,11 +111,11 @@ fn a_tug_pushed_from_rest_has_not_half_a_step_of_the_load_too_much() {
     }
 }
 
-/// A ship of 80 m × 20 m that drifts sideways, 1 m off a wall of 50 kN/m².
-fn berthing(mass_kg: f64, speed_mps: f64, restitution: f64) -> Story {
+/// A ship of 80 m × 20 m that drifts sideways, 1 m from a wall of 50 kN/m².
+fn berthing(mass_kg: f64, speed_mps: f64, restitution: f64) -> Scene {
     let ship = Mobility::Free { mass_kg, yaw_inertia_kgm2: mass_kg * 400.0 };
     let bodies = [(rectangle(20.0, 80.0), ship), (rectangle(40.0, 300.0), Mobility::Fixed)];
-    Story {
+    Scene {
         model: model(&bodies, rubber(50e3, restitution, 0.2)),
         states: vec![
             BodyState { velocity_mps: vec2(speed_mps, 0.0), ..BodyState::default() },
@@ -124,7 +125,7 @@ fn berthing(mass_kg: f64, speed_mps: f64, restitution: f64) -> Story {
     }
 }
 
-/// Largest wrench, largest peak told of the ship and of a contact (N), and the speed at which she leaves (m/s).
+/// Largest wrench, largest reported peak of the ship and of a contact (N), and the rebound speed (m/s).
 fn berthed(mut master: Master, mut next_s: impl FnMut() -> f64) -> [f64; 4] {
     let (mut largest_n, mut peak_n, mut of_contact_n, mut time_s) = (0.0_f64, 0.0_f64, 0.0, 0.0);
     while time_s < 90.0 {
@@ -142,14 +143,14 @@ fn berthed(mut master: Master, mut next_s: impl FnMut() -> f64) -> [f64; 4] {
     [largest_n, peak_n, of_contact_n, -master.states()[0].velocity_mps.x]
 }
 
-/// Forward Euler hosts went up to 0.5 m too deep in a frame, and left seven times as fast.
+/// Forward Euler hosts went up to 0.5 m too deep in a frame, and rebounded seven times too fast.
 #[test]
-fn a_ship_berths_with_jitter_and_frames_of_2_s_as_with_fixed_ones() {
+fn a_berthing_with_jitter_and_frames_of_2_s_equals_one_with_fixed_steps() {
     for (mass_kg, restitution) in [(2e7, 0.1), (2e7, 0.5), (1e8, 0.1), (1e8, 0.5)] {
         for speed_mps in [0.15, 0.5] {
             every_master(|integration, delay_steps| {
-                let story = berthing(mass_kg, speed_mps, restitution);
-                let master = || Master::known(story.clone(), integration, delay_steps);
+                let scene = berthing(mass_kg, speed_mps, restitution);
+                let master = || Master::known(scene.clone(), integration, delay_steps);
                 let [fixed_n, _, _, fixed_mps] = berthed(master(), || FRAME_S);
                 for (seed, single_every_s) in [(1, 1e9), (2, 1e9), (3, 11.0), (4, 11.0), (5, 4.0)] {
                     let mut frames = Frames::new(seed, 0.5, single_every_s);
@@ -158,8 +159,8 @@ fn a_ship_berths_with_jitter_and_frames_of_2_s_as_with_fixed_ones() {
                     let who = format!(
                         "{mass_kg} kg, γ {restitution}, {speed_mps} m/s, {integration:?}, delay {delay_steps}, seed {seed}"
                     );
-                    // The wrench is a mean over the frame, for the impulse's sake: where the force falls off within
-                    // one of 2 s, as it does of a light ship past the deepest point, it is less than the peak.
+                    // The wrench is a mean over the frame, so that the impulse is right. Where the force falls within a
+                    // frame of 2 s, as for a light ship past the deepest point, it is less than the peak.
                     let wrench = largest_n / fixed_n;
                     assert!(wrench < 1.1, "{who}: wrench {wrench}");
                     let falls_off = single_every_s < 1e9 && mass_kg < 1e8;
@@ -173,15 +174,15 @@ fn a_ship_berths_with_jitter_and_frames_of_2_s_as_with_fixed_ones() {
     }
 }
 
-/// A contact of half a second within frames of 2 s: she leaves as fast as she should, and never faster.
+/// A contact of half a second within frames of 2 s: the rebound speed is right, and never too high.
 #[test]
-fn a_tug_that_hits_and_leaves_within_a_frame_leaves_as_fast_as_she_should() {
+fn a_tug_that_rebounds_within_a_frame_has_the_right_speed() {
     for restitution in [0.1, 0.5] {
         every_master(|integration, delay_steps| {
             for seed in 1..=10 {
-                let story = tug_at_a_wall(1.0, 0.5, restitution);
+                let scene = tug_at_a_wall(1.0, 0.5, restitution);
                 let mut frames = Frames::new(seed, 0.5, 4.0);
-                let master = Master::known(story, integration, delay_steps);
+                let master = Master::known(scene, integration, delay_steps);
                 let [.., left_mps] = berthed(master, || frames.next_s());
                 let who = format!("γ {restitution}, {integration:?}, delay {delay_steps}, {seed}");
                 let right_mps = restitution * 0.5;
@@ -191,18 +192,18 @@ fn a_tug_that_hits_and_leaves_within_a_frame_leaves_as_fast_as_she_should() {
     }
 }
 
-/// It was 0.95 m along the pier. Friction's spring holds her along it, to and fro by 17 mm: means count.
+/// She drifted 0.95 m along the pier. The shear spring holds her, swinging by 17 mm: compare means.
 #[test]
-fn a_ship_under_wind_stays_where_she_is_for_an_hour_of_jitter() {
+fn a_ship_under_wind_does_not_drift_in_an_hour_of_jitter() {
     for (longest_s, single_every_s) in [(0.2, 1e9), (0.5, 60.0)] {
         for integration in INTEGRATIONS {
-            let mut story = master::ship_on_two_fenders(0.3);
+            let mut scene = master::ship_on_two_fenders(0.3);
             let (sin, cos) = libm::sincos(core::f64::consts::FRAC_PI_6);
             let (along, across) = (vec2(cos, sin), vec2(-sin, cos));
-            story.loads[0].force_n += along * 1e5;
-            let load_n = story.loads[0].force_n.length();
+            scene.loads[0].force_n += along * 1e5;
+            let load_n = scene.loads[0].force_n.length();
             let mut frames = Frames::new(7, longest_s, single_every_s);
-            let mut master = Master::known(story, integration, 1);
+            let mut master = Master::known(scene, integration, 1);
             let mut sums = [(vec2(0.0, 0.0), 0.0); 2];
             while frames.time_s < 3900.0 {
                 master.step(frames.next_s());
@@ -229,30 +230,30 @@ fn a_ship_under_wind_stays_where_she_is_for_an_hour_of_jitter() {
     }
 }
 
-/// A mass that is not the model's is told, once. Nothing is told of one that is.
+/// A mass that differs from the model's is reported once, and an equal one never.
 #[test]
-fn a_host_that_moves_a_tug_with_another_mass_is_told_so_once() {
+fn a_host_with_another_mass_is_reported_once() {
     for (mass_factor, differs) in [(0.5, 1), (0.75, 1), (1.0, 0), (1.1, 0), (1.3, 1), (2.0, 1)] {
         for push_n in [0.0, 1e5] {
             every_master(|integration, delay_steps| {
-                let mut story = tug_at_a_wall(1.0, 0.5, 0.5);
-                let mut master = Master::known(story.clone(), integration, delay_steps);
+                let mut scene = tug_at_a_wall(1.0, 0.5, 0.5);
+                let mut master = Master::known(scene.clone(), integration, delay_steps);
                 master.mass_factor = mass_factor;
                 let mut frames = Frames::new(5, 0.2, 1e9);
-                let (mut told, mut events) = (0, 0);
-                // Against the wall, off it, and pushed to rest by a load that nobody told.
+                let (mut reported, mut events) = (0, 0);
+                // Against the wall, away from it, and pushed to rest by an unreported load.
                 while frames.time_s < 240.0 {
-                    story.loads[0].force_n.x = if frames.time_s > 90.0 { push_n } else { 0.0 };
-                    master.story.loads.clone_from(&story.loads);
+                    scene.loads[0].force_n.x = if frames.time_s > 90.0 { push_n } else { 0.0 };
+                    master.scene.loads.clone_from(&scene.loads);
                     master.step(frames.next_s());
                     let kinds = master.work.events().iter().map(|event| event.kind);
-                    told += kinds.filter(|kind| *kind == EventKind::MassMismatch).count();
+                    reported += kinds.filter(|kind| *kind == EventKind::MassMismatch).count();
                     events += master.work.events().len();
                 }
                 let who = format!("{mass_factor}, {push_n} N, {integration:?}, {delay_steps}");
-                assert_eq!(told, differs, "{who}");
+                assert_eq!(reported, differs, "{who}");
                 assert!(events < 40, "{who}: {events}");
-                // The speeds are those of a hit that takes half a second, in frames of up to 0.2 s.
+                // Speeds of an impact that lasts half a second, in frames of up to 0.2 s.
                 let left_mps = -master.states()[0].velocity_mps.x;
                 assert!(push_n > 0.0 || (0.1..0.5).contains(&left_mps), "{who}: {left_mps} m/s");
             });
@@ -260,9 +261,9 @@ fn a_host_that_moves_a_tug_with_another_mass_is_told_so_once() {
     }
 }
 
-/// Whatever the mass, where the contact takes many frames: what the engine takes for a load is then known in time.
+/// For any mass, if the contact lasts many frames: the engine then learns in time what it takes for a load.
 #[test]
-fn a_ship_with_half_or_twice_her_mass_rebounds_as_she_should() {
+fn a_ship_with_half_or_twice_her_mass_rebounds_at_the_right_speed() {
     for mass_factor in [0.5, 2.0] {
         every_master(|integration, delay_steps| {
             let mut master = Master::known(berthing(2e7, 0.3, 0.5), integration, delay_steps);
@@ -275,13 +276,13 @@ fn a_ship_with_half_or_twice_her_mass_rebounds_as_she_should() {
     }
 }
 
-/// A pause was refused. Now it changes no bit for a direct host.
+/// A pause was refused. It changes no bit for a host without delay.
 #[test]
-fn a_pause_changes_nothing_and_is_good() {
+fn a_pause_changes_nothing() {
     every_master(|integration, delay_steps| {
         let run = |pauses: bool| {
-            let story = ship_and_push();
-            let mut master = Master::known(story, integration, delay_steps);
+            let scene = ship_and_push();
+            let mut master = Master::known(scene, integration, delay_steps);
             let mut frames = Frames::new(3, 0.5, 11.0);
             for k in 0..400 {
                 if pauses && k % 7 == 3 {
@@ -298,53 +299,53 @@ fn a_pause_changes_nothing_and_is_good() {
         if delay_steps == 0 {
             assert_eq!(run(false), run(true), "{integration:?}");
         }
-        // What is shown late is younger after a pause: a load is known sooner.
+        // After a pause delayed states are newer, so that a load is known sooner.
         let apart_m = (without[0].position_m - with[0].position_m).length();
         assert!(apart_m < 1e-3, "{integration:?}, delay {delay_steps}: {apart_m} m");
     });
 }
 
-fn ship_and_push() -> Story {
-    let mut story = berthing(2e7, 0.3, 0.1);
-    story.loads[0].force_n = vec2(2e5, 3e4);
-    story
+fn ship_and_push() -> Scene {
+    let mut scene = berthing(2e7, 0.3, 0.1);
+    scene.loads[0].force_n = vec2(2e5, 3e4);
+    scene
 }
 
 #[test]
 fn a_pause_of_a_direct_host_gives_the_last_wrench_and_the_input_states() {
-    let mut story = ship_and_push();
-    let (mut memory, mut work) = (Memory::new(&story.model), Workspace::new(&story.model));
-    // Before the first step, too.
-    advance(&story.model, &mut memory, &mut work, &story.states, &story.loads, 0.0).unwrap();
+    let mut scene = ship_and_push();
+    let (mut memory, mut work) = (Memory::new(&scene.model), Workspace::new(&scene.model));
+    // Before the first step too.
+    advance(&scene.model, &mut memory, &mut work, &scene.states, &scene.loads, 0.0).unwrap();
     assert_eq!(work.wrenches(), &[Wrench::default(); 2]);
-    assert_eq!(memory, Memory::new(&story.model));
+    assert_eq!(memory, Memory::new(&scene.model));
     for _ in 0..50 {
-        advance(&story.model, &mut memory, &mut work, &story.states, &story.loads, 0.1).unwrap();
-        story.states.copy_from_slice(work.states_after());
+        advance(&scene.model, &mut memory, &mut work, &scene.states, &scene.loads, 0.1).unwrap();
+        scene.states.copy_from_slice(work.states_after());
     }
     let (before, wrenches) = (memory.clone(), work.wrenches().to_vec());
-    advance(&story.model, &mut memory, &mut work, &story.states, &story.loads, 0.0).unwrap();
+    advance(&scene.model, &mut memory, &mut work, &scene.states, &scene.loads, 0.0).unwrap();
     assert_eq!((&memory, work.wrenches()), (&before, wrenches.as_slice()));
-    assert_eq!(work.states_after(), story.states);
-    let mut states = story.states.clone();
-    advance_in_place(&story.model, &mut memory, &mut work, &mut states, &story.loads, 0.0).unwrap();
-    assert_eq!((&memory, &states), (&before, &story.states));
-    // Bad input is bad in a pause, too.
+    assert_eq!(work.states_after(), scene.states);
+    let mut states = scene.states.clone();
+    advance_in_place(&scene.model, &mut memory, &mut work, &mut states, &scene.loads, 0.0).unwrap();
+    assert_eq!((&memory, &states), (&before, &scene.states));
+    // Bad input is refused in a pause too.
     states[0].velocity_mps.x = f64::NAN;
-    assert!(advance(&story.model, &mut memory, &mut work, &states, &story.loads, 0.0).is_err());
+    assert!(advance(&scene.model, &mut memory, &mut work, &states, &scene.loads, 0.0).is_err());
     assert!(
-        advance(&story.model, &mut memory, &mut work, &story.states, &story.loads, -0.1).is_err()
+        advance(&scene.model, &mut memory, &mut work, &scene.states, &scene.loads, -0.1).is_err()
     );
 }
 
 #[test]
-fn a_run_of_frames_goes_on_from_a_snapshot_bit_for_bit() {
+fn a_run_of_frames_continues_from_a_snapshot_bit_for_bit() {
     every_master(|integration, delay_steps| {
         let mut one = Master::known(ship_and_push(), integration, delay_steps);
         let mut frames = Frames::new(9, 0.5, 5.0);
         for k in 0..300 {
             if k % 10 == 0 {
-                let model = &one.story.model;
+                let model = &one.scene.model;
                 let settings = HostSettings { delay_steps, integration };
                 let mut two = CoSimHost::new(model, settings);
                 two.restore(model, &one.host.snapshot(model)).expect("its own bytes");

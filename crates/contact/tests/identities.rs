@@ -6,7 +6,7 @@ use fenderline_contact::{Vec2, vec2};
 use proptest::prelude::*;
 use small_host::{Host, Integrator, Scene, fixed, floating, rectangle, spring, two};
 
-/// A 10 m wide block, 1000 t, that is about to touch a wall 40 m wide head-on.
+/// A block 10 m wide, 1000 t, just before a head-on impact on a wall 40 m wide.
 fn head_on(speed_mps: f64, stiffness_npm2: f64, step_s: f64, duration_s: f64) -> Scene {
     let mut block = floating("block", rectangle(30.0, 10.0), 1e6, 8.0);
     block.velocity.surge_mps = speed_mps;
@@ -17,7 +17,7 @@ fn head_on(speed_mps: f64, stiffness_npm2: f64, step_s: f64, duration_s: f64) ->
 }
 
 #[test]
-fn a_flat_contact_is_a_half_sine_of_omega_root_kw_over_m() {
+fn a_flat_contact_is_a_half_sine_with_omega_root_kw_over_m() {
     let (speed, stiffness): (f64, f64) = (1.0, 500e3);
     let omega = (stiffness * 10.0 / 1e6_f64).sqrt();
     let step_s = 1e-4;
@@ -37,8 +37,8 @@ fn a_flat_contact_is_a_half_sine_of_omega_root_kw_over_m() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// Semi-implicit: Δ(x×mv) = x×FΔt exactly, so that angular momentum is kept as well as linear.
-    /// Forward Euler keeps the linear one only: it adds Δt² (v₁ − v₂)×F a step.
+    /// With semi-implicit integration Δ(x×mv) = x×FΔt exactly, so that angular momentum is conserved as well as
+    /// linear. Forward Euler conserves only linear momentum: it adds Δt² (v₁ − v₂)×F per step.
     #[test]
     fn momentum_of_a_free_pair_is_constant_to_rounding(
         y in -18.0..18.0_f64,

@@ -1,4 +1,4 @@
-//! Islands: what touches in several of them, and what they leave in the order of the memory.
+//! Islands: bodies with contacts in several islands, and the order of the memory.
 
 mod support;
 
@@ -11,7 +11,7 @@ use support::shapes::{points, rectangle};
 
 const STEP_S: f64 = 0.1;
 
-/// Tugs with one side against a quay, 60 m apart, all at rest; the quay last.
+/// Tugs with one side against a quay, 60 m apart, all at rest; the quay is the last body.
 fn tugs_at_a_quay(count: u64) -> (Model, Vec<BodyState>) {
     let mut builder = Model::builder();
     let mut states = Vec::new();
@@ -27,8 +27,8 @@ fn tugs_at_a_quay(count: u64) -> (Model, Vec<BodyState>) {
     (builder.build().expect("a good model"), states)
 }
 
-/// The same with a second quay on their other side; the quays' keys are lower than the tugs', so that the
-/// islands are not in the order of the pairs.
+/// The same with a second quay on their other side. The quays' keys are lower than the tugs', so that the order of
+/// islands differs from that of pairs.
 fn tugs_between_quays(count: u64) -> (Model, Vec<BodyState>) {
     let mut builder = Model::builder();
     let mut states = Vec::new();
@@ -71,8 +71,8 @@ fn count(events: &[Event], kind: EventKind) -> usize {
     events.iter().filter(|event| event.kind == kind).count()
 }
 
-/// The quay is put elsewhere along her own side: her three contacts look the same, and begin anew.
-fn put_the_quay_elsewhere(run: &mut Run) {
+/// Teleports the quay along its side: its three contacts look the same, and begin anew.
+fn teleport_the_quay(run: &mut Run) {
     run.states[3].position_m.x -= 60.0;
     let events = run.step();
     assert_eq!(count(events, EventKind::Teleported), 1);
@@ -81,31 +81,31 @@ fn put_the_quay_elsewhere(run: &mut Run) {
     assert_eq!(run.step(), []);
 }
 
-/// The first island alone knew that the quay had jumped; the other tugs kept their memory.
+/// Only the first island noticed that the quay was teleported; the other tugs kept their memory.
 #[test]
-fn a_quay_that_is_put_elsewhere_starts_the_contacts_of_all_islands_afresh() {
+fn a_teleported_quay_begins_the_contacts_of_all_islands_anew() {
     let mut run = Run::new(tugs_at_a_quay(3));
     assert_eq!(count(run.step(), EventKind::ContactBegan), 3);
     assert_eq!(run.step(), []);
-    put_the_quay_elsewhere(&mut run);
+    teleport_the_quay(&mut run);
 }
 
-/// Neither did islands that are not in the order of the pairs.
+/// Likewise where the order of islands differs from that of pairs.
 #[test]
-fn a_quay_that_is_put_elsewhere_leaves_the_contacts_with_another_alone() {
+fn a_teleported_quay_leaves_contacts_with_another_quay_alone() {
     let mut run = Run::new(tugs_between_quays(3));
     assert_eq!(count(run.step(), EventKind::ContactBegan), 6);
     assert_eq!(run.step(), []);
-    put_the_quay_elsewhere(&mut run);
-    // Both quays away; but for the end of one, at which the first tug begins anew.
+    teleport_the_quay(&mut run);
+    // Both quays away, but for the end of one, where the first tug's contact begins anew.
     run.states[3].position_m.x -= 340.0;
     run.states[4].position_m.x -= 5000.0;
     assert_eq!(count(run.step(), EventKind::ContactEnded), 6);
 }
 
-/// A contact whose pair was no longer near was told to have ended only where there was no other island.
+/// The end of a contact whose pair was no longer near was reported only if there was no other island.
 #[test]
-fn a_contact_ends_wherever_its_body_is_put() {
+fn a_contact_of_a_teleported_body_ends() {
     for gone in 0..3 {
         let mut run = Run::new(tugs_at_a_quay(3));
         run.step();
@@ -126,9 +126,9 @@ fn a_contact_ends_wherever_its_body_is_put() {
     assert_eq!(count(alone.step(), EventKind::ContactEnded), 1);
 }
 
-/// Neighbours that need as many sub-steps go together; each comes to where it would come to alone.
+/// Islands with the same number of sub-steps are stepped together; each has the result that it has alone.
 #[test]
-fn an_island_comes_to_the_same_bits_whatever_its_neighbours_need() {
+fn an_island_has_the_same_bits_for_any_sub_steps_of_its_neighbours() {
     let after = |speeds_mps: [f64; 3]| {
         let mut run = Run::new(tugs_at_a_quay(3));
         for (state, speed_mps) in run.states.iter_mut().zip(speeds_mps) {
@@ -149,14 +149,14 @@ fn an_island_comes_to_the_same_bits_whatever_its_neighbours_need() {
     assert!(size > 0);
 }
 
-/// A quay that is shown with a speed went once for each group of islands that need as many sub-steps.
+/// A quay with a velocity moved once for each group of islands with the same number of sub-steps.
 #[test]
-fn a_quay_that_moves_goes_once_however_its_islands_go() {
+fn a_moving_quay_moves_once_for_any_sub_steps_of_its_islands() {
     let after = |fast_mps: f64| {
         let mut run = Run::new(tugs_at_a_quay(3));
         run.states[3].velocity_mps = vec2(0.2, -0.3);
         run.states[3].yaw_rate_radps = 1e-3;
-        // Another number of sub-steps for the first of them.
+        // Another number of sub-steps for the first island.
         run.states[0].velocity_mps.y = fast_mps;
         run.step();
         (run.states.clone(), run.work.displacements()[3])
@@ -165,7 +165,7 @@ fn a_quay_that_moves_goes_once_however_its_islands_go() {
     let (apart, moved_apart) = after(40.0);
     let went_m = vec2(0.2, -0.3) * STEP_S;
     for (state, motion) in [(alike[3], moved), (apart[3], moved_apart)] {
-        // To rounding: sub-steps add up.
+        // To rounding, as sub-steps are summed.
         assert!((state.position_m - went_m).length() < 1e-15, "{state:?}");
         assert!((motion.translation_m - went_m).length() < 1e-15, "{motion:?}");
         assert!((state.heading_rad - 1e-4).abs() < 1e-18);
@@ -173,9 +173,9 @@ fn a_quay_that_moves_goes_once_however_its_islands_go() {
     assert_eq!(alike[1..3], apart[1..3]);
 }
 
-/// It was refused for most of these headings: momenta that turn with their bodies did so ever faster.
+/// It was refused for most of these headings: the rotation of momenta with their bodies diverged.
 #[test]
-fn a_step_of_days_within_a_contact_is_finite() {
+fn a_step_of_days_in_contact_is_finite() {
     let mobility = Mobility::SurgeSway { surge_kg: 1e6, sway_kg: 1.5e6, yaw_inertia_kgm2: 5e7 };
     for angle in 0..60 {
         let bodies = [0, 1].map(|key| Body { mobility, ..body(key, &rectangle(20.0, 8.0), true) });
@@ -193,7 +193,7 @@ fn a_step_of_days_within_a_contact_is_finite() {
     }
 }
 
-/// What next to no mass does under the largest of loads is no number.
+/// The largest load on a mass near zero overflows.
 #[test]
 fn a_step_that_overflows_is_refused() {
     let mobility = Mobility::Free { mass_kg: 1e-300, yaw_inertia_kgm2: 5e7 };
@@ -203,19 +203,19 @@ fn a_step_that_overflows_is_refused() {
     run.step();
     let before = run.memory.snapshot();
     let Run { model, memory, work, states } = &mut run;
-    let shown = states.clone();
+    let input = states.clone();
     let loads = [Wrench { force_n: vec2(1e15, 0.0), moment_nm: 0.0 }; 2];
     let error = advance_in_place(model, memory, work, states, &loads, STEP_S).expect_err("too far");
     assert!(error.to_string().contains("overflows"), "{error}");
-    assert_eq!((memory.snapshot(), &*states), (before, &shown));
+    assert_eq!((memory.snapshot(), &*states), (before, &input));
     let again = advance(model, memory, work, states, &loads, STEP_S).expect_err("as before");
     assert_eq!(again.to_string(), error.to_string());
 }
 
-/// The second of two islands that are not in the order of the pairs met a quay that moves where the first had
-/// left it, at the end of the step.
+/// Of two islands in another order than the pairs, the second had the moving quay where the first had left it, at the
+/// end of the step.
 #[test]
-fn a_quay_that_moves_is_met_where_it_was_shown_by_every_island() {
+fn every_island_has_a_moving_quay_at_its_input_position() {
     let pressed = |count: u64| {
         let mut run = Run::new(tugs_between_quays(count));
         for quay in run.states.len() - 2..run.states.len() {
@@ -235,9 +235,9 @@ fn a_quay_that_moves_is_met_where_it_was_shown_by_every_island() {
     }
 }
 
-/// A quay that is shown with a speed went on only in those steps in which some body was near.
+/// A quay with a velocity moved only in steps in which some body was near.
 #[test]
-fn a_quay_that_moves_goes_on_with_nothing_near() {
+fn a_moving_quay_moves_with_no_body_near() {
     for away_m in [0.0, 5000.0] {
         let mut run = Run::new(tugs_at_a_quay(1));
         run.states[0].position_m.y -= away_m;

@@ -1,5 +1,5 @@
 //! A warm step allocates nothing: 100,000 steps of a ship that touches eight fenders, slides along
-//! them and leaves again, under an allocator that counts.
+//! them and leaves, with a counting allocator.
 
 #[allow(dead_code, reason = "each test uses its own part of the scene")]
 mod scene;
@@ -14,18 +14,18 @@ use fenderline_contact::{
 
 const STEP_S: f64 = 0.1;
 const STEPS: usize = 100_000;
-/// Ten cycles of all three motions below.
+/// Ten cycles of all three motions.
 const WARM_UP_STEPS: usize = 20_000;
 
 thread_local! {
-    /// Calls to the allocator from this thread: the test harness has others of its own.
+    /// Allocator calls of this thread, as the test harness has other threads.
     static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
 }
 
 struct Counting;
 
 fn count() {
-    // No count where the thread is ending: the test is over by then.
+    // It fails only while the thread ends, after the test.
     let _ = ALLOCATIONS.try_with(|n| n.set(n.get() + 1));
 }
 
@@ -59,8 +59,8 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// Sways between 0.3 m clear of the fenders and 0.5 m into them, surges so that it slides both
-/// ways, and yaws so that not all fenders are touched alike.
+/// Sways between 0.3 m clear of the fenders and 0.5 m into them, surges to slide both ways, and yaws so that
+/// fenders are touched unequally.
 fn ship_at(step: usize) -> BodyState {
     let t = step as f64 * STEP_S;
     let swing = |amplitude: f64, period_s: f64| {
@@ -105,7 +105,7 @@ impl Seen {
     }
 }
 
-/// One step of a method: model, memory, workspace, states.
+/// One step of a method.
 type Method = fn(&Model, &mut Memory, &mut Workspace, &[BodyState]);
 
 #[test]
@@ -143,16 +143,16 @@ fn allocates_nothing(method: Method) {
     assert_eq!(ALLOCATIONS.get() - allocations_before, 0, "allocations in warm steps");
     assert!(allocations_before > 0, "the counter counts");
 
-    // The run is what it says.
+    // The run has the intended contacts.
     assert_eq!((seen.most_touching, seen.fewest_touching), (scene::FENDERS, 0), "{seen:?}");
     assert!(seen.began >= 400 && seen.ended >= 400, "{seen:?}");
     assert!(seen.sticking > 1_000 && seen.slipping > 10_000, "{seen:?}");
 }
 
-/// A ship that a load pushes against the fenders and draws off again, moved by forward Euler and shown
-/// two steps late.
+/// A ship that a load pushes against the fenders and pulls off again, moved by forward Euler, with states two steps
+/// late.
 #[test]
-fn warm_steps_of_a_co_simulation_host_allocate_nothing() {
+fn warm_steps_of_a_cosim_host_allocate_nothing() {
     let model = scene::berth(500e3);
     let settings = HostSettings { delay_steps: 2, integration: HostIntegration::ForwardEuler };
     let (mut host, mut work) = (CoSimHost::new(&model, settings), HostWorkspace::new(&model));

@@ -1,6 +1,6 @@
-//! A hit at an angle where friction holds more than it drags: as much is lost at any time step.
+//! An oblique impact with static friction above dynamic: the loss of energy does not depend on the time step.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 use std::cmp::Ordering;
 use std::f64::consts::PI;
@@ -9,7 +9,7 @@ use fenderline_contact::*;
 
 const MASS_KG: f64 = 1e6;
 
-/// A square barge, and a quay with a fender of 4 m or, without one, its own outline.
+/// A square barge, and a quay with or without a fender 4 m wide.
 fn model(on_fender: bool, shear_stiffness_npm: f64, friction: [f64; 2]) -> Model {
     let rectangle = |x: [f64; 2], y: [f64; 2]| {
         let corners = [vec2(x[0], y[0]), vec2(x[1], y[0]), vec2(x[1], y[1]), vec2(x[0], y[1])];
@@ -59,7 +59,7 @@ fn model(on_fender: bool, shear_stiffness_npm: f64, friction: [f64; 2]) -> Model
     builder.build().expect("a good model")
 }
 
-/// The share of the energy that is lost by a barge that comes with this velocity, from so far off.
+/// The share of energy lost by a barge with this velocity and initial gap.
 fn lost(model: &Model, velocity_mps: Vec2, step_s: f64, gap_m: f64) -> f64 {
     let (mut memory, mut work) = (Memory::new(model), Workspace::new(model));
     let barge =
@@ -80,18 +80,17 @@ fn lost(model: &Model, velocity_mps: Vec2, step_s: f64, gap_m: f64) -> f64 {
     1.0 - states[0].velocity_mps.length_squared() / velocity_mps.length_squared()
 }
 
-/// Off the quay's line (rad).
+/// Angles from the line of the quay (rad).
 const GRAZING_RAD: f64 = 10.0 * PI / 180.0;
 
-/// She slides all along, so that μ_k times the normal impulse, 2 m v_n, is taken off her speed along the quay.
+/// She slides throughout: her momentum along the quay falls by μ_k times the normal impulse, 2 m v_n.
 #[test]
-fn a_slide_drags_with_the_sliding_friction_at_any_time_step() {
+fn a_slide_has_dynamic_friction_at_any_time_step() {
     let (sin, cos) = libm::sincos(GRAZING_RAD);
     let velocity_mps = vec2(0.5 * sin, 0.5 * cos);
     let along = 0.5 * cos - 2.0 * 0.2 * 0.5 * sin;
     let right = 1.0 - ((0.5 * sin).powi(2) + along * along) / 0.25;
-    // It was 1.22 of that at 1 ms, where the shear spring was loaded up to the static friction again and again, and
-    // came down to it with the time step.
+    // At 1 ms it was 1.22 of that, as the shear spring was loaded to static friction again and again.
     for (on_fender, shear_npm) in [(true, 1e6), (true, 3e6), (false, 3e6), (false, 3e7)] {
         let model = model(on_fender, shear_npm, [0.3, 0.2]);
         for step_s in [0.001, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0] {
@@ -105,9 +104,9 @@ fn a_slide_drags_with_the_sliding_friction_at_any_time_step() {
     }
 }
 
-/// Here she sticks first, and comes loose on the way back.
+/// She sticks first, and slips during the rebound.
 #[test]
-fn what_sticks_and_slips_loses_as_much_at_any_time_step() {
+fn stick_and_slip_lose_the_same_energy_at_any_time_step() {
     let velocity_mps = vec2(0.5 * 0.75_f64.sqrt(), 0.25);
     for (on_fender, shear_npm) in [(true, 1e6), (true, 3e6), (false, 3e6), (false, 3e7)] {
         let model = model(on_fender, shear_npm, [0.3, 0.2]);
@@ -123,10 +122,10 @@ fn what_sticks_and_slips_loses_as_much_at_any_time_step() {
     }
 }
 
-/// She slides along a fender under 100 kN when a tug begins to push with 2 MN. Her spring is content with less than μ_k N
-/// while N rises; when it is not any more she has never stopped, and is not held up to μ_s N.
+/// She slides along a fender under 100 kN when a tug starts to push with 2 MN. While N rises, the shear force is below
+/// μ_k N; when it reaches that again she has never stopped, so that μ_s N must not hold her.
 #[test]
-fn a_slide_is_not_held_like_what_stands_when_the_push_rises() {
+fn a_slide_is_not_held_by_static_friction_when_the_push_rises() {
     let model = model(true, 2e6, [0.3, 0.2]);
     let slid = |step_s: f64| {
         let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
@@ -143,7 +142,7 @@ fn a_slide_is_not_held_like_what_stands_when_the_push_rises() {
         for index in 0..4 * rises {
             let loads = match index.cmp(&rises) {
                 Ordering::Less => load(1e5, 2e4),
-                // A kick takes velocities from the middle of the last step to that of this one.
+                // Velocities go from the middle of the last step to the middle of this one.
                 Ordering::Equal => load(1.05e6, 2.1e5),
                 Ordering::Greater => load(2e6, 4e5),
             };
@@ -154,13 +153,13 @@ fn a_slide_is_not_held_like_what_stands_when_the_push_rises() {
                 furthest = furthest.max(share);
             }
         }
-        assert!(furthest < 0.2 + 1e-9, "Δt {step_s}: T/N came to {furthest}");
+        assert!(furthest < 0.2 + 1e-9, "Δt {step_s}: T/N reached {furthest}");
         states[0].position_m.y + 2.0
     };
     let right_m = slid(0.001);
     for step_s in [0.002, 0.005, 0.01, 0.02, 0.05, 0.1] {
-        // The stretch of a spring that slid is that of the N of half a step ago. No more may be missing than she slides
-        // in a step.
+        // A sliding spring has the stretch for the N of half a step ago: the difference may be no more than her way in
+        // a step.
         let (translation_m, of_a_step_m) = (slid(step_s), 0.3 * step_s);
         assert!(
             (translation_m - right_m).abs() < of_a_step_m,

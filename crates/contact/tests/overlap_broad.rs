@@ -1,6 +1,6 @@
-//! The broad phase against all pairs one by one: the same contacts, to the bit.
+//! The broad phase against a test of every pair: the same contacts, bit for bit.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 mod support;
 
@@ -8,7 +8,7 @@ use fenderline_contact::{Body, BodyState, vec2};
 use support::harbour::{PAPER, Run, body, model, model_of_explicit_pairs};
 use support::shapes::{ellipse, hull, points, rectangle};
 
-/// A small generator of numbers in [0, 1), the same on every machine (xorshift64).
+/// Pseudo-random numbers in [0, 1) (xorshift64).
 struct Numbers(u64);
 
 impl Numbers {
@@ -44,7 +44,7 @@ fn some_bodies(numbers: &mut Numbers, count: u64) -> Vec<Body> {
 }
 
 #[test]
-fn every_other_pair_finds_what_explicit_pairs_find() {
+fn all_other_pairs_find_the_contacts_of_explicit_pairs() {
     let mut numbers = Numbers(0x2545_f491_4f6c_dd1d);
     let bodies = some_bodies(&mut numbers, 300);
     let mut states: Vec<BodyState> = bodies
@@ -71,7 +71,7 @@ fn every_other_pair_finds_what_explicit_pairs_find() {
         for state in &mut states {
             state.position_m += state.velocity_mps * 0.1;
             state.heading_rad += state.yaw_rate_radps * 0.1;
-            // Back from the far end: a jump, now and then.
+            // Sometimes a teleport, back from the far end.
             if state.position_m.x.abs() > 140.0 {
                 state.position_m.x = -state.position_m.x.clamp(-120.0, 120.0);
             }

@@ -1,5 +1,5 @@
-//! Non-convex bodies through the whole engine: area against an integer-grid clipper, the normal
-//! against the area's own derivative, and patches that part and meet.
+//! Non-convex bodies in the whole engine: area against an integer-grid clipper, the normal against the
+//! area's derivative, and patches that split and merge.
 
 mod support;
 
@@ -13,7 +13,7 @@ fn config(cases: u32) -> ProptestConfig {
     ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(cases) }
 }
 
-/// A basin: two arms about a slip, open to +x.
+/// A basin: two arms around a slip that is open to +x.
 fn basin() -> Vec<Vec2> {
     points(&[
         (-10.0, -30.0),
@@ -27,7 +27,7 @@ fn basin() -> Vec<Vec2> {
     ])
 }
 
-/// A saw: six teeth of `depth_m`, off the same back.
+/// A saw: six teeth of `depth_m` on one back.
 fn saw(depth_m: f64) -> Vec<Vec2> {
     let mut ring = points(&[(0.0, 0.0), (60.0, 0.0)]);
     for tooth in (0..6).rev() {
@@ -42,7 +42,7 @@ fn placed(ring: &[Vec2], pose: Pose) -> Vec<Vec2> {
     ring.iter().map(|&v| pose.apply(v)).collect()
 }
 
-/// Area by `geo`: coordinates on an integer grid, so 1e-5 m² at best for bodies of 100 m.
+/// Area by `geo`: its coordinates are on an integer grid, so that 1e-5 m² is the best for bodies of 100 m.
 fn geo_area_m2(a: &[Vec2], b: &[Vec2]) -> f64 {
     let polygon = |ring: &[Vec2]| {
         let line: LineString = ring.iter().map(|v| Coord { x: v.x, y: v.y }).collect();
@@ -69,7 +69,7 @@ proptest! {
     #![proptest_config(config(1000))]
 
     #[test]
-    fn the_area_of_non_convex_bodies_is_that_of_an_independent_clipper(
+    fn the_area_of_non_convex_bodies_matches_an_independent_clipper(
         a in shape(),
         b in shape(),
         (a_heading, b_heading) in (0.0..6.3f64, 0.0..6.3f64),
@@ -84,8 +84,8 @@ proptest! {
         prop_assert!((ours - right).abs() <= 2e-5 + 1e-7 * right, "{ours} not {right}");
     }
 
-    /// ∂S/∂x₁ = ℓ n, summed over the patches: the area is piecewise quadratic in the position, so
-    /// that a central difference is off only where a corner crosses an edge within it.
+    /// ∂S/∂x₁ = ℓ n, summed over the patches. The area is piecewise quadratic in the position, so that a
+    /// central difference is exact unless a corner crosses an edge within it.
     #[test]
     fn the_normal_is_the_gradient_of_the_area(
         a in shape(),
@@ -106,10 +106,10 @@ proptest! {
             let x = moved(vec2(h, 0.0)) - moved(vec2(-h, 0.0));
             vec2(x, moved(vec2(0.0, h)) - moved(vec2(0.0, -h))) * (0.5 / h)
         };
-        // Two widths: where they differ a corner crosses an edge in between.
+        // Two widths: where their results differ, a corner crosses an edge.
         let (wide, narrow) = (gradient(1e-4), gradient(0.5e-4));
         prop_assume!((wide - narrow).length() < 1e-7 * (1.0 + wide.length()));
-        // ℓ may vanish: a body within another.
+        // ℓ is 0 for a body within another.
         prop_assume!(wide.length() > 0.1);
         let normal = wide * (1.0 / wide.length());
         prop_assert!((normal - contact.normal).length() < 1e-6, "{:?} not {normal:?}", contact.normal);
@@ -118,7 +118,7 @@ proptest! {
 
 /// A basin's two arms against a quay: two patches, each with its own centroid.
 #[test]
-fn two_arms_against_a_wall_are_two_patches() {
+fn two_arms_against_a_wall_give_two_patches() {
     let wall = rectangle(10.0, 200.0);
     let contacts = contacts_of(&basin(), at(0.0, 0.0, 0.0), &wall, at(64.5, 0.0, 0.0));
     assert_eq!(contacts.len(), 2);
@@ -133,8 +133,8 @@ fn two_arms_against_a_wall_are_two_patches() {
 
 const DAMPED: Material = Material { damping_nspm2: 200e3, ..PAPER };
 
-/// A body with two feet is pressed into a quay until its belly touches too, and drawn out again.
-/// The memory (the shear) goes on through the merger and the split.
+/// A body with two feet is pressed into a quay until its middle touches too, and pulled out again. The
+/// memory (the shear) continues through merging and splitting.
 #[test]
 fn patches_that_merge_and_split_keep_their_shear() {
     let feet = points(&[
@@ -151,7 +151,7 @@ fn patches_that_merge_and_split_keep_their_shear() {
     let bodies = vec![body(1, &feet, true), body(2, &wall, false)];
     let mut run = Run::new(model(bodies, Material { friction_static: 1e3, ..PAPER }));
     let quay = at(11.0, 0.0, 0.0);
-    // Sideways by 1 mm a step, all the while it goes in by 0.1 m a step and out again.
+    // Sideways by 1 mm per step, while it moves in by 0.1 m per step and out again.
     let mut seen = Vec::new();
     for step in 0..20i32 {
         let depth_m = 0.55 + 0.1 * f64::from(10 - (step - 10).abs());
@@ -166,22 +166,24 @@ fn patches_that_merge_and_split_keep_their_shear() {
             assert!((shear - right).abs() < 1e-12, "step {step}: {shears:?}");
         }
         if step > 0 {
-            assert!(!run.told(EventKind::ContactBegan) && !run.told(EventKind::ContactEnded));
+            assert!(
+                !run.has_event(EventKind::ContactBegan) && !run.has_event(EventKind::ContactEnded)
+            );
         }
-        if run.told(EventKind::PatchesMerged) {
+        if run.has_event(EventKind::PatchesMerged) {
             seen.push("merged");
         }
-        if run.told(EventKind::PatchSplit) {
+        if run.has_event(EventKind::PatchSplit) {
             seen.push("split");
         }
     }
     assert_eq!(seen, ["merged", "split"]);
 }
 
-/// One patch that becomes two is the same overlap: the damper, which sees how fast the area grows,
-/// may not take the half for a loss of the other half.
+/// A split does not change the overlap: the damper, which follows the growth of the area, must not take half of
+/// the patch for a sudden loss of area.
 #[test]
-fn a_split_does_not_jerk_the_damper() {
+fn a_split_does_not_change_the_damper_force() {
     let notched = points(&[
         (0.0, -20.0),
         (6.0, -20.0),
@@ -198,7 +200,7 @@ fn a_split_does_not_jerk_the_damper() {
     let mut forces = Vec::new();
     let mut patches = Vec::new();
     for step in 0..6 {
-        // Backs out by 5 mm a step; the notch comes free between the third and the fourth.
+        // Moves out by 5 mm per step; the notch is free between the third and the fourth.
         let depth_m = 1.0125 - 0.005 * f64::from(step);
         let state = BodyState { velocity_mps: vec2(3.0, 0.0), ..at(depth_m, 0.0, 0.0) };
         let contacts = run.step(&[state, at(11.0, 0.0, 0.0)], 0.1);

@@ -1,7 +1,7 @@
-//! docs/contact_model.md, section 7: the same contact whichever body is first, in a mirror, far away, at any
-//! heading; and the same bits whatever the order in which the bodies were added.
+//! docs/contact_model.md, section 7: the same contact for swapped bodies, mirrored, far away and at any heading; and
+//! the same bits for any order of adding bodies.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 mod support;
 
@@ -14,12 +14,12 @@ fn config(cases: u32) -> ProptestConfig {
     ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(cases) }
 }
 
-/// A power of two, so that positions stay on their grid.
+/// A power of two, so that positions stay on the grid.
 const STEP_S: f64 = 0.0625;
-/// What two bodies of 1,000 t oppose to a contact at most.
+/// Largest effective mass of two bodies of 1,000 t.
 const EFFECTIVE_KG: f64 = 0.5e6;
 
-/// Two bodies, five steps with the speeds given; the contacts and wrenches of the last.
+/// Five steps of two bodies at the given velocities; returns the contacts and wrenches of the last.
 fn five_steps(
     a: (&[Vec2], BodyState),
     b: (&[Vec2], BodyState),
@@ -49,17 +49,17 @@ fn close(what: &str, one: f64, two: f64, scale: f64) {
     assert!((one - two).abs() <= 1e-12 * scale.max(one.abs()), "{what}: {one:e} and {two:e}");
 }
 
-/// All that a contact says, `two` put back by `back` (a map of vectors) and `sign` for what turns
-/// round in a mirror.
+/// Compares all results of two contacts. `back` maps vectors of `two` to those of `one`; `sign` is for values that
+/// change sign in a mirror.
 #[track_caller]
 fn same_contact(one: &Contact, two: &Contact, back: impl Fn(Vec2) -> Vec2, sign: f64) {
-    // Lengths of a ship, 1e-14 of a metre each: relative to what they go into.
+    // Relative to the rounding of ship lengths, 1e-14 m each.
     let extent = one.arm_1_m.length().max(one.arm_2_m.length());
     let of_depth = extent / one.depth_m * 0.1;
     close("area", one.area_m2, two.area_m2, one.area_m2 * of_depth);
     close("depth", one.depth_m, two.depth_m, one.depth_m * of_depth);
-    // A limited force turns speeds round, (V_n + γ V_n⁰)/(K Δt), and may be next to nothing: it is known as well as
-    // the force that takes 1 m/s off the two bodies, as the speeds below are.
+    // A limited force, (V_n + γ V_n⁰)/(K Δt), may nearly vanish: its accuracy is relative to the force that changes the
+    // bodies' velocity by 1 m/s, like that of the speeds below.
     let of_speeds_n = if one.limited { EFFECTIVE_KG / STEP_S } else { 0.0 };
     let of_force = (one.normal_force_n + of_speeds_n) * of_depth;
     close("normal force", one.normal_force_n, two.normal_force_n, of_force);
@@ -76,7 +76,7 @@ fn same_contact(one: &Contact, two: &Contact, back: impl Fn(Vec2) -> Vec2, sign:
     }
 }
 
-/// Two ships about to touch or touching, with speeds; positions on a grid of 2⁻²⁰ m.
+/// Two moving ships that touch or are about to; positions on a grid of 2⁻²⁰ m.
 fn meeting() -> impl Strategy<Value = (Vec<Vec2>, BodyState, Vec<Vec2>, BodyState)> {
     let shape = || prop_oneof![Just(hull(298.0, 46.0, 24)), Just(stepped_ship())];
     let speed = || (-0.3..0.3f64, -0.3..0.3f64, -0.001..0.001f64);
@@ -107,11 +107,11 @@ proptest! {
     #[test]
     fn swapped_bodies_have_the_same_contact((a, one, b, two) in meeting()) {
         let (first, first_wrenches) = five_steps((&a, one), (&b, two), [1, 2]);
-        // The same ranks, added the other way round: to the bit.
+        // The same ranks, added in the opposite order: the same bits.
         let (second, second_wrenches) = five_steps((&b, two), (&a, one), [2, 1]);
         prop_assert_eq!(&first_wrenches[..], &[second_wrenches[1], second_wrenches[0]][..]);
         prop_assert_eq!(first.len(), second.len());
-        // Other ranks: the clip's first polygon is the other one.
+        // Other ranks: the clip's polygons are swapped.
         let (third, third_wrenches) = five_steps((&a, one), (&b, two), [2, 1]);
         prop_assert_eq!(first.len(), third.len());
         for (c, d) in first.iter().zip(&third) {
@@ -126,7 +126,7 @@ proptest! {
     }
 
     #[test]
-    fn in_a_mirror_the_contact_is_the_mirror_image((a, one, b, two) in meeting()) {
+    fn a_mirrored_contact_is_the_mirror_image((a, one, b, two) in meeting()) {
         let flip = |v: Vec2| vec2(v.x, -v.y);
         let shape = |ring: &[Vec2]| ring.iter().rev().map(|&v| flip(v)).collect::<Vec<_>>();
         let state = |s: BodyState| BodyState {
@@ -145,7 +145,7 @@ proptest! {
         }
     }
 
-    /// Positions that are representable there: 1e7 m at a grid of 2⁻²⁰ m, the steps 2⁻⁴ s.
+    /// Positions are representable there: 1e7 m on a grid of 2⁻²⁰ m, with steps of 2⁻⁴ s.
     #[test]
     fn ten_thousand_kilometres_away_the_contact_is_the_same((a, one, b, two) in meeting()) {
         let away = |s: BodyState| BodyState { position_m: s.position_m + vec2(1e7, -1e7), ..s };
@@ -183,7 +183,7 @@ proptest! {
     }
 }
 
-/// Seven bodies in a heap, 40 steps, in several orders: bit-equal wrenches and snapshots.
+/// Seven overlapping bodies, 40 steps, in several orders: equal bits of wrenches and snapshots.
 #[test]
 fn the_order_in_which_bodies_are_added_changes_no_bit() {
     let shapes: Vec<(u64, Vec<Vec2>, BodyState)> = (0..7u64)

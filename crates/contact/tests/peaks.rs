@@ -1,4 +1,4 @@
-//! The greatest wrench within a step, beside its mean.
+//! The largest wrench within a step, beside the mean.
 
 #[allow(dead_code, reason = "each test uses its own part of the master")]
 mod master;
@@ -9,63 +9,63 @@ use fenderline_contact::{
 };
 use master::{rectangle, rubber, tug_at_a_wall};
 
-/// v √(k m) of the tug at 0.5 m/s, against 6.5 MN/m (N).
+/// v √(k m) of the tug at 0.5 m/s against 6.5 MN/m (N).
 fn peak_of_the_tug_n() -> f64 {
     0.5 * (6.5e6_f64 * 1e6).sqrt()
 }
 
-/// A hit of half a second within a step of 4 s: its mean is next to nothing.
+/// An impact of half a second within a step of 4 s: the mean is small.
 #[test]
-fn a_hit_within_one_step_has_its_peak_told_beside_its_mean() {
-    let story = tug_at_a_wall(1.0, 0.5, 1.0);
-    let (mut memory, mut work) = (Memory::new(&story.model), Workspace::new(&story.model));
-    advance(&story.model, &mut memory, &mut work, &story.states, &story.loads, 4.0).unwrap();
+fn the_peak_of_an_impact_within_a_step_is_reported_beside_its_mean() {
+    let scene = tug_at_a_wall(1.0, 0.5, 1.0);
+    let (mut memory, mut work) = (Memory::new(&scene.model), Workspace::new(&scene.model));
+    advance(&scene.model, &mut memory, &mut work, &scene.states, &scene.loads, 4.0).unwrap();
     let mut peaks = Vec::new();
     work.peak_wrenches_into(&mut peaks);
     let (mean, peak) = (work.wrenches()[0].force_n, peaks[0].force_n);
-    // 1 m/s of change of 1000 t in 4 s.
+    // 1000 t change their speed by 1 m/s in 4 s.
     assert!((mean.x + 0.25e6).abs() < 0.01e6, "{mean:?}");
     assert!((peak.x / -peak_of_the_tug_n() - 1.0).abs() < 0.01, "{peak:?}");
     assert!((peaks[1].force_n + peak).length() < 1.0, "{peaks:?}");
-    // A pause tells the same again.
+    // A pause reports the same again.
     let (states, before) = (work.states_after().to_vec(), peaks.clone());
-    advance(&story.model, &mut memory, &mut work, &states, &story.loads, 0.0).unwrap();
+    advance(&scene.model, &mut memory, &mut work, &states, &scene.loads, 0.0).unwrap();
     work.peak_wrenches_into(&mut peaks);
     assert_eq!(peaks, before);
 }
 
 #[test]
-fn a_direct_host_gets_the_peak_too_and_moves_by_the_mean() {
-    let story = tug_at_a_wall(1.0, 0.5, 1.0);
-    let (mut host, mut work) = (DirectHost::new(&story.model), HostWorkspace::new(&story.model));
-    let no_step = host.step(&story.model, &mut work, &story.states, &story.loads, 0.0);
+fn a_direct_host_gets_the_peak_and_moves_by_the_mean() {
+    let scene = tug_at_a_wall(1.0, 0.5, 1.0);
+    let (mut host, mut work) = (DirectHost::new(&scene.model), HostWorkspace::new(&scene.model));
+    let no_step = host.step(&scene.model, &mut work, &scene.states, &scene.loads, 0.0);
     no_step.expect("a pause");
     assert_eq!(work.peak_wrenches(), &[Wrench::default(); 2]);
-    host.step(&story.model, &mut work, &story.states, &story.loads, 4.0).expect("a good step");
+    host.step(&scene.model, &mut work, &scene.states, &scene.loads, 4.0).expect("a good step");
     let peak_n = work.peak_wrenches()[0].force_n.x;
     assert!((peak_n / -peak_of_the_tug_n() - 1.0).abs() < 0.01, "{peak_n} N");
     assert!(work.wrenches()[0].force_n.x > -0.3e6, "{:?}", work.wrenches());
 }
 
-/// In one sub-step there is nothing to choose from.
+/// With a single sub-step the peak is the mean.
 #[test]
-fn the_peak_of_a_short_step_is_its_mean_to_the_bit() {
-    let mut story = tug_at_a_wall(0.0, 0.5, 0.5);
-    story.states[0].position_m.x = 0.05;
-    let (mut memory, mut work) = (Memory::new(&story.model), Workspace::new(&story.model));
+fn the_peak_of_a_short_step_equals_its_mean_bit_for_bit() {
+    let mut scene = tug_at_a_wall(0.0, 0.5, 0.5);
+    scene.states[0].position_m.x = 0.05;
+    let (mut memory, mut work) = (Memory::new(&scene.model), Workspace::new(&scene.model));
     let mut peaks = Vec::new();
     for _ in 0..30 {
-        advance(&story.model, &mut memory, &mut work, &story.states, &story.loads, 0.01).unwrap();
+        advance(&scene.model, &mut memory, &mut work, &scene.states, &scene.loads, 0.01).unwrap();
         work.peak_wrenches_into(&mut peaks);
         assert_eq!(peaks, work.wrenches());
-        story.states.copy_from_slice(work.states_after());
+        scene.states.copy_from_slice(work.states_after());
     }
 }
 
-/// Two barges against one quay, of which the light one needs more sub-steps: nobody knows when both are worst, so the
-/// quay is told of both at one time.
+/// Two barges against one quay, where the light one needs more sub-steps: the times of their peaks are not compared, so
+/// that the quay's peak is the sum of both.
 #[test]
-fn a_quay_that_two_barges_hit_is_told_of_both_their_peaks() {
+fn the_peak_on_a_quay_is_the_sum_of_two_barges_peaks() {
     let free = |mass_kg: f64| Mobility::Free { mass_kg, yaw_inertia_kgm2: mass_kg * 100.0 };
     let bodies = [
         ("light", rectangle(20.0, 20.0), free(2e5), vec2(-30.5, -60.0)),

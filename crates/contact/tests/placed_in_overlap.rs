@@ -1,6 +1,6 @@
-//! Bodies that a host puts into others: pressed out slowly, whatever the host and however deep.
+//! Bodies that a host places in others are pressed out slowly, for any host and depth.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 #[allow(dead_code, reason = "each test uses its own part of the master")]
 mod master;
@@ -10,17 +10,17 @@ use fenderline_contact::{
     MAX_PUSH_OUT_MPS, Memory, Mobility, Model, ReactionFactors, Stop, Unloading, Workspace, Wrench,
     advance_in_place, vec2,
 };
-use master::{Master, Service, Story, model, rectangle, rubber};
+use master::{Master, Scene, Service, model, rectangle, rubber};
 
 const MASS_KG: f64 = 1.5e8;
 const BEAM_M: f64 = 36.0;
 
-/// A ship of 200 m whose side is that deep in a quay.
-fn put(depth_m: f64, stiffness_npm2: f64, restitution: f64) -> Story {
+/// A ship of 200 m whose side is `depth_m` deep in a quay.
+fn ship_placed_in_quay(depth_m: f64, stiffness_npm2: f64, restitution: f64) -> Scene {
     let ship = Mobility::Free { mass_kg: MASS_KG, yaw_inertia_kgm2: MASS_KG * 2500.0 };
     let bodies = [(rectangle(BEAM_M, 200.0), ship), (rectangle(60.0, 400.0), Mobility::Fixed)];
     let quay_m = 0.5 * BEAM_M + 30.0;
-    Story {
+    Scene {
         model: model(&bodies, rubber(stiffness_npm2, restitution, 0.3)),
         states: vec![
             BodyState { position_m: vec2(depth_m, 0.0), ..BodyState::default() },
@@ -30,28 +30,29 @@ fn put(depth_m: f64, stiffness_npm2: f64, restitution: f64) -> Story {
     }
 }
 
-fn was_told(events: &[Event], kind: EventKind) -> bool {
+fn has_event(events: &[Event], kind: EventKind) -> bool {
     events.iter().any(|event| event.kind == kind)
 }
 
-/// What a contact may press with, beyond the loads: a of 0.02 m/s².
+/// Largest contact force beyond the loads: an acceleration of 0.02 m/s².
 const LARGEST_N: f64 = 0.021 * MASS_KG;
 
-/// It was 1.15 GN and 1.5 m/s from 3 m, 6.5 GN and 8.5 m/s from 9 m, and no event.
+/// From 3 m the force was 1.15 GN and the speed 1.5 m/s, from 9 m 6.5 GN and 8.5 m/s, without an event.
 #[test]
-fn a_ship_put_up_to_half_her_beam_into_a_quay_is_pressed_out_slowly() {
+fn a_ship_placed_up_to_half_her_beam_in_a_quay_is_pressed_out_slowly() {
     for depth_m in [1.0, 3.0, 9.0, 0.5 * BEAM_M] {
         for (stiffness_npm2, restitution) in [(1e6, 0.0), (1e6, 0.1), (1e6, 0.9), (1e8, 0.1)] {
             for step_s in [1.0 / 60.0, 0.5] {
-                let Story { model, mut states, loads } = put(depth_m, stiffness_npm2, restitution);
+                let Scene { model, mut states, loads } =
+                    ship_placed_in_quay(depth_m, stiffness_npm2, restitution);
                 let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
                 let who =
                     format!("{depth_m} m, {stiffness_npm2} N/m², γ {restitution}, Δt {step_s}");
-                let (mut told, mut out_s) = (0, 0.0);
+                let (mut placements, mut out_s) = (0, 0.0);
                 while states[0].position_m.x > 0.0 {
                     advance_in_place(&model, &mut memory, &mut work, &mut states, &loads, step_s)
                         .expect("good states");
-                    told += usize::from(was_told(work.events(), EventKind::PlacedInOverlap));
+                    placements += usize::from(has_event(work.events(), EventKind::PlacedInOverlap));
                     let wrench_n = work.wrenches()[0].force_n.length();
                     assert!(wrench_n < LARGEST_N, "{who}: {wrench_n} N");
                     let speed_mps = states[0].velocity_mps.length();
@@ -59,32 +60,35 @@ fn a_ship_put_up_to_half_her_beam_into_a_quay_is_pressed_out_slowly() {
                     out_s += step_s;
                     assert!(out_s < 5.0 + depth_m / MAX_PUSH_OUT_MPS, "{who}: {:?}", states[0]);
                 }
-                assert_eq!(told, 1, "{who}");
+                assert_eq!(placements, 1, "{who}");
             }
         }
     }
 }
 
-/// Of hosts that move her by themselves, too: whether they say that they put her there or not, by less than a tenth of
-/// her radius and by more.
+/// Likewise for hosts that move her themselves, with and without a mark, by less than a tenth of her radius and by more.
 #[test]
-fn whatever_the_host_she_leaves_slowly() {
+fn a_placed_ship_leaves_slowly_with_any_host() {
     for integration in [HostIntegration::ForwardEuler, HostIntegration::SemiImplicit] {
         for delay_steps in 0..=2 {
             for (depth_m, says_so) in [(3.0, false), (3.0, true), (15.0, false), (15.0, true)] {
                 for step_s in [1.0 / 60.0, 0.2, 1.0] {
-                    let mut master = Master::known(put(-5.0, 1e6, 0.1), integration, delay_steps);
+                    let mut master = Master::known(
+                        ship_placed_in_quay(-5.0, 1e6, 0.1),
+                        integration,
+                        delay_steps,
+                    );
                     master.run(step_s, 20.0);
                     master.past.last_mut().expect("never empty")[0].position_m.x = depth_m;
                     let who =
                         format!("{integration:?}, delay {delay_steps}, {depth_m} m, Δt {step_s}");
-                    let (mut told, mut time_s) = (false, 0.0);
+                    let (mut placements, mut time_s) = (false, 0.0);
                     for k in 0.. {
                         if says_so && k == delay_steps {
-                            master.host.mark_teleported(&master.story.model, BodyId(0));
+                            master.host.mark_teleported(&master.scene.model, BodyId(0));
                         }
                         master.step(step_s);
-                        told |= was_told(master.work.events(), EventKind::PlacedInOverlap);
+                        placements |= has_event(master.work.events(), EventKind::PlacedInOverlap);
                         let wrench_n = master.work.wrenches()[0].force_n.length();
                         assert!(wrench_n < LARGEST_N, "{who}: {wrench_n} N");
                         let speed_mps = master.states()[0].velocity_mps.length();
@@ -94,7 +98,7 @@ fn whatever_the_host_she_leaves_slowly() {
                             break;
                         }
                     }
-                    assert!(told, "{who}");
+                    assert!(placements, "{who}");
                     let place_m = master.states()[0].position_m.x;
                     assert!(place_m < 0.0, "{who}: {place_m} m");
                 }
@@ -103,54 +107,54 @@ fn whatever_the_host_she_leaves_slowly() {
     }
 }
 
-/// Pressed out against a load, she rests where it is held; put there at 1 m/s, she is stopped without a blow.
+/// Pressed out against a load, she rests at her static depth; placed there at 1 m/s, she is stopped without a shock.
 #[test]
-fn against_a_load_and_with_way_on_she_comes_to_rest_at_her_static_depth() {
+fn a_placed_ship_with_load_and_speed_comes_to_rest_at_her_static_depth() {
     for (load_n, speed_mps) in [(2e6, 0.0), (2e6, 1.0), (2e7, 0.3)] {
-        let Story { model, mut states, mut loads } = put(6.0, 1e6, 0.1);
+        let Scene { model, mut states, mut loads } = ship_placed_in_quay(6.0, 1e6, 0.1);
         loads[0].force_n.x = load_n;
         states[0].velocity_mps.x = speed_mps;
         let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
         for _ in 0..20_000 {
             advance_in_place(&model, &mut memory, &mut work, &mut states, &loads, 0.1).unwrap();
             let wrench_n = work.wrenches()[0].force_n.length();
-            // She may leave, and come back as fast: v √(k m).
+            // She may leave and return at the same speed: v √(k m).
             let back_n = MAX_PUSH_OUT_MPS * (200e6 * MASS_KG).sqrt();
             let largest_n = load_n + LARGEST_N.max(back_n) + 0.51 * MASS_KG * speed_mps;
             assert!(wrench_n < largest_n, "{load_n} N, {speed_mps} m/s: {wrench_n} N");
         }
         let depth_m = states[0].position_m.x;
-        // The quay takes 200 MN/m along her side.
+        // The quay has 200 MN/m along her side.
         let right_m = load_n / 200e6;
         assert!((depth_m / right_m - 1.0).abs() < 0.01, "{load_n} N, {speed_mps} m/s: {depth_m} m");
     }
 }
 
-/// A hit that goes as deep by itself is one as before: all of the energy that γ leaves comes back.
+/// An impact that reaches the same depth is not affected: the whole energy by γ is returned.
 #[test]
-fn a_deep_hit_is_no_putting() {
-    let Story { model, mut states, loads } = put(-1.0, 50e3, 0.9);
+fn a_deep_impact_is_not_a_placement() {
+    let Scene { model, mut states, loads } = ship_placed_in_quay(-1.0, 50e3, 0.9);
     states[0].velocity_mps.x = 1.0;
     let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
     let mut deepest_m = 0.0_f64;
     for _ in 0..400 {
         advance_in_place(&model, &mut memory, &mut work, &mut states, &loads, 0.1).unwrap();
         deepest_m = deepest_m.max(states[0].position_m.x);
-        assert!(!was_told(work.events(), EventKind::PlacedInOverlap));
+        assert!(!has_event(work.events(), EventKind::PlacedInOverlap));
     }
     assert!(deepest_m > 3.0, "{deepest_m} m");
     let left_mps = -states[0].velocity_mps.x;
     assert!((left_mps - 0.9).abs() < 0.01, "{left_mps} m/s");
 }
 
-/// A word of the host counts once, and survives saving.
+/// A mark takes effect once, and is saved.
 #[test]
-fn a_body_that_is_said_to_be_placed_starts_its_contacts_afresh_once() {
-    let Story { model, mut states, loads } = put(0.1, 1e6, 0.1);
+fn a_marked_body_begins_its_contacts_anew_once() {
+    let Scene { model, mut states, loads } = ship_placed_in_quay(0.1, 1e6, 0.1);
     let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
     let mut teleported = |memory: &mut Memory, states: &mut Vec<BodyState>| {
         advance_in_place(&model, memory, &mut work, states, &loads, 0.1).unwrap();
-        was_told(work.events(), EventKind::Teleported)
+        has_event(work.events(), EventKind::Teleported)
     };
     assert!(!teleported(&mut memory, &mut states));
     memory.mark_teleported(&model, BodyId(0));
@@ -161,8 +165,8 @@ fn a_body_that_is_said_to_be_placed_starts_its_contacts_afresh_once() {
     assert!(!teleported(&mut other, &mut states));
 }
 
-/// A ship of 200 m, off a quay with this many fenders along her side that give back 55 % of what they take: 3 MN at
-/// 0.5 m, 2.7 MN at 0.8 m and 4 MN at 1 m, as a cone, or so much times that. Her side is that deep in them.
+/// A ship of 200 m whose side is `depth_m` deep in fenders along a quay. They return 55 % of the absorbed energy, and have
+/// a cone's curve of 3 MN at 0.5 m, 2.7 MN at 0.8 m and 4 MN at 1 m, times a factor.
 #[derive(Clone, Copy, Debug)]
 struct Berth {
     fenders: u32,
@@ -173,7 +177,7 @@ struct Berth {
 
 const TWO_FENDERS: Berth = Berth { fenders: 2, depth_m: 1.0, mass_kg: MASS_KG, stiffer: 1.0 };
 
-fn put_into_rubber(berth: Berth) -> Story {
+fn ship_placed_in_rubber(berth: Berth) -> Scene {
     let Berth { fenders, depth_m, mass_kg, stiffer } = berth;
     let mut builder = Model::builder();
     let free = Mobility::Free { mass_kg, yaw_inertia_kgm2: mass_kg * 2500.0 };
@@ -205,36 +209,37 @@ fn put_into_rubber(berth: Berth) -> Story {
     builder.all_other_pairs(material);
     let quay_m = 0.5 * BEAM_M + 1.4 + 30.0;
     let at = |north_m: f64| BodyState { position_m: vec2(north_m, 0.0), ..BodyState::default() };
-    Story {
+    Scene {
         model: builder.build().expect("a good model"),
         states: vec![at(depth_m), at(quay_m)],
         loads: vec![Wrench::default(); 2],
     }
 }
 
-/// A story that the engine moves.
+/// A run in which the engine moves the bodies.
 struct Run {
-    story: Story,
+    scene: Scene,
     memory: Memory,
     work: Workspace,
-    /// How often it was told that a body was put into another.
-    told: usize,
+    /// Number of events of a body placed in another.
+    placements: usize,
 }
 
 impl Run {
-    fn new(story: Story) -> Run {
-        let (memory, work) = (Memory::new(&story.model), Workspace::new(&story.model));
-        Run { story, memory, work, told: 0 }
+    fn new(scene: Scene) -> Run {
+        let (memory, work) = (Memory::new(&scene.model), Workspace::new(&scene.model));
+        Run { scene, memory, work, placements: 0 }
     }
 
-    /// The greatest speed of the first body on the way.
+    /// Runs, and returns the largest speed of the first body.
     fn go(&mut self, step_s: f64, duration_s: f64) -> f64 {
         let (mut fastest_mps, mut time_s) = (0.0_f64, 0.0);
-        let Story { model, states, loads } = &mut self.story;
+        let Scene { model, states, loads } = &mut self.scene;
         while time_s < duration_s {
             advance_in_place(model, &mut self.memory, &mut self.work, states, loads, step_s)
                 .expect("good states");
-            self.told += usize::from(was_told(self.work.events(), EventKind::PlacedInOverlap));
+            self.placements +=
+                usize::from(has_event(self.work.events(), EventKind::PlacedInOverlap));
             fastest_mps = fastest_mps.max(states[0].velocity_mps.length());
             time_s += step_s;
         }
@@ -242,15 +247,15 @@ impl Run {
     }
 
     fn ship(&mut self) -> &mut BodyState {
-        &mut self.story.states[0]
+        &mut self.scene.states[0]
     }
 }
 
 const OUT_MPS: f64 = MAX_PUSH_OUT_MPS + 1e-6;
 
-/// It was 0.245 m/s from 1 m: what rubber gives back of the energy that the host's placing had made.
+/// From 1 m the speed was 0.245 m/s: rubber returned energy that the host's placing had created.
 #[test]
-fn a_ship_put_into_rubber_leaves_slowly() {
+fn a_ship_placed_in_rubber_leaves_slowly() {
     for fenders in [1, 2, 4] {
         for (depth_m, mass_kg, stiffer) in [
             (0.1, MASS_KG, 1.0),
@@ -265,58 +270,58 @@ fn a_ship_put_into_rubber_leaves_slowly() {
         ] {
             for step_s in [1.0 / 60.0, 0.1, 0.5, 2.0] {
                 let berth = Berth { fenders, depth_m, mass_kg, stiffer };
-                let mut run = Run::new(put_into_rubber(berth));
+                let mut run = Run::new(ship_placed_in_rubber(berth));
                 let fastest_mps = run.go(step_s, 20.0 + depth_m / MAX_PUSH_OUT_MPS);
                 let who = format!("{berth:?}, Δt {step_s}");
                 assert!(fastest_mps < OUT_MPS, "{who}: {fastest_mps} m/s");
-                // What would bring her to 0.08 m/s by itself is told.
+                // It is reported where the contact would accelerate her to 0.08 m/s.
                 let energy_j = 0.5 * mass_kg * MAX_PUSH_OUT_MPS * MAX_PUSH_OUT_MPS;
                 let held_j = 0.55 * f64::from(fenders) * stiffer * 3e6 * depth_m * depth_m;
                 if depth_m < 0.5 {
-                    assert_eq!(run.told, usize::from(held_j > energy_j), "{who}");
+                    assert_eq!(run.placements, usize::from(held_j > energy_j), "{who}");
                 }
-                assert!(run.told < 2 && (depth_m < 1.1 || run.told == 1), "{who}");
+                assert!(run.placements < 2 && (depth_m < 1.1 || run.placements == 1), "{who}");
             }
         }
     }
 }
 
-/// By a host that moves her by itself, too, whether it says that it put her there or not.
+/// Likewise by a host that moves her itself, with and without a mark.
 #[test]
-fn whatever_the_host_she_leaves_rubber_slowly() {
+fn a_ship_placed_in_rubber_leaves_slowly_with_any_host() {
     for integration in [HostIntegration::ForwardEuler, HostIntegration::SemiImplicit] {
         let following = |delay_steps| {
             let settings = HostSettings { delay_steps, integration };
-            (delay_steps, Service::Following(settings))
+            (delay_steps, Service::CoSim(settings))
         };
         for (delay_steps, service) in
-            [following(0), following(1), following(2), (0, Service::Present)]
+            [following(0), following(1), following(2), (0, Service::Direct)]
         {
             for says_so in [false, true] {
                 for step_s in [1.0 / 60.0, 0.2, 1.0] {
                     let away = Berth { depth_m: -5.0, ..TWO_FENDERS };
-                    let story = put_into_rubber(away);
-                    let mut master = Master::new(story, integration, delay_steps, service);
+                    let scene = ship_placed_in_rubber(away);
+                    let mut master = Master::new(scene, integration, delay_steps, service);
                     master.run(step_s, 20.0);
                     master.past.last_mut().expect("never empty")[0].position_m.x = 1.0;
                     let who = format!("{integration:?}, {service:?}, {says_so}, Δt {step_s}");
-                    let (mut told, mut time_s) = (false, 0.0);
+                    let (mut placements, mut time_s) = (false, 0.0);
                     for k in 0.. {
                         if says_so && k == delay_steps {
-                            master.host.mark_teleported(&master.story.model, BodyId(0));
-                            master.present.mark_teleported(&master.story.model, BodyId(0));
+                            master.host.mark_teleported(&master.scene.model, BodyId(0));
+                            master.direct.mark_teleported(&master.scene.model, BodyId(0));
                         }
                         master.step(step_s);
-                        told |= was_told(master.events(), EventKind::PlacedInOverlap);
+                        placements |= has_event(master.events(), EventKind::PlacedInOverlap);
                         let speed_mps = master.states()[0].velocity_mps.length();
-                        // One of the present gets what it is owed in velocity within some seconds.
+                        // A direct host gets its velocity correction within some seconds.
                         assert!(speed_mps < 0.082, "{who}: {speed_mps} m/s");
                         time_s += step_s;
                         if time_s > 40.0 {
                             break;
                         }
                     }
-                    assert!(told, "{who}");
+                    assert!(placements, "{who}");
                     let place_m = master.states()[0].position_m.x;
                     assert!(place_m < 0.0, "{who}: {place_m} m");
                 }
@@ -325,32 +330,32 @@ fn whatever_the_host_she_leaves_rubber_slowly() {
     }
 }
 
-/// Wind presses on, and lets go: neither gives her what the placing had made.
+/// Wind presses her on and dies: neither releases the energy that the placing created.
 #[test]
-fn a_ship_put_into_rubber_under_wind_rests_there_and_leaves_slowly_when_it_dies() {
+fn a_ship_placed_in_rubber_under_wind_leaves_slowly_when_it_dies() {
     for (wind_n, step_s) in [(5e5, 0.1), (2e6, 0.1), (2e6, 1.0), (6e6, 0.1), (6e6, 1.0)] {
-        let mut run = Run::new(put_into_rubber(TWO_FENDERS));
-        run.story.loads[0].force_n.x = wind_n;
+        let mut run = Run::new(ship_placed_in_rubber(TWO_FENDERS));
+        run.scene.loads[0].force_n.x = wind_n;
         let who = format!("{wind_n} N, Δt {step_s}");
         let fastest_mps = run.go(step_s, 600.0);
         assert!(fastest_mps < OUT_MPS, "{who}: {fastest_mps} m/s");
         let (at_rest_mps, depth_m) = (run.go(step_s, 10.0), run.ship().position_m.x);
         assert!(at_rest_mps < 1e-3 && depth_m > 0.0, "{who}: {at_rest_mps} m/s at {depth_m} m");
         let held_n = -run.work.wrenches()[0].force_n.x;
-        // She swings by less than a millimetre a second yet, which rubber takes little from.
+        // She still swings by less than 1 mm/s, which rubber hardly damps.
         assert!((held_n / wind_n - 1.0).abs() < 0.02, "{who}: {held_n} N");
-        run.story.loads[0].force_n.x = 0.0;
+        run.scene.loads[0].force_n.x = 0.0;
         let fastest_mps = run.go(step_s, 60.0);
         assert!(fastest_mps < OUT_MPS, "{who}: {fastest_mps} m/s");
         assert!(run.ship().position_m.x < 0.0, "{who}");
     }
 }
 
-/// A centimetre a frame, as somebody drags her in an editor.
+/// A centimetre per frame, like dragging in an editor.
 #[test]
-fn a_ship_that_is_dragged_into_rubber_leaves_slowly() {
+fn a_ship_dragged_into_rubber_leaves_slowly() {
     for translation_m in [0.002, 0.01, 0.05] {
-        let mut run = Run::new(put_into_rubber(Berth { depth_m: -0.05, ..TWO_FENDERS }));
+        let mut run = Run::new(ship_placed_in_rubber(Berth { depth_m: -0.05, ..TWO_FENDERS }));
         let mut depth_m = -0.05;
         while depth_m < 1.0 {
             depth_m += translation_m;
@@ -359,14 +364,14 @@ fn a_ship_that_is_dragged_into_rubber_leaves_slowly() {
         }
         let fastest_mps = run.go(0.1, 40.0);
         assert!(fastest_mps < OUT_MPS, "{translation_m} m a frame: {fastest_mps} m/s");
-        assert!(run.told > 0 && run.ship().position_m.x < 0.0, "{translation_m} m a frame");
+        assert!(run.placements > 0 && run.ship().position_m.x < 0.0, "{translation_m} m a frame");
     }
 }
 
-/// A ship that comes by herself gets what rubber owes her, though her host moves her a little otherwise.
+/// A ship that arrives under way gets the returned energy of rubber, though her host moves her slightly differently.
 #[test]
-fn a_hit_in_which_the_host_moves_the_ship_a_little_is_no_putting() {
-    let mut run = Run::new(put_into_rubber(Berth { depth_m: -0.5, ..TWO_FENDERS }));
+fn an_impact_with_a_slightly_different_motion_is_not_a_placement() {
+    let mut run = Run::new(ship_placed_in_rubber(Berth { depth_m: -0.5, ..TWO_FENDERS }));
     run.ship().velocity_mps.x = 0.2;
     while run.ship().velocity_mps.x > 0.0 {
         run.go(0.1, 0.1);
@@ -378,30 +383,30 @@ fn a_hit_in_which_the_host_moves_the_ship_a_little_is_no_putting() {
     run.go(0.1, 60.0);
     let left = -run.ship().velocity_mps.x / (0.2 * 0.55_f64.sqrt());
     assert!((left - 1.0).abs() < 0.02, "{left}");
-    assert_eq!(run.told, 0);
+    assert_eq!(run.placements, 0);
 }
 
-/// Both float: neither is thrown off.
+/// Both bodies float: neither is thrown off.
 #[test]
-fn a_ship_put_into_another_leaves_slowly() {
+fn a_ship_placed_in_another_leaves_slowly() {
     let free = |mass_kg: f64| Mobility::Free { mass_kg, yaw_inertia_kgm2: mass_kg * 2500.0 };
     for (depth_m, restitution) in [(1.0, 0.1), (3.0, 0.9), (10.0, 0.1), (18.0, 0.0)] {
         for step_s in [1.0 / 60.0, 0.5] {
             let bodies =
                 [(rectangle(BEAM_M, 200.0), free(MASS_KG)), (rectangle(BEAM_M, 150.0), free(3e7))];
             let at = |x: f64| BodyState { position_m: vec2(x, 7.0), ..BodyState::default() };
-            let story = Story {
+            let scene = Scene {
                 model: model(&bodies, rubber(1e6, restitution, 0.3)),
                 states: vec![BodyState::default(), at(BEAM_M - depth_m)],
                 loads: vec![Wrench::default(); 2],
             };
-            let mut run = Run::new(story);
+            let mut run = Run::new(scene);
             run.go(step_s, 60.0 + depth_m / MAX_PUSH_OUT_MPS);
             let who = format!("{depth_m} m, γ {restitution}, Δt {step_s}");
-            let [one, two] = [0, 1].map(|ship| run.story.states[ship].velocity_mps);
-            // Beside the middle of one of them, which is turned by it.
+            let [one, two] = [0, 1].map(|ship| run.scene.states[ship].velocity_mps);
+            // Off the middle of one of them, which is turned.
             assert!((two - one).length() < 0.09, "{who}: {one:?}, {two:?}");
-            assert_eq!((run.told, run.work.contacts().len()), (1, 0), "{who}");
+            assert_eq!((run.placements, run.work.contacts().len()), (1, 0), "{who}");
         }
     }
 }

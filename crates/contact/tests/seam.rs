@@ -1,7 +1,7 @@
-//! Seams: a hull in several convex pieces is one hull. Nothing that a contact says may tell where
-//! the cuts lie.
+//! Seams: a hull in several convex pieces is one hull. No result of a contact may depend on where the cuts
+//! are.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 mod support;
 
@@ -10,8 +10,8 @@ use proptest::prelude::*;
 use support::harbour::{PAPER, Run, at, body, model};
 use support::shapes::{any_convex, beside, hull, points, rectangle};
 
-/// A convex hull, and the same with a tiny notch in its far side: the notch forces diagonals
-/// across the hull, and some of them end in the vertices of the near side.
+/// A convex hull, and the same with a tiny notch in its far side. The notch forces diagonals across the hull,
+/// some of which end in vertices of the near side.
 fn plain_and_notched() -> Vec<(Vec<Vec2>, Vec<Vec2>)> {
     let ship = hull(298.0, 46.0, 24);
     // The far side is the last edge but one: from (0.7 · 149, 23) to (−149, 23).
@@ -30,7 +30,7 @@ fn plain_and_notched() -> Vec<(Vec<Vec2>, Vec<Vec2>)> {
     ]
 }
 
-/// What notches of 1e-6 m² on the far side may do to nothing at all.
+/// Tolerance for the effect of notches of 1e-6 m² on the far side.
 #[track_caller]
 fn equal(what: &str, one: f64, two: f64, scale: f64, context: &str) {
     let limit = 1e-9 * scale.abs().max(one.abs());
@@ -78,7 +78,7 @@ fn slide(
 }
 
 #[test]
-fn a_hull_in_pieces_slides_along_a_fender_as_a_whole_one() {
+fn a_hull_in_pieces_slides_along_a_fender_like_a_whole_one() {
     let slippery = Material { friction_static: 0.2, friction_dynamic: 0.15, ..PAPER };
     let damped = Material { damping_nspm2: 300e3, ..PAPER };
     let fenders = [rectangle(4.0, 1.5), points(&[(0.0, -1.0), (2.0, 1.0), (-2.0, 1.0)])];
@@ -87,7 +87,7 @@ fn a_hull_in_pieces_slides_along_a_fender_as_a_whole_one() {
         assert!(outline.pieces().len() > 1);
         for (fender, top) in fenders.iter().zip([0.75, 1.0]) {
             for material in [PAPER, slippery, damped] {
-                // Along the near side (y = −23) from astern of midships round the shoulder.
+                // Along the near side (y = −23) from aft of midships round the shoulder.
                 slide(&plain, &cut, fender, material, &|step| {
                     let t = f64::from(step);
                     let depth_m = 0.2 + 0.1 * libm::sin(0.05 * t);
@@ -104,10 +104,10 @@ fn a_hull_in_pieces_slides_along_a_fender_as_a_whole_one() {
     }
 }
 
-/// A hull with a knuckle that is really there: the same outline cut along other diagonals by
-/// notches elsewhere.
+/// A hull with a real knuckle: notches at different places make the same outline be cut along different
+/// diagonals.
 #[test]
-fn a_knuckled_hull_does_not_feel_where_it_is_cut() {
+fn the_cuts_of_a_knuckled_hull_do_not_matter() {
     let knuckled = points(&[
         (-80.0, -14.0),
         (-20.0, -12.0), // a hollow in the side
@@ -133,13 +133,12 @@ fn a_knuckled_hull_does_not_feel_where_it_is_cut() {
     }
 }
 
-/// Over a seam in ten thousand tiny steps: everything goes on without a jump, and no contact ends
-/// or begins.
+/// Across a seam in ten thousand tiny steps: all results are continuous, and no contact ends or begins.
 #[test]
-fn a_contact_that_crosses_a_seam_slowly_goes_on() {
+fn a_contact_that_crosses_a_seam_slowly_continues() {
     let mut crossed = 0;
     for (_, cut) in plain_and_notched() {
-        // Not the corner of the stern, beside which there is nothing to slide to.
+        // Not the corner of the stern, past which there is no side to slide along.
         let seams = seam_ends_on_the_near_side(&cut).into_iter().filter(|s| s.x > -149.0);
         let fender = points(&[(0.0, -1.0), (2.0, 1.0), (-2.0, 1.0)]); // a flat top, y = 1
         let corner = points(&[(0.0, 1.0), (-2.0, -1.0), (2.0, -1.0)]); // a corner on top, y = 1
@@ -152,7 +151,7 @@ fn a_contact_that_crosses_a_seam_slowly_goes_on() {
                 let mut run = Run::new(model(bodies, PAPER));
                 let mut last: Option<Contact> = None;
                 for step in 0..2000 {
-                    // 2 nm a step for the corner's tip in the middle, coarser outside.
+                    // 2 nm per step in the middle, where the corner's tip passes; coarser outside.
                     let s = f64::from(step - 1000) / 1000.0;
                     let x = 4.0 * depth_m * s * s * s;
                     let ship = BodyState { velocity_mps: vec2(0.0, -0.5), ..at(0.0, 0.0, 0.0) };
@@ -168,7 +167,7 @@ fn a_contact_that_crosses_a_seam_slowly_goes_on() {
                         let (a, b) = (last.area_m2, contacts[0].area_m2);
                         assert!((a - b).abs() <= 0.05 * a, "step {step}: area {a:e} then {b:e}");
                     } else {
-                        assert!(run.told(EventKind::ContactBegan));
+                        assert!(run.has_event(EventKind::ContactBegan));
                     }
                     last = Some(contacts[0]);
                 }
@@ -185,7 +184,7 @@ fn seam_ends_on_the_near_side(ring: &[Vec2]) -> Vec<Vec2> {
     near.filter(|v| outline.pieces().iter().filter(|p| p.contains(v)).count() > 1).collect()
 }
 
-/// First touch right on a seam's end, however light: one contact, not two.
+/// The first touch on a seam's end, however light, is one contact, not two.
 #[test]
 fn a_touch_of_a_nanometre_on_a_seam_is_one_contact() {
     for (_, cut) in plain_and_notched() {
@@ -212,7 +211,7 @@ proptest! {
 
     /// Any convex body against the near side, from a millimetre to eight metres deep.
     #[test]
-    fn a_hull_in_pieces_meets_any_body_as_a_whole_one(
+    fn a_hull_in_pieces_contacts_any_body_like_a_whole_one(
         which in 0usize..3,
         other in any_convex(),
         (ship_heading, heading) in (0.0..6.3f64, 0.0..6.3f64),
@@ -232,7 +231,7 @@ proptest! {
         let (one, two) = (contacts(plain), contacts(cut));
         let far_side = |c: &Contact| ship.pose().apply_inverse(c.point_m).y + c.depth_m > 22.0;
         prop_assume!(!one.iter().chain(&two).any(far_side)); // the notches are real
-        // Without crossings the normal at first sight is a choice; its own test is below.
+        // Without crossings the first normal is a choice, tested below.
         let contained = one.iter().any(|c| c.area_m2 > (1.0 - 1e-9) * area_m2(&other));
         prop_assume!(!contained);
         prop_assert_eq!(one.len(), two.len(), "{:?} and {:?}", one, two);
@@ -246,8 +245,8 @@ fn area_m2(ring: &[Vec2]) -> f64 {
     Outline::new(ring).expect("a good outline").0.area_m2()
 }
 
-/// Found inside a hull at first sight, a body is pushed out by the nearest side of the hull, not
-/// through the nearest seam.
+/// A body that is first found inside a hull is pushed out through the nearest side of the hull, not through
+/// the nearest seam.
 #[test]
 fn a_body_found_inside_a_hull_is_not_pushed_through_a_seam() {
     for (plain, cut) in plain_and_notched() {

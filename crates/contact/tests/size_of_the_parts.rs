@@ -24,7 +24,7 @@ fn code(text: &str) -> String {
     text.lines().map(|line| line.split("//").next().unwrap_or("")).collect::<Vec<_>>().join("\n")
 }
 
-/// The text from the start to the bracket that closes the first one, which has just been opened.
+/// The text up to the bracket that closes the one just before its start.
 fn within(text: &str) -> &str {
     let mut depth = 1;
     for (at, c) in text.char_indices() {
@@ -61,7 +61,7 @@ fn items(list: &str) -> Vec<&str> {
     all
 }
 
-/// How many values a type holds: a tuple as many as its parts.
+/// The number of values in a type: a tuple has those of its parts.
 fn values(kind: &str) -> usize {
     let kind = kind.trim().trim_start_matches('&').trim_start_matches("mut ").trim();
     match kind.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')) {
@@ -70,9 +70,9 @@ fn values(kind: &str) -> usize {
     }
 }
 
-/// How many values a parameter stands for.
+/// The number of values in a parameter.
 fn parameters(parameter: &str) -> usize {
-    // The pattern of a tuple has colons only after it.
+    // The pattern of a tuple has no colon within.
     parameter.rfind(": ").map_or(1, |colon| {
         let first = parameter.find(": ").unwrap_or(colon);
         let of_pattern = parameter.starts_with('(').then(|| parameter.find("): ")).flatten();
@@ -110,7 +110,7 @@ fn too_large(text: &str) -> Vec<String> {
 }
 
 #[test]
-fn no_struct_and_no_parameter_list_is_longer_than_one_can_read() {
+fn structs_and_parameter_lists_are_short() {
     let mut files = Vec::new();
     sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut files);
     assert!(files.len() > 50, "the sources have moved");
@@ -124,7 +124,7 @@ fn no_struct_and_no_parameter_list_is_longer_than_one_can_read() {
 }
 
 #[test]
-fn a_tuple_hides_no_parameters() {
+fn parameters_in_tuples_are_counted() {
     let seven = "fn f(a: (A, B), (c, d): (C, (D, E)), f: &F, g: [G; 2]) {}";
     assert!(too_large(seven).is_empty());
     let eight = "fn f(&self, a: (A, B), (c, d): (C, (D, E)), f: &F, g: [G; 2]) {}";

@@ -1,5 +1,5 @@
-//! Snapshots: saved in the middle of a contact and replayed bit for bit; damaged or foreign ones
-//! are refused and change nothing.
+//! Snapshots: saved during contact and replayed bit for bit; damaged or foreign ones are refused and change
+//! nothing.
 
 #[allow(dead_code, reason = "each test uses its own part of the scene")]
 mod scene;
@@ -13,7 +13,7 @@ use fenderline_contact::{
 const STEP_S: f64 = 0.1;
 const STIFFNESS_NPM2: f64 = 500e3;
 
-/// A ship that berths at 0.2 m/s, turning a little and sliding ahead, held to the fenders by tugs.
+/// A ship that berths at 0.2 m/s, turning slightly and sliding ahead, held to the fenders by tugs.
 struct Run {
     model: Model,
     memory: Memory,
@@ -50,7 +50,7 @@ impl Run {
     }
 }
 
-/// A run in the middle of its contacts, with shear in them.
+/// A run during contact, with shear.
 fn in_contact() -> Run {
     let mut run = Run::new();
     run.play(80);
@@ -60,7 +60,7 @@ fn in_contact() -> Run {
 }
 
 #[test]
-fn a_restored_run_goes_on_bit_for_bit() {
+fn a_restored_run_continues_bit_for_bit() {
     let mut run = in_contact();
     let (saved, ship) = (run.memory.snapshot(), run.ship);
     let first = run.play(1_000);
@@ -68,14 +68,14 @@ fn a_restored_run_goes_on_bit_for_bit() {
         first.iter().flat_map(|(contacts, _)| contacts.iter().map(|c| c.friction)).collect();
     assert!(frictions.contains(&Friction::Stick) && frictions.contains(&Friction::Slip));
 
-    // Into a memory that knows nothing, and into one that has gone on, with a fresh workspace.
+    // Into a new memory, and into one that has run on, with a new workspace.
     for mut memory in [Memory::new(&run.model), run.memory.clone()] {
         memory.restore(&run.model, &saved).expect("a good snapshot");
         assert_eq!(memory.snapshot(), saved);
         let model = run.model.clone();
         let mut again = Run { work: Workspace::new(&model), model, memory, ship };
         let second = again.play(1_000);
-        // Debug text tells −0 from 0, and shows every bit of a number.
+        // Debug text distinguishes −0 from 0, and every bit of a number.
         for (index, (one, two)) in first.iter().zip(&second).enumerate() {
             assert_eq!(format!("{one:?}"), format!("{two:?}"), "step {index}");
         }
@@ -84,7 +84,7 @@ fn a_restored_run_goes_on_bit_for_bit() {
 }
 
 #[test]
-fn a_snapshot_before_the_first_step_is_good_too() {
+fn a_snapshot_before_the_first_step_is_valid() {
     let run = Run::new();
     let mut memory = in_contact().memory;
     memory.restore(&run.model, &run.memory.snapshot()).expect("a good snapshot");
@@ -142,7 +142,7 @@ fn another_model_and_another_version_are_refused() {
     assert_eq!(refused(&mut run, &newer, &before), RestoreError::Version { found });
 }
 
-/// A snapshot that somebody wrote with a right check sum but with numbers that cannot be.
+/// A forged snapshot, with a valid check sum but impossible numbers.
 #[test]
 fn a_forged_snapshot_is_refused() {
     let mut run = in_contact();
@@ -165,7 +165,7 @@ fn a_forged_snapshot_is_refused() {
     }
 }
 
-/// FNV-1a, as the snapshot's table of bytes says.
+/// Writes the check sum, FNV-1a, as the table of bytes describes.
 fn sum_up(bytes: &mut [u8]) {
     let end = bytes.len() - 8;
     let sum = Fnv1a::of(&bytes[..end]);

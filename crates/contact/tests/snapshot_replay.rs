@@ -28,7 +28,7 @@ impl Engine {
 }
 
 #[test]
-fn a_snapshot_in_mid_contact_on_faces_replays_a_thousand_steps_and_no_workspace_matters() {
+fn a_snapshot_during_contact_replays_a_thousand_steps_with_any_workspace() {
     for step_s in [0.05, 0.5] {
         let mut host = Host::new(tug_push(step_s));
         while host.time_s() < 6.0 {

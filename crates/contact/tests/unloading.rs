@@ -1,6 +1,6 @@
-//! Fenders of rubber: what they give back, and along which way.
+//! Unloading of rubber fenders: the energy that they return, and the curve.
 
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 use fenderline_contact::*;
 use proptest::prelude::*;
@@ -23,7 +23,7 @@ fn cone() -> FenderLaw {
     FenderLaw::Curve(vec![[0.0, 0.0], [0.25, 6e5], [0.5, 5e5], [0.8, 6e5], [1.0, 9e5]])
 }
 
-/// A fender on a quay that faces north, with its face at the origin, and a barge of 5,000 t whose side comes to it.
+/// A fender on a quay that faces north, with its face at the origin, and a barge of 5,000 t, side on.
 fn model(law: FenderLaw, unloading: Unloading) -> Model {
     let mut builder = Model::builder();
     let quay = builder.body(Body {
@@ -66,7 +66,7 @@ struct Run {
 }
 
 impl Run {
-    /// Her side `gap_m` off the face, at a speed towards it.
+    /// Starts with her side at `gap_m` from the face, with a speed towards it.
     fn new(model: Model, gap_m: f64, speed_mps: f64) -> Run {
         let (memory, work) = (Memory::new(&model), Workspace::new(&model));
         let barge = BodyState {
@@ -92,7 +92,7 @@ impl Run {
     }
 }
 
-/// (Speed of leaving)² over (speed of approach)².
+/// The square of rebound speed over approach speed.
 fn returned(law: &FenderLaw, unloading: &Unloading, speed_mps: f64, step_s: f64) -> f64 {
     let mut run = Run::new(model(law.clone(), unloading.clone()), 0.37 * speed_mps, speed_mps);
     let mut time_s = 0.0;
@@ -104,12 +104,12 @@ fn returned(law: &FenderLaw, unloading: &Unloading, speed_mps: f64, step_s: f64)
     (run.speed_mps() / speed_mps).powi(2)
 }
 
-/// Δt (s), and how far the energy returned may be from its share of the energy taken. In long steps it is the error of
-/// sub-steps of 0.15 rad: 0.3 %, a curve's corners and the turn from one curve to the other included.
+/// Δt (s), and the tolerance for the share of energy returned. In long steps it is the error of sub-steps of 0.15 rad:
+/// 0.3 %, including a curve's corners and the change from one curve to the other.
 const STEPS: [(f64, f64); 5] = [(0.02, 1e-4), (0.1, 1e-3), (0.5, 4e-3), (1.0, 4e-3), (2.0, 4e-3)];
 
 #[test]
-fn an_impact_gives_back_its_share_of_the_energy_at_any_step() {
+fn an_impact_returns_its_share_of_the_energy_at_any_step() {
     for law in [FenderLaw::Area, FenderLaw::linear(2e6), cone()] {
         for share in [0.3, 0.55, 0.8, 1.0] {
             for speed_mps in [0.05, 0.2, 0.45] {
@@ -128,12 +128,12 @@ fn an_impact_gives_back_its_share_of_the_energy_at_any_step() {
 }
 
 #[test]
-fn an_impact_gives_back_what_lies_under_the_unloading_curve() {
+fn an_impact_returns_the_energy_under_the_unloading_curve() {
     let points = vec![[0.0, 0.0], [0.1, 0.0], [0.4, 2e5], [0.8, 4e5]];
     let unloading = Unloading::Curve(points);
     let law = cone();
     for speed_mps in [0.1, 0.3] {
-        // Its deepest place, by the energy that the loading curve takes.
+        // The largest deflection, by the energy of the loading curve.
         let factor = 1.1;
         let taken_j = 0.5 * 5e6 * speed_mps * speed_mps / factor;
         let (mut low_m, mut high_m) = (0.0, 1.0);
@@ -149,8 +149,8 @@ fn an_impact_gives_back_what_lies_under_the_unloading_curve() {
     }
 }
 
-/// F·dr = dV + heat for any small way of the hull, sideways and turning too: what the fender can give back is the
-/// potential of its force as long as no top is pushed up.
+/// F·dr = dV + heat for any small displacement of the hull, sideways and rotation included: the returnable energy is the
+/// potential of the force while the peak deflection does not grow.
 fn gradient_holds(
     law: FenderLaw,
     unloading: Unloading,
@@ -170,7 +170,7 @@ fn gradient_holds(
         ]
     };
     let mut work = Workspace::new(&model);
-    // The heat of its first sub-step, what is stored and the force on the barge.
+    // The heat of the first sub-step, the stored energy, and the force on the barge.
     let mut look = |memory: &mut Memory, pose: [f64; 3]| {
         advance(&model, memory, &mut work, &at(pose), &[Wrench::default(); 2], 1e-6)
             .expect("a good step");
@@ -184,7 +184,7 @@ fn gradient_holds(
     if look(&mut memory, pose).is_none() {
         return;
     }
-    // Some way back, within the plays or beyond them.
+    // Some way back, within the hysteresis loop or beyond it.
     let back = [pose[0] - back_m, pose[1], pose[2]];
     let Some((before_j, _, force)) = look(&mut memory, back) else { return };
     let Some((after_j, heat_j, force_after)) =
@@ -192,7 +192,7 @@ fn gradient_holds(
     else {
         return;
     };
-    // The work that the hull does on the fender, by the mean force.
+    // Work of the hull on the fender, by the mean force.
     let work_j: f64 = (0..3).map(|i| -0.5 * (force[i] + force_after[i]) * way[i]).sum();
     let off_j = work_j - (after_j - before_j) - heat_j;
     let scale_j: f64 = (0..3).map(|i| (force[i] * way[i]).abs()).sum();
@@ -205,7 +205,7 @@ fn gradient_holds(
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
     #[test]
-    fn its_force_is_the_gradient_of_what_it_can_give_back(
+    fn the_force_is_the_gradient_of_the_returnable_energy(
         deep in 0.1..1.1_f64,
         aside in -32.0..32.0_f64,
         tilt in -0.3..0.3_f64,
@@ -220,15 +220,14 @@ proptest! {
             _ => (cone(), Unloading::Curve(vec![[0.0, 0.0], [0.2, 1e5], [0.8, share * 6e5]])),
         };
         let way = [1e-6 * way[0], 1e-6 * way[1], 1e-8 * way[2]];
-        // So deep where the face is.
+        // The depth at the face.
         gradient_holds(law, unloading, [deep + aside * tilt, aside, tilt], back * deep, way);
     }
 }
 
-/// Pressed on by a steady wind she rests where she stops, and does not creep; in gusts the reaction stays between the
-/// two curves.
+/// Under a steady wind she rests where she stops and does not creep; in gusts the reaction stays between the two curves.
 #[test]
-fn pressed_by_wind_and_gusts_she_neither_creeps_nor_loses_her_fender() {
+fn under_wind_and_gusts_she_does_not_creep_and_keeps_her_fender() {
     let share = 0.55;
     for step_s in [0.05, 0.5, 2.0] {
         let unloading = Unloading::ReturnedEnergy(share);
@@ -244,7 +243,7 @@ fn pressed_by_wind_and_gusts_she_neither_creeps_nor_loses_her_fender() {
             let loading_n = law.reaction_n(contact.depth_m);
             let lower_n = unloading.reaction_n(&law, contact.depth_m, loading_n) * contact.factor;
             let reaction_n = contact.parts.spring_n;
-            // A mean over the step beside the curve where the step begins.
+            // The mean over the step, compared with the curve at the start of the step.
             if step_s < 0.1 {
                 assert!(reaction_n > 0.99 * lower_n, "{t_s} s: {reaction_n} N over {lower_n} N");
             }
@@ -267,7 +266,7 @@ fn pressed_by_wind_and_gusts_she_neither_creeps_nor_loses_her_fender() {
 }
 
 #[test]
-fn a_run_goes_on_from_a_snapshot_in_the_middle_of_a_loop_bit_for_bit() {
+fn a_run_continues_from_a_snapshot_within_a_loop_bit_for_bit() {
     let mut run = Run::new(model(cone(), Unloading::ReturnedEnergy(0.55)), 0.05, 0.3);
     while run.speed_mps() < 0.02 {
         run.step(0.0, 0.1);
@@ -283,9 +282,9 @@ fn a_run_goes_on_from_a_snapshot_in_the_middle_of_a_loop_bit_for_bit() {
     assert_eq!(rest(run), rest(again));
 }
 
-/// A host that shows its states a step late and tells nothing: its own steps leave with the same share.
+/// A host with states one step late and without loads rebounds with the same share.
 #[test]
-fn a_co_simulation_host_leaves_with_the_root_of_the_returned_energy() {
+fn a_cosim_host_rebounds_with_the_root_of_the_returned_energy() {
     let model = model(FenderLaw::linear(2e6), Unloading::ReturnedEnergy(0.55));
     let settings = HostSettings { delay_steps: 1, integration: HostIntegration::ForwardEuler };
     for step_s in [0.05, 0.2] {
@@ -296,11 +295,11 @@ fn a_co_simulation_host_leaves_with_the_root_of_the_returned_energy() {
             velocity_mps: vec2(-0.3, 0.0),
             ..BodyState::default()
         };
-        let mut shown = barge;
+        let mut input = barge;
         for _ in 0..(20.0 / step_s) as u32 {
-            let states = [BodyState::default(), shown];
+            let states = [BodyState::default(), input];
             let wrench = host.step(&model, &mut work, &states, None, step_s).expect("good")[1];
-            shown = barge;
+            input = barge;
             barge.position_m += barge.velocity_mps * step_s;
             barge.velocity_mps += wrench.force_n * (step_s / 5e6);
         }

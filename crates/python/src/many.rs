@@ -9,7 +9,7 @@ use crate::arrays::{STATE, write_states};
 use crate::errors;
 use crate::parallel;
 use crate::scenario::Scenario;
-use crate::summaries::{Summary, fenders_table, pairs_table};
+use crate::summaries::{Summary, all_tables};
 use crate::tables;
 use crate::variants::{self, Common, NoRun};
 
@@ -61,6 +61,6 @@ pub(crate) fn run_variants<'py>(
     }
     let states = PyArray1::from_vec(py, states).reshape([sets.len(), bodies, STATE])?.into_any();
     let setup = &common.base.setup;
-    let kept = vec![pairs_table(setup, &summaries), fenders_table(setup, &summaries)];
+    let kept = all_tables(setup, &summaries);
     Ok((states, tables::results(py, &common.base.title, kept)?))
 }

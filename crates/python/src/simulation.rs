@@ -16,7 +16,7 @@ use crate::controls::controls;
 use crate::errors;
 use crate::run::{CannotRun, Run};
 use crate::scenario::{Scenario, toml_of};
-use crate::summaries::{Summary, fenders_table, pairs_table};
+use crate::summaries::{Summary, all_tables};
 use crate::tables;
 
 /// Steps between two checks for an interrupt by the user.
@@ -260,13 +260,19 @@ impl Simulation {
         Ok(dict)
     }
 
-    /// Summaries of each pair of bodies and of each fender that touched: two tables.
+    /// The verdict on the run so far: the worst of the findings in `summary()["findings"]`, such as `all_well`,
+    /// `fender_over_rated` or `structure_struck`.
+    #[getter]
+    fn verdict(&self) -> &'static str {
+        self.run.simulation.verdict().key()
+    }
+
+    /// Summaries of the run so far: tables `pairs`, `fenders`, `verdicts` and `findings`.
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let simulation = &self.run.simulation;
         let summary = [Summary::of(simulation)];
         let setup = simulation.setup();
-        let kept = vec![pairs_table(setup, &summary), fenders_table(setup, &summary)];
-        tables::results(py, &self.title, kept)
+        tables::results(py, &self.title, all_tables(setup, &summary))
     }
 
     /// Ends the recording and returns its tables: those of `fenderline run`, with the same numbers.

@@ -1,12 +1,15 @@
 //! Summaries of runs as tables, with one row per run for each pair of bodies and each fender.
 
+use std::collections::BTreeMap;
+
 use fenderline_results::{KeptColumn, KeptTable, KeptValues};
-use fenderline_sim::{FenderSummary, PairSummary, Setup, Simulation};
+use fenderline_sim::{FenderSummary, Finding, PairSummary, Setup, Simulation, Verdict};
 
 /// The summary of one run.
 pub(crate) struct Summary {
     pub(crate) pairs: Vec<PairSummary>,
     pub(crate) fenders: Vec<FenderSummary>,
+    pub(crate) findings: Vec<Finding>,
 }
 
 impl Summary {
@@ -14,6 +17,7 @@ impl Summary {
         Summary {
             pairs: simulation.pair_summaries().to_vec(),
             fenders: simulation.fender_summaries().cloned().collect(),
+            findings: simulation.findings(),
         }
     }
 }
@@ -62,8 +66,68 @@ fn runs<S>(rows: &[(usize, &S)]) -> KeptColumn {
     KeptColumn { name: "run", unit: "1", meaning: "number of the run, from 0", values }
 }
 
+/// A column of texts, each word stored once.
+fn texts(
+    name: &'static str,
+    meaning: &'static str,
+    values: impl Iterator<Item = String>,
+) -> KeptColumn {
+    let mut words: Vec<String> = Vec::new();
+    let mut numbers: BTreeMap<String, i32> = BTreeMap::new();
+    let codes = values.map(|value| {
+        *numbers.entry(value).or_insert_with_key(|value| {
+            words.push(value.clone());
+            words.len() as i32 - 1
+        })
+    });
+    let codes = codes.collect();
+    KeptColumn { name, unit: "-", meaning, values: KeptValues::Texts { codes, words } }
+}
+
+/// All summary tables of a number of runs.
+pub(crate) fn all_tables(setup: &Setup, summaries: &[Summary]) -> Vec<KeptTable> {
+    vec![
+        pairs_table(setup, summaries),
+        fenders_table(setup, summaries),
+        verdicts_table(summaries),
+        findings_table(setup, summaries),
+    ]
+}
+
+/// The verdict on each run.
+fn verdicts_table(summaries: &[Summary]) -> KeptTable {
+    let rows: Vec<(usize, Verdict)> =
+        summaries.iter().map(|summary| Verdict::of(&summary.findings)).enumerate().collect();
+    let shown: Vec<(usize, &Verdict)> = rows.iter().map(|(run, verdict)| (*run, verdict)).collect();
+    let of = |text: fn(&Verdict) -> &'static str| rows.iter().map(move |(_, v)| text(v).to_owned());
+    let columns = vec![
+        runs(&shown),
+        texts("verdict", "the worst finding of the run", of(|v| v.key())),
+        texts("gravity", "ok, note, attention or failed", of(|v| v.gravity().key())),
+    ];
+    KeptTable { name: "verdicts", columns }
+}
+
+/// What was found in each run, the worst first.
+fn findings_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
+    let rows = rows(summaries, |summary| &summary.findings);
+    let of = |text: fn(&Finding) -> &'static str| rows.iter().map(move |(_, f)| text(f).to_owned());
+    let columns = vec![
+        runs(&rows),
+        texts("finding", "what was found", of(|f| f.verdict().key())),
+        texts("gravity", "ok, note, attention or failed", of(|f| f.verdict().gravity().key())),
+        texts(
+            "subjects",
+            "names of the bodies, fenders, lines or vessels, separated by commas",
+            rows.iter().map(|(_, f)| f.names(setup).join(", ")),
+        ),
+        texts("text", "the finding in one sentence", rows.iter().map(|(_, f)| f.sentence(setup))),
+    ];
+    KeptTable { name: "findings", columns }
+}
+
 /// Pairs that touched, by run.
-pub(crate) fn pairs_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
+fn pairs_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
     let rows = rows(summaries, |summary| &summary.pairs);
     let bodies = || setup.bodies.iter().map(|body| body.name.clone()).collect();
     let columns = vec![
@@ -111,7 +175,7 @@ pub(crate) fn pairs_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
 }
 
 /// Fenders that were touched, by run; shares are NaN where a fender has no rating.
-pub(crate) fn fenders_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
+fn fenders_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
     let rows = rows(summaries, |summary| &summary.fenders);
     let fenders = setup.fenders.iter().map(|fender| fender.name.clone()).collect();
     let share = |share: Option<f64>| share.unwrap_or(f64::NAN);

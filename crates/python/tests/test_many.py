@@ -36,6 +36,10 @@ def test_each_run_equals_a_simulation() -> None:
         pair = simulation.summary()["pairs"]
         mine = runs.pairs["run"] == index
         assert runs.pairs["peak_depth_m"][mine].tolist() == pair["peak_depth_m"].tolist()
+        assert runs.verdicts["verdict"][index] == simulation.verdict == "not_rated"
+        found = simulation.summary()["findings"]["text"].tolist()
+        assert runs.findings["text"][runs.findings["run"] == index].tolist() == found
+        assert found == ["ship and tug touched; no limit of theirs is known"]
 
 
 def test_a_mistake_names_its_run() -> None:

@@ -45,7 +45,7 @@ pub use run_events::{Events, is_plain};
 pub use summary::{SummaryNotFinite, integrator_text, method_text, summary};
 pub use tables::Tables;
 pub use touched::{TouchedFender, add_parts, touched};
-pub use verdict::{Verdict, most_used, utilisation, worst_first};
+pub use verdict::{FenderVerdict, worst_first};
 pub use world_totals::{
     LineTotals, LineVerdict, TugTotals, VesselTotals, Who, WorldEvents, WorldTotals,
 };

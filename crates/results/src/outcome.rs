@@ -2,7 +2,7 @@
 
 use fenderline_contact::BodyState;
 use fenderline_sim::berthing::{BerthingError, BerthingOutcome};
-use fenderline_sim::{Energy, FenderSummary, PairSummary, Setup, Simulation};
+use fenderline_sim::{Energy, FenderSummary, Finding, PairSummary, Setup, Simulation};
 
 use crate::accuracy::EstimateError;
 use crate::provider_notices::ProviderNotices;
@@ -57,6 +57,8 @@ pub struct Outcome<'a> {
     pub energy: Energy,
     /// Contact events.
     pub events: &'a Events,
+    /// What was found in the run, the worst first.
+    pub findings: &'a [Finding],
     /// Fenders that were touched, in the order of the scenario.
     pub fenders: &'a [FenderSummary],
     /// Berthing energy by formula and in the run; `None` if the scenario does not ask for it or no fender was touched.

@@ -1,5 +1,5 @@
-//! Comma-separated files of numbers, with one header line of column names. Empty lines and lines that begin with `#` are
-//! skipped. Every mistake is an error at its line.
+//! Comma-separated files of numbers, with one header line of column names. Empty lines and lines that begin with `#`
+//! are skipped. Every mistake is an error at its line.
 
 use crate::error::ScenarioError;
 use crate::printable::printable_number;
@@ -186,7 +186,8 @@ impl<'a> Csv<'a> {
                 format!("a second row for {place}"),
             ));
         }
-        // Sorted rows must count through the values of the axes like digits; a row that does not fit means a missing one.
+        // Sorted rows must count through the values of the axes like digits; a row that does not fit means a missing
+        // one.
         let mut digits = vec![0; columns.len()];
         let mut rest = rows.iter();
         loop {

@@ -40,8 +40,8 @@ impl fmt::Display for Place {
     }
 }
 
-/// A scenario that cannot be run: one mistake, where it is, and where possible what to write instead. Displays as several
-/// lines with the offending line of the file.
+/// A scenario that cannot be run: one mistake, where it is, and where possible what to write instead. Displays as
+/// several lines with the offending line of the file.
 #[derive(Clone, PartialEq, Eq)]
 pub struct ScenarioError(Box<Content>);
 
@@ -94,8 +94,8 @@ impl ScenarioError {
         }
     }
 
-    /// Dotted path of the key that the mistake is about, as `material.paper.stiffness`; `None` for a syntax error outside
-    /// of any key.
+    /// Dotted path of the key that the mistake is about, as `material.paper.stiffness`; `None` for a syntax error
+    /// outside of any key.
     #[must_use]
     pub fn key(&self) -> Option<&str> {
         self.0.key.as_deref()

@@ -28,8 +28,8 @@ fn without(text: &str, is_bad: impl Fn(char) -> bool) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(|c| if is_bad(c) { REPLACED } else { c }).collect())
 }
 
-/// JSON of the same value that is safe to print. Characters that control a terminal occur only within strings, where they
-/// are escaped.
+/// JSON of the same value that is safe to print. Characters that control a terminal occur only within strings, where
+/// they are escaped.
 #[must_use]
 pub fn escaped_json(text: &str) -> Cow<'_, str> {
     let is_bad = |c: char| c != '\n' && is_control(c);

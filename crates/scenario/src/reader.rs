@@ -1,5 +1,5 @@
-//! From a TOML tree to checked tables, by the key table alone. Keys are read in the order of the file, so that the first
-//! mistake in the file is reported.
+//! From a TOML tree to checked tables, by the key table alone. Keys are read in the order of the file, so that the
+//! first mistake in the file is reported.
 
 mod errors;
 mod values;

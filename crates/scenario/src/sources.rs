@@ -21,9 +21,9 @@ pub(crate) struct Sources<'a> {
     marks: OnceCell<Vec<Mark>>,
 }
 
-/// A byte of the text whose line and column are known. There is one at the start of each line and every few hundred bytes
-/// of a long line. Finding a place scans from the nearest mark; scanning the whole text would take quadratic time in a
-/// file with a notice on every line.
+/// A byte of the text whose line and column are known. There is one at the start of each line and every few hundred
+/// bytes of a long line. Finding a place scans from the nearest mark; scanning the whole text would take quadratic time
+/// in a file with a notice on every line.
 #[derive(Clone, Copy, Debug)]
 struct Mark {
     byte: usize,

@@ -2,8 +2,8 @@
 
 /// The candidate that `word` most likely stands for, if any is near.
 ///
-/// A candidate is near if at most a third of the letters differ, or one letter of a short word. Swapped neighbours count
-/// once, and case does not count. The first of equally near candidates wins.
+/// A candidate is near if at most a third of the letters differ, or one letter of a short word. Swapped neighbours
+/// count once, and case does not count. The first of equally near candidates wins.
 pub(crate) fn nearest<'a>(
     word: &str,
     candidates: impl IntoIterator<Item = &'a str>,

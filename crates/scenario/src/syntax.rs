@@ -85,8 +85,8 @@ fn follows_a_number(before: &str) -> bool {
     })
 }
 
-/// The key that a place in broken text most likely belongs to: the text before the `=` of its line, under the last table
-/// header above it.
+/// The key that a place in broken text most likely belongs to: the text before the `=` of its line, under the last
+/// table header above it.
 fn enclosing_key(text: &str, position: usize) -> Option<String> {
     let position = text.floor_char_boundary(position.min(text.len()));
     let line_start = text[..position].rfind('\n').map_or(0, |newline| newline + 1);

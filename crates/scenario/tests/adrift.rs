@@ -60,8 +60,8 @@ outline = [[-65, -10], [45, -10], [65, 0], [45, 10], [-65, 10]]
     }
 }
 
-/// A head sea of Hs 2 m drives her astern at less than 0.6 m/s at every period, as is observed. (Applying the short-wave
-/// drift force at every period gave 2.0 m/s.)
+/// A head sea of Hs 2 m drives her astern at less than 0.6 m/s at every period, as is observed. (Applying the
+/// short-wave drift force at every period gave 2.0 m/s.)
 ///
 /// No ship keeps her bow to the sea without help. In an hour or two she lies abeam; the next test is about that drift.
 #[test]
@@ -83,10 +83,10 @@ const ALL_REFLECTED_N: f64 = 1025.0 * 9.806_65 * 4.0 / 16.0 * 130.0;
 
 /// Abeam she drifts at up to 0.69 m/s in long crests, and 0.64 m/s in the short crests of a wind sea.
 ///
-/// The speed is plausible. If the ship reflected all waves over her whole length, the force would be 327 kN. At rest she
-/// has 0.81 to 0.94 of that (a panel code gives 0.73 to 1.14 for two other ships, `validation/wave_drift.toml`), and
-/// moving with the waves removes four tenths. To drift at only 0.6 m/s under the rest, she would need a transverse drag
-/// coefficient of up to 1.1; Hoerner has 0.76 for her section, and Esso Osaka's tests give 0.97.
+/// The speed is plausible. If the ship reflected all waves over her whole length, the force would be 327 kN. At rest
+/// she has 0.81 to 0.94 of that (a panel code gives 0.73 to 1.14 for two other ships, `validation/wave_drift.toml`),
+/// and moving with the waves removes four tenths. To drift at only 0.6 m/s under the rest, she would need a transverse
+/// drag coefficient of up to 1.1; Hoerner has 0.76 for her section, and Esso Osaka's tests give 0.97.
 #[test]
 fn a_ship_adrift_abeam_drifts_at_the_speed_that_reflected_waves_give() {
     for (spreading, most_mps, least) in [("", 0.7, 0.8), (", spreading = 2", 0.65, 0.6)] {

@@ -9,8 +9,8 @@ use fenderline_sim::Simulation;
 
 const KNOT_MPS: f64 = 1852.0 / 3600.0;
 
-/// She approaches at 4 knots and stops. Both tugs push. She touches all eight cones, none beyond its rating. Six lines are
-/// made fast and hold. After the tugs stop pushing, the wind keeps her on the fenders.
+/// She approaches at 4 knots and stops. Both tugs push. She touches all eight cones, none beyond its rating. Six lines
+/// are made fast and hold. After the tugs stop pushing, the wind keeps her on the fenders.
 #[test]
 fn the_container_ship_comes_alongside_with_two_tugs_and_stays_there() {
     let text = include_str!("../../../scenarios/berth/alongside_with_two_tugs.toml");

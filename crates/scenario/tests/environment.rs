@@ -185,8 +185,8 @@ fn a_current_on_a_grid_is_linear_in_place_and_time() {
     );
 }
 
-/// Accelerating water moves a hull by its pressure gradient, not by drag alone. A ship adrift in a current that grows and
-/// turns has the current's velocity at every step, to rounding.
+/// Accelerating water moves a hull by its pressure gradient, not by drag alone. A ship adrift in a current that grows
+/// and turns has the current's velocity at every step, to rounding.
 #[test]
 fn a_ship_adrift_follows_a_current_as_it_sets_in() {
     let file = "t_s,north_mps,east_mps\n0,0,0\n1200,0.1,0.5\n2400,-0.4,0.2\n";
@@ -448,8 +448,8 @@ fn a_ship_under_way_squats_by_the_chosen_formula() {
     assert!(notice.message.contains("covers depths of up to 1.4 draughts"), "{notice:?}");
 }
 
-/// With 0.95 m under the keel and more squat than that at 14 kn, she runs aground and slows down, and the run continues.
-/// The event is reported when the grounding begins, not with every step.
+/// With 0.95 m under the keel and more squat than that at 14 kn, she runs aground and slows down, and the run
+/// continues. The event is reported when the grounding begins, not with every step.
 #[test]
 fn squat_runs_a_fast_ship_aground() {
     let water = [("environment", "depth = 9.95"), ("body", "velocity = { surge = \"14 kn\" }")];
@@ -490,9 +490,9 @@ fn water_too_shallow_for_the_corrections_gives_a_notice() {
     }
 }
 
-/// Squat lowers the ship but not the fenders, so their force acts higher above her centre of gravity and heels her more.
-/// She slides along a wall with a long face at 8 kn, pressed on it by 2 MN. With squat s the heel is larger by
-/// N s/(W GM). The means are from 80 to 900 s because she still sways on the face: over only four minutes the heel would
+/// Squat lowers the ship but not the fenders, so their force acts higher above her centre of gravity and heels her
+/// more. She slides along a wall with a long face at 8 kn, pressed on it by 2 MN. With squat s the heel is larger by N
+/// s/(W GM). The means are from 80 to 900 s because she still sways on the face: over only four minutes the heel would
 /// vary by 4 %.
 #[test]
 fn squat_moves_the_height_of_contact() {
@@ -562,8 +562,8 @@ body = "ship"
 force = ["0 kN", "2 MN"]
 "#;
 
-/// With the strongest wind and current and the highest sea that a scenario may have, in shallow water beside a bank, every
-/// state is finite.
+/// With the strongest wind and current and the highest sea that a scenario may have, in shallow water beside a bank,
+/// every state is finite.
 #[test]
 fn the_largest_admissible_environment_leaves_the_state_finite() {
     let worst = "depth = 12\nbank = [{ from = [-2000, 30], to = [2000, 30] }]\n\

@@ -115,9 +115,9 @@ fn published_energy_columns_differ_from_the_integral_of_their_reactions() {
     }
 }
 
-/// The computed energy over the published one, less 1. The manufacturing tolerance is ±10 %. The smallest pneumatic fender
-/// is outside it, because one curve serves all sizes, and the published energy of a pneumatic fender is a guaranteed
-/// minimum, not a typical value.
+/// The computed energy over the published one, less 1. The manufacturing tolerance is ±10 %. The smallest pneumatic
+/// fender is outside it, because one curve serves all sizes, and the published energy of a pneumatic fender is a
+/// guaranteed minimum, not a typical value.
 #[test]
 fn published_energy_of_sizes_differs_from_the_integral_of_the_reaction() {
     let stated = [

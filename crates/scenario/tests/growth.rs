@@ -1,5 +1,5 @@
-//! Checking a scenario takes time in proportion to its size. The tests compare ratios of times, each the least of several
-//! runs, so that other programs on the machine do not matter.
+//! Checking a scenario takes time in proportion to its size. The tests compare ratios of times, each the least of
+//! several runs, so that other programs on the machine do not matter.
 
 use std::fmt::Write as _;
 use std::sync::OnceLock;

@@ -2,9 +2,9 @@
 //! language, with other geometry, another integrator and another solver. Its results are in
 //! `validation/independent/berth/`; `cargo xtask test` computes some of them again.
 //!
-//! Both run at steps much shorter than every period of the scenario. Tolerance: 0.5 % of each largest force, depth, speed
-//! and yaw rate; of final speeds and yaw rates 0.5 % of the largest that the body has in the run, as most end nearly at
-//! rest. The time steps of the two programs leave 0.1 % of a first peak.
+//! Both run at steps much shorter than every period of the scenario. Tolerance: 0.5 % of each largest force, depth,
+//! speed and yaw rate; of final speeds and yaw rates 0.5 % of the largest that the body has in the run, as most end
+//! nearly at rest. The time steps of the two programs leave 0.1 % of a first peak.
 
 #![allow(clippy::disallowed_methods, reason = "expected values may use std")]
 

@@ -1,5 +1,5 @@
-//! The order of the tables in a scenario does not change a bit of its results. It once did for three scenarios, as forces
-//! were added in the order of the file.
+//! The order of the tables in a scenario does not change a bit of its results. It once did for three scenarios, as
+//! forces were added in the order of the file.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -93,8 +93,8 @@ fn played(text: &str, file: &Path) -> BTreeMap<String, Vec<u64>> {
     all
 }
 
-/// The scenario with its tables shuffled. The `[[order]]` tables keep their relative order: of two orders at one time the
-/// second counts.
+/// The scenario with its tables shuffled. The `[[order]]` tables keep their relative order: of two orders at one time
+/// the second counts.
 fn shuffled(text: &str, seed: u64) -> String {
     let mut head = String::new();
     let mut groups: Vec<(String, String)> = Vec::new();

@@ -83,8 +83,8 @@ fn simulation(changes: &[(&str, &str)], files: &[(&str, &str)]) -> Simulation {
     Simulation::new(good(changes, files).setup).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// The choice of datum must not matter. With the depth 2 m smaller, the heights 2 m larger and the tide 2 m above datum, all
-/// results are the same to the last bit.
+/// The choice of datum must not matter. With the depth 2 m smaller, the heights 2 m larger and the tide 2 m above
+/// datum, all results are the same to the last bit.
 #[test]
 fn the_choice_of_datum_changes_no_bit() {
     let play = |changes: &[(&str, &str)]| {
@@ -109,8 +109,8 @@ fn the_choice_of_datum_changes_no_bit() {
     assert_ne!(at_datum.3, floating.3);
 }
 
-/// The wind presses her on a fender 3 m above the water. With the water a metre lower it is 4 m above it, and heels her by
-/// N · 1 m/(W GM) more. The tolerance of 2 % covers the remaining roll motion.
+/// The wind presses her on a fender 3 m above the water. With the water a metre lower it is 4 m above it, and heels her
+/// by N · 1 m/(W GM) more. The tolerance of 2 % covers the remaining roll motion.
 #[test]
 fn a_lower_tide_raises_the_fender_on_the_quay() {
     let heel = |level: &str| {

@@ -23,7 +23,8 @@ fn moored(wind: &str, step: &str, duration: &str) -> Simulation {
     Simulation::new(setup).expect("a good set-up")
 }
 
-/// Once 3.5 % of the samples of a ship at rest were below half of the curve, and reactions alternated from step to step.
+/// Once 3.5 % of the samples of a ship at rest were below half of the curve, and reactions alternated from step to
+/// step.
 #[test]
 fn in_gusts_no_reaction_falls_below_its_unloading_curve() {
     let wind = "wind = { speed = \"14 m/s\", from = \"260 deg\", gusts = true, seed = 3 }";

@@ -159,6 +159,28 @@ pub struct FenderSummary {
     pub last_reaction_n: f64,
 }
 
+impl FenderSummary {
+    /// The quantity that governs, `energy`, `deflection` or `reaction`, and its peak over the rated one; `None` without a
+    /// rating.
+    ///
+    /// A fender that buckles reaches its rated reaction at about a third of its travel and stays near it, so its
+    /// reaction governs only where it is above the rated one.
+    #[must_use]
+    pub fn governing(&self) -> Option<(&'static str, f64)> {
+        let energy = self.share_of_rated_energy?;
+        let deflection = self.share_of_rated_deflection?;
+        let reaction = self.share_of_rated_reaction?;
+        let mut governing = ("energy", energy);
+        if deflection > governing.1 {
+            governing = ("deflection", deflection);
+        }
+        if reaction > 1.0 && reaction > governing.1 {
+            governing = ("reaction", reaction);
+        }
+        Some(governing)
+    }
+}
+
 /// Builds the [`FenderSummary`]s, in the order of the set-up; `None` for a fender that was never touched.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct FenderSummaries {

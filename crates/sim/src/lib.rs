@@ -181,6 +181,7 @@ mod simulation;
 mod summary;
 pub mod tug;
 mod turning;
+mod verdict;
 mod world;
 
 pub use error::{SetupError, SimError};
@@ -195,6 +196,7 @@ pub use setup::{
 };
 pub use simulation::Simulation;
 pub use summary::PairSummary;
+pub use verdict::{Finding, Gravity, Verdict};
 pub use world::{
     Assist, AssistPilot, AzimuthOrder, AzimuthSetup, AzimuthState, Environment, Faults, Float, Job,
     LineEnd, Mooring, MooringSetup, NotAtTheSide, Pilots, ProviderSetup, PushJob, ThrusterSetup,

@@ -34,6 +34,7 @@ use crate::record::StepRecord;
 use crate::rigid_body::Inertia;
 use crate::setup::{Integrator, Load, Method, Setup};
 use crate::summary::Summaries;
+use crate::verdict::{Watch, starts_inside};
 use crate::world::World;
 
 /// A simulation run. A clone continues independently from the same state.
@@ -57,6 +58,7 @@ pub struct Simulation {
     contact_totals: ContactTotals,
     summaries: Summaries,
     fender_summaries: FenderSummaries,
+    watch: Watch,
     study: Option<Study>,
     buffers: Buffers,
 }
@@ -86,6 +88,9 @@ impl Simulation {
             contact_totals: ContactTotals::default(),
             summaries: Summaries::default(),
             fender_summaries: FenderSummaries::new(setup.fenders.len()),
+            watch: Watch::new(&setup, |is_protected| {
+                starts_inside(&setup, &model, &states, is_protected)
+            }),
             study: berthing_study(&setup)?,
             world,
             index: 0,
@@ -210,6 +215,7 @@ impl Simulation {
             world_events: &self.world.events,
         };
         self.summaries.add(&record);
+        self.watch.add(&self.setup, &record);
         self.fender_summaries.add(&self.setup.fenders, record.contacts, t_s);
         if let Some(study) = &mut self.study {
             study.add(&self.setup.fenders, &self.inertias, &StudyStep::of(&record));

@@ -7,7 +7,7 @@ use fenderline_sim::FenderSummary;
 use super::printed::{NAME_WIDTH, decimal, one_line};
 use fenderline_report::plot::{counted, shortened};
 use fenderline_results::Outcome;
-use fenderline_results::{Verdict, most_used, utilisation, worst_first};
+use fenderline_results::{FenderVerdict, worst_first};
 
 /// Most fenders in the table.
 const FENDERS: usize = 12;
@@ -24,7 +24,7 @@ pub(super) fn table(outcome: &Outcome<'_>) -> String {
     }
     let setups = &outcome.setup.fenders;
     let order = worst_first(setups, outcome.fenders);
-    let verdict = |summary: &FenderSummary| Verdict::of(&setups[summary.fender], summary);
+    let verdict = |summary: &FenderSummary| FenderVerdict::of(&setups[summary.fender], summary);
     let name_of =
         |summary: &FenderSummary| shortened(&one_line(&setups[summary.fender].name), NAME_WIDTH);
     let shown: Vec<&FenderSummary> =
@@ -43,10 +43,9 @@ pub(super) fn table(outcome: &Outcome<'_>) -> String {
         );
     }
     for summary in shown {
-        let share = utilisation(summary);
-        let share = share.map_or_else(
+        let share = summary.governing().map_or_else(
             || "-".to_owned(),
-            |s| format!("{} {}", most_used(summary), decimal(100.0 * s, 0)),
+            |(quantity, share)| format!("{quantity} {}", decimal(100.0 * share, 0)),
         );
         let pressure = summary.peak_hull_pressure_npm2;
         let pressure = pressure.map_or_else(|| "-".to_owned(), |p| decimal(p / 1e3, 0));
@@ -67,7 +66,6 @@ pub(super) fn table(outcome: &Outcome<'_>) -> String {
         let more = counted(more, "more fender", "more fenders");
         let _ = writeln!(text, "and {more}, in summary.json");
     }
-    text.push_str(&warnings(outcome, verdict));
     text
 }
 
@@ -82,22 +80,4 @@ pub(super) fn berthing(outcome: &Outcome<'_>) -> String {
         decimal(berthing.energy_j[0] / 1e3, 0),
         decimal(berthing.fender_energy_j / 1e3, 0)
     )
-}
-
-/// One line for each verdict that needs attention.
-fn warnings(outcome: &Outcome<'_>, verdict: impl Fn(&FenderSummary) -> Verdict) -> String {
-    let mut text = String::new();
-    for (wanted, meaning) in [
-        (Verdict::Failed, "compressed to its stop or flat; stop and structure carried the hull"),
-        (Verdict::OverRated, "deflection, reaction or energy beyond its rating"),
-        (Verdict::HullPressure, "hull pressure above the permissible pressure"),
-    ] {
-        let count = outcome.fenders.iter().filter(|f| verdict(f) == wanted).count();
-        if count > 0 {
-            let all = outcome.setup.fenders.len();
-            let word = wanted.text().to_uppercase();
-            let _ = writeln!(text, "{word}: {count} of {all} fenders: {meaning}");
-        }
-    }
-    if text.is_empty() { text } else { format!("\n{text}") }
 }

@@ -59,13 +59,6 @@ fn moorings(outcome: &Outcome<'_>, text: &mut String) {
 
 fn warnings(outcome: &Outcome<'_>, text: &mut String) {
     let (setup, world) = (outcome.setup, outcome.world);
-    let body = |index: usize| one_line(&setup.bodies[index].name);
-    for (vessel, totals) in setup.world.vessels.iter().zip(&world.vessels).take(ROWS) {
-        if totals.aground.s() > 0.0 {
-            let _ =
-                writeln!(text, "AGROUND: {} for {:.1} s", body(vessel.body), totals.aground.s());
-        }
-    }
     for (tug, totals) in setup.world.tugs.iter().zip(&world.tugs).take(ROWS) {
         if totals.limited.s() > 0.0 {
             let _ = writeln!(

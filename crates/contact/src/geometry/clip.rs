@@ -120,7 +120,7 @@ pub(crate) fn clip(
     }
 }
 
-/// The fast path: an overlap through one edge, in this step as in the last. The hint stays valid.
+/// The fast path of [`through`]. The hint stays valid.
 #[inline(always)]
 pub(crate) fn clip_through(
     a: &ConvexPolygon,

@@ -1,4 +1,4 @@
-//! A convex polygon, ready to be clipped.
+//! A convex polygon, prepared for clipping.
 
 use alloc::vec::Vec;
 
@@ -7,9 +7,9 @@ use super::ring::after;
 use crate::number::{greater, lesser};
 use crate::vec2::{Pose, Vec2, vec2};
 
-/// Turns smaller than this (sine of the angle) are taken for straight: the vertex carries no
-/// shape. The sine of two edges is known to about 1e-15 of their length; 1e-12 is well above it and
-/// moves the boundary of a 300 m hull by less than 1e-10 m.
+/// Vertices with a smaller turn (sine of the angle) count as straight and are dropped. The rounding of
+/// the sine is about 1e-15; 1e-12 is well above it and moves the boundary of a 300 m hull by less than
+/// 1e-10 m.
 const STRAIGHT: f64 = 1e-12;
 
 /// A convex polygon in its body's frame, walked in the positive sense.
@@ -17,11 +17,11 @@ const STRAIGHT: f64 = 1e-12;
 pub struct ConvexPolygon {
     /// The vertices with the first repeated at the end, so that edge `i` runs from `i` to `i + 1`.
     closed: Vec<Vec2>,
-    /// Both ends of each edge: found at once.
+    /// Both ends of each edge, for one look-up.
     ends: Vec<[Vec2; 2]>,
-    /// Edge `i` runs from corner `i` on.
+    /// Edge `i` starts at corner `i`.
     edges: Vec<Edge>,
-    /// First edge whose direction has an angle in [0, 2π): where a walk by angle starts.
+    /// The first edge by the angle of its direction in [0, 2π).
     first_by_angle: u32,
     /// Centre of the bounding box and radius about it (m).
     center_m: Vec2,
@@ -75,13 +75,13 @@ impl ConvexPolygon {
         &self.closed
     }
 
-    /// A corner, by its number; by the count the first again (m).
+    /// A corner by its index; the index `count` is the first corner again (m).
     #[inline]
     pub(crate) fn corner(&self, index: usize) -> Vec2 {
         self.closed[index]
     }
 
-    /// Start and end of an edge; `None` where there is none of that number (m).
+    /// Start and end of an edge; `None` beyond the last edge (m).
     #[inline(always)]
     pub(crate) fn ends(&self, edge: u32) -> Option<&[Vec2; 2]> {
         self.ends.get(edge as usize)
@@ -98,7 +98,7 @@ impl ConvexPolygon {
         })
     }
 
-    /// The edges, each with what lies behind it.
+    /// The edges, with their frames.
     #[inline]
     pub(crate) fn edges(&self) -> &[Edge] {
         &self.edges
@@ -109,14 +109,14 @@ impl ConvexPolygon {
         self.first_by_angle as usize
     }
 
-    /// Centre of the bounding circle used to cull (m).
+    /// Centre of the bounding circle (m).
     #[must_use]
     #[inline]
     pub fn center_m(&self) -> Vec2 {
         self.center_m
     }
 
-    /// Radius of the bounding circle used to cull (m).
+    /// Radius of the bounding circle (m).
     #[must_use]
     #[inline]
     pub fn radius_m(&self) -> f64 {

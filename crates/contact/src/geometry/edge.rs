@@ -1,4 +1,4 @@
-//! An edge of a convex polygon with its own frame, in which the polygon lies behind the edge.
+//! An edge of a convex polygon with a frame of its own.
 
 use alloc::vec::Vec;
 
@@ -6,20 +6,20 @@ use super::ring::after;
 use crate::number::{greater, lesser};
 use crate::vec2::{Pose, Rotation, Vec2, vec2};
 
-/// An edge of a convex polygon, and the part of it that lies behind the edge.
+/// An edge of a convex polygon, and a trapezoid inscribed in the polygon behind it.
 ///
-/// In the edge's frame x runs along it and y into the polygon. x is counted from where the polygon's origin lies,
-/// not from the edge's start: a contact amidships loses nothing to the length of the ship.
+/// In the edge's frame x runs along it and y into the polygon. x is measured from the polygon's origin, not from the
+/// edge's start, so that a contact amidships loses no digits to the length of the ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Edge {
     pub(super) frame: Frame,
     /// x of its start and end (m).
     from_m: f64,
     to_m: f64,
-    /// The sides of an inscribed trapezoid: x − from ≥ y times the one, and to − x ≥ y times the other.
+    /// The sides of the trapezoid: x − from_m ≥ y · from_start, and to_m − x ≥ y · from_end.
     from_start: f64,
     from_end: f64,
-    /// And its height (m).
+    /// Its height (m).
     height_m: f64,
 }
 
@@ -34,7 +34,7 @@ impl Edge {
         let start_m = corners_m[index];
         let chord = corners_m[after(index, count)] - start_m;
         let length_m = chord.length();
-        // Divided, so that along an axis it is one exactly.
+        // By division, which is exact along an axis.
         let along = vec2(chord.x / length_m, chord.y / length_m);
         let from_m = along.dot(start_m);
         let to_m = from_m + length_m;
@@ -57,8 +57,8 @@ impl Edge {
         }
     }
 
-    /// Does all that a convex polygon has behind the edge, so deep, between these two crossings, lie within the
-    /// trapezoid? It lies between the lines that cross there.
+    /// Is the part of a convex polygon behind the edge, with these crossings and this depth, within the trapezoid? That
+    /// part is between the lines through the crossings.
     #[inline(always)]
     pub(super) fn holds(&self, first: &Crosses, last: &Crosses, deepest_m: f64) -> bool {
         let to_start = greater(self.from_start - last.slope, 0.0) * deepest_m;
@@ -69,11 +69,11 @@ impl Edge {
     }
 }
 
-/// The edge's frame as one of the polygons sees it.
-// By columns, as the processor multiplies two numbers at once.
+/// The map from a polygon's frame to the edge's.
+// By columns, so that the processor multiplies two numbers at once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Frame {
-    /// The unit vectors of the polygon's frame, and its origin (m), in the edge's.
+    /// Unit vectors and origin (m) of the polygon's frame, in the edge's.
     of_x: Vec2,
     of_y: Vec2,
     origin_m: Vec2,
@@ -90,7 +90,7 @@ impl Frame {
         self.turned(corner_m) + self.origin_m
     }
 
-    /// Back from the edge's frame.
+    /// A point in the polygon's frame, from the edge's.
     #[inline(always)]
     pub(super) fn back(&self, at_m: Vec2) -> Vec2 {
         let v = at_m - self.origin_m;
@@ -103,9 +103,9 @@ impl Frame {
         vec2(self.of_x.x, self.of_y.x)
     }
 
-    /// As a polygon at `pose` sees it.
+    /// The map from the frame of another polygon at `pose`.
     #[inline(always)]
-    pub(super) fn seen_from(&self, pose: Pose) -> Frame {
+    pub(super) fn seen_by(&self, pose: Pose) -> Frame {
         let Rotation { cos, sin } = pose.rotation;
         Frame {
             of_x: self.of_x * cos + self.of_y * sin,
@@ -114,7 +114,7 @@ impl Frame {
         }
     }
 
-    /// As one sees it in whose frame its own polygon is at `pose`.
+    /// The map from a frame in which the edge's polygon is at `pose`.
     #[inline(always)]
     pub(super) fn placed_at(&self, pose: Pose) -> Frame {
         let Rotation { cos, sin } = pose.rotation;
@@ -123,22 +123,22 @@ impl Frame {
         Frame { origin_m: self.origin_m - turned.turned(pose.position_m), ..turned }
     }
 
-    /// The same with x counted from another place.
+    /// The same with x measured from `x_m`.
     #[inline(always)]
-    pub(super) fn counted_from(&self, x_m: f64) -> Frame {
+    pub(super) fn measured_from(&self, x_m: f64) -> Frame {
         Frame { origin_m: vec2(self.origin_m.x - x_m, self.origin_m.y), ..*self }
     }
 }
 
-/// Where an edge crosses the line, and how much x changes with y along it.
+/// Where another polygon's edge crosses the edge's line, and its slope dx/dy.
 pub(super) struct Crosses {
     pub(super) x_m: f64,
     pub(super) slope: f64,
 }
 
 impl Crosses {
-    /// Of the edge between a corner outside and one behind the line, if that is what they are. It must not be flat:
-    /// such are left to the cold path, which knows of edges that lie on one another.
+    /// For the edge between a corner outside and one behind the line. The caller checks that they are, and that the edge
+    /// is not nearly parallel: the cold path treats coincident edges.
     #[inline(always)]
     pub(super) fn between(outside: Vec2, inside: Vec2) -> Crosses {
         let along = inside - outside;

@@ -1,4 +1,4 @@
-//! The overlap of two convex polygons, put together from the places where their boundaries cross.
+//! The overlap of two convex polygons, assembled from the crossings of their boundaries.
 
 use alloc::vec::Vec;
 
@@ -14,8 +14,7 @@ pub(crate) struct Crossing {
     pub(crate) b: u32,
 }
 
-/// A stretch of the first polygon's boundary inside the second: it enters at one crossing and
-/// leaves at the other.
+/// A stretch of the first polygon's boundary inside the second, between two crossings.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Stretch {
     pub(crate) enter: Crossing,
@@ -31,20 +30,20 @@ pub(crate) struct Lens {
     pub(crate) centroid_m: Vec2,
     /// d = Σ (P_out − P_in) (m); zero where one contains the other.
     pub(crate) chord_m: Vec2,
-    /// 1/|d| (1/m); 0 where the chord is no use: there is none, or edges of the two lie on one another.
-    // Found here, where the processor has other work while it waits for the root and the quotient.
+    /// 1/|d| (1/m); 0 where the chord is unusable: none, or edges coincide.
+    // Computed here, where other work hides the latency of root and quotient.
     pub(crate) per_chord_m: f64,
     /// Extent along the chord's normal times the chord's length (m²).
     pub(crate) spread_m2: f64,
-    /// True where edges of the two lie on one another, so that the chord means little.
+    /// True where edges coincide, so that the chord is ambiguous.
     pub(crate) collinear: bool,
 }
 
-/// The point a share of the way along an edge (m): 0 its start, 1 its end. What rounding leaves
-/// outside is brought back to the ends.
+/// The point at a share of an edge (m): 0 is its start, 1 its end. Shares outside, by rounding, give the
+/// ends.
 #[inline(always)]
 pub(crate) fn point_along(start: Vec2, end: Vec2, share: f64) -> Vec2 {
-    // From the nearer end, so that an end on the line is met exactly.
+    // From the nearer end, so that both ends are exact.
     if share <= 0.5 {
         start + (end - start) * greater(share, 0.0)
     } else {
@@ -52,7 +51,7 @@ pub(crate) fn point_along(start: Vec2, end: Vec2, share: f64) -> Vec2 {
     }
 }
 
-/// A stretch with the two points where it begins and ends, P_in and P_out (m).
+/// A stretch with its end points P_in and P_out (m).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Located {
     pub(crate) at: Stretch,
@@ -60,8 +59,8 @@ pub(crate) struct Located {
     pub(crate) leaves_m: Vec2,
 }
 
-/// Walks the boundary of the overlap and leaves its vertices in `outline_m` (appended).
-/// `stretches` are in the order of the walk.
+/// Walks the boundary of the overlap and appends its vertices to `outline_m`. `stretches` are in the order
+/// of the walk.
 pub(crate) fn assemble(
     a: &ConvexPolygon,
     b: &Placed<'_>,
@@ -115,8 +114,7 @@ fn meeting_point(a: &ConvexPolygon, b: &Placed<'_>, crossing: Crossing) -> Vec2 
     point_along(a0, a1, side_start / (side_start - side_end))
 }
 
-/// Area, centroid and spread of a polygon about its own first vertex: what is small is measured
-/// against what is near.
+/// Area, centroid and spread of a polygon, relative to its first vertex, so that small overlaps are accurate.
 #[inline(always)]
 pub(crate) fn measure(outline_m: &[Vec2], chord_m: Vec2, collinear: bool) -> Lens {
     let origin = outline_m[0];
@@ -146,10 +144,10 @@ pub(crate) fn measure(outline_m: &[Vec2], chord_m: Vec2, collinear: bool) -> Len
     }
 }
 
-/// A chord shorter than this is rounding: seams cancel to about 1e-13 m.
+/// Shorter chords are rounding: seams cancel to about 1e-13 m.
 const SHORTEST_CHORD_M: f64 = 1e-11;
 
-/// 1/|d|, or 0 where the chord is no use: see [`Lens::per_chord_m`].
+/// 1/|d|, or 0 where the chord is unusable: see [`Lens::per_chord_m`].
 #[inline]
 pub(crate) fn per_chord_m(chord_m: Vec2, collinear: bool) -> f64 {
     let length_m = chord_m.length();

@@ -1,11 +1,11 @@
-//! The commonest overlap: a few corners of one polygon have come through a single edge of the other, as a
-//! fender's do through a hull's side.
+//! The fast path for the most common overlap: some corners of one polygon have passed through a single edge of
+//! the other, as a fender's through a hull's side.
 //!
-//! Seen along that edge the overlap is what of the first polygon lies behind the edge's line. The ring of a
-//! convex polygon crosses a line twice at most, so that two crossings and the corners between them are all of
-//! it, if they lie within the polygon whose edge it is: that the two crossings lie on the edge, and that what lies
-//! between the two lines that cross there, as deep as the deepest corner, lies within a trapezoid inscribed behind
-//! it, is enough. Where it is not so [`super::warm`] answers.
+//! The overlap is then the part of the first polygon behind the edge's line. The boundary of a convex polygon
+//! crosses a line at most twice: two crossings and the corners between them are the whole part, if that is within
+//! the edge's polygon. It is enough that the crossings are on the edge, and that the region between the two
+//! crossing lines, down to the deepest corner, is within a trapezoid inscribed behind the edge. Otherwise
+//! [`super::warm`] is used.
 
 use super::convex::ConvexPolygon;
 use super::edge::{Crosses, Edge, Frame};
@@ -14,21 +14,21 @@ use super::warm::FLAT;
 use crate::number::{greater, lesser};
 use crate::vec2::{Pose, Vec2, vec2};
 
-/// A shorter chord has no direction to speak of (m).
+/// A shorter chord has no meaningful direction (m).
 const SHORTEST_M: f64 = 1e-9;
 
-/// An overlap of this kind.
+/// An overlap through one edge.
 pub(crate) struct Through {
     pub(crate) lens: Lens,
     at: Stretch,
-    /// The edge's frame as A sees it, and x where A's boundary enters and leaves the overlap (m).
+    /// The map from A's frame to the edge's, and x where A's boundary enters and leaves the overlap (m).
     of_a: Frame,
     enters_m: f64,
     leaves_m: f64,
 }
 
 impl Through {
-    /// Where A's boundary enters the overlap and leaves it, in A's frame.
+    /// The points where A's boundary enters and leaves the overlap, in A's frame.
     #[inline(always)]
     pub(crate) fn located(&self) -> Located {
         let [enters_m, leaves_m] =
@@ -37,7 +37,7 @@ impl Through {
     }
 }
 
-/// The overlap of `a` and `b`, placed in `a`'s frame, if the last one was of this kind and it still is.
+/// The overlap of `a` and `b`, placed in `a`'s frame, if it is through one edge, in this step as in the last.
 #[inline(always)]
 pub(crate) fn find(
     a: &ConvexPolygon,
@@ -48,8 +48,8 @@ pub(crate) fn find(
     let Stretch { enter, leave } = hint;
     if enter.a == leave.a {
         let edge = a.edges().get(enter.a as usize)?;
-        let behind = behind(edge, edge.frame.seen_from(b_in_a), b, leave.b, enter.b)?;
-        // A's boundary runs along the edge, into B where B's runs out of A.
+        let behind = behind(edge, edge.frame.seen_by(b_in_a), b, leave.b, enter.b)?;
+        // A's boundary runs along the edge, and enters B where B's boundary leaves A.
         Some(behind.through(hint, edge.frame, [behind.last_m, 0.0]))
     } else if enter.b == leave.b {
         let edge = b.edges().get(enter.b as usize)?;
@@ -61,19 +61,19 @@ pub(crate) fn find(
     }
 }
 
-/// What lies behind an edge, in its frame, with x counted from where the polygon comes in through the edge.
+/// The part of a polygon behind an edge, in its frame, with x measured from where the boundary enters.
 struct Behind {
-    /// Where it comes in, x counted as in [`Edge`] (m).
+    /// Where the boundary enters, with x as in [`Edge`] (m).
     first_m: f64,
-    /// Where it goes out again (m); negative.
+    /// Where it leaves (m); negative.
     last_m: f64,
     twice_m2: f64,
     centroid_m: Vec2,
     deepest_m: f64,
 }
 
-/// What of `polygon` lies behind the edge, if its edge number `first` comes in through it, number `last` goes
-/// out again, and all between lies within the edge's polygon.
+/// The part of `polygon` behind the edge, if its boundary enters by edge `first`, leaves by edge `last`, and is
+/// within the edge's polygon in between.
 #[inline(always)]
 fn behind(
     edge: &Edge,
@@ -87,9 +87,9 @@ fn behind(
     let [outside, inside, before, beyond] =
         [outside, inside, before, beyond].map(|corner_m| frame.of(corner_m));
     let (first, last) = (Crosses::between(outside, inside), Crosses::between(beyond, before));
-    // About the first crossing: what is small is measured against what is near.
+    // Relative to the first crossing, so that small overlaps are accurate.
     let origin = vec2(first.x_m, 0.0);
-    let frame = frame.counted_from(first.x_m);
+    let frame = frame.measured_from(first.x_m);
     let mut sums = Sums { from: inside - origin, twice_m2: 0.0, moment: Vec2::ZERO };
     let mut deepest_m = greater(inside.y, before.y);
     for corner_m in between {
@@ -97,7 +97,7 @@ fn behind(
         deepest_m = greater(deepest_m, corner.y);
         sums.add(corner);
     }
-    // Of one corner alone nothing is added here.
+    // With a single corner this adds zero.
     sums.add(before - origin);
     let last_m = last.x_m - first.x_m;
     let Sums { twice_m2, moment, .. } = sums.closed(last_m);
@@ -112,7 +112,7 @@ fn behind(
     Some(Behind { first_m: first.x_m, last_m, twice_m2, centroid_m, deepest_m })
 }
 
-/// Of a walk round an area from the origin.
+/// Sums of a walk round an area, from the origin.
 struct Sums {
     from: Vec2,
     twice_m2: f64,
@@ -120,7 +120,7 @@ struct Sums {
 }
 
 impl Sums {
-    /// On to another corner.
+    /// Goes on to another corner.
     #[inline(always)]
     fn add(&mut self, to: Vec2) {
         let cross = self.from.cross(to);
@@ -129,7 +129,7 @@ impl Sums {
         self.from = to;
     }
 
-    /// By way of this x, where y is 0.
+    /// Closes the walk by way of `x_m`, where y is 0.
     #[inline(always)]
     fn closed(mut self, x_m: f64) -> Sums {
         let cross = -(self.from.y * x_m);
@@ -140,10 +140,10 @@ impl Sums {
 }
 
 impl Behind {
-    /// As A sees it, whose boundary runs along the edge from the one x to the other.
+    /// The overlap in A's frame; A's boundary enters and leaves at these x.
     #[inline(always)]
     fn through(&self, at: Stretch, of_a: Frame, [enters_m, leaves_m]: [f64; 2]) -> Through {
-        let of_a = of_a.counted_from(self.first_m);
+        let of_a = of_a.measured_from(self.first_m);
         let width_m = -self.last_m;
         let lens = Lens {
             area_m2: 0.5 * self.twice_m2,
@@ -174,7 +174,7 @@ mod tests {
         (ConvexPolygon::new(&hull), ConvexPolygon::new(&block))
     }
 
-    /// Edges of the hull and of the block at whose crossings one enters and leaves the other.
+    /// The crossings, by edges of hull and block, where one enters and leaves the other.
     fn at(enter: (u32, u32), leave: (u32, u32)) -> Stretch {
         let [enter, leave] = [enter, leave].map(|(a, b)| Crossing { a, b });
         Stretch { enter, leave }
@@ -190,16 +190,16 @@ mod tests {
         assert!(apart(one.per_chord_m, other.per_chord_m) < 1e-13, "{one:?}, {other:?}");
     }
 
-    /// As the walk round the overlap finds it, to rounding, whichever of the two has the edge.
+    /// Equal to rounding, whichever polygon has the edge.
     #[test]
-    fn corners_through_an_edge_are_what_the_walk_finds() {
+    fn the_fast_path_equals_the_walk() {
         let (hull, block) = hull_and_block();
         for (along_m, depth_m, heading_rad) in
             [(3.0, 0.2, 0.0), (-21.0, 0.45, 0.07), (12.0, 0.9, -0.2), (7.0, 0.1, 0.6)]
         {
             let pose = Pose::new(vec2(along_m, 8.5 - depth_m), heading_rad);
             let mut found = Vec::new();
-            // The hull's side is its last edge; which of the block's are crossed turns with it.
+            // The hull's side is its last edge; the crossed edges of the block depend on its heading.
             for (enter, leave) in (0..16).map(|k| (k / 4, k % 4)) {
                 let hint = at((4, enter), (4, leave));
                 found.extend(find(&hull, &block, pose, hint).map(|through| (hint, through)));
@@ -210,7 +210,7 @@ mod tests {
             same(&through.lens, &assemble(&hull, &placed, &[*hint], &mut corners_m));
             assert!((corners_m[0] - through.located().enters_m).length() < 1e-13);
 
-            // The same seen from the block.
+            // The same in the block's frame.
             let hull_in_block = pose.to(Pose::IDENTITY);
             let Stretch { enter, leave } = *hint;
             let hint = at((leave.b, leave.a), (enter.b, enter.a));
@@ -222,9 +222,9 @@ mod tests {
         }
     }
 
-    /// Else what sticks out of the other side, or past the edge's end, would be counted.
+    /// Otherwise a part beyond the other side, or past the edge's end, would be counted.
     #[test]
-    fn corners_that_go_further_than_the_polygon_behind_are_left_to_others() {
+    fn corners_beyond_the_edges_polygon_are_left_to_other_paths() {
         let (hull, block) = hull_and_block();
         let through = |north_m: f64, east_m: f64, hint: Stretch| {
             let pose = Pose::new(vec2(north_m, east_m), 0.0);
@@ -236,7 +236,7 @@ mod tests {
             assert!(!through(-31.0, 8.3, hint), "half of it is past the stern");
             assert!(!through(-10.0, 9.0, hint), "it does not reach the side");
         }
-        // The long side of the block goes in by the hull's port side and out by her starboard side.
+        // The long block reaches from the hull's starboard side through her port side.
         let long: Vec<Vec2> = [(-2.0, -20.0), (2.0, -20.0), (2.0, 20.0), (-2.0, 20.0)]
             .map(|(x, y)| vec2(x, y))
             .into();
@@ -247,9 +247,9 @@ mod tests {
         }
     }
 
-    /// At the side's two ends and deep in the hull too: no corner that is counted lies outside her.
+    /// No counted corner is outside the hull, also near the side's ends and deep in the hull.
     #[test]
-    fn what_is_found_lies_within_the_polygon_behind() {
+    fn the_overlap_is_within_the_edges_polygon() {
         let (hull, block) = hull_and_block();
         let outside = |corner_m: Vec2| {
             hull.closed().windows(2).any(|e| (e[1] - e[0]).cross(corner_m - e[0]) < -1e-9)
@@ -279,9 +279,9 @@ mod tests {
     }
 
     #[test]
-    fn an_edge_along_the_edge_is_left_to_the_path_that_knows_of_such() {
+    fn nearly_parallel_edges_are_left_to_the_cold_path() {
         let (hull, block) = hull_and_block();
-        // On it, and turned so little that it crosses it flat.
+        // On the side, and turned so little that it is nearly parallel.
         for heading_rad in [0.0, 1e-10, -1e-10] {
             let pose = Pose::new(vec2(3.0, 8.5), heading_rad);
             for (enter, leave) in (0..16).map(|k| (k / 4, k % 4)) {

@@ -1,15 +1,14 @@
-//! The warm path of the clip: contacts move little from step to step, so walk from the edges that
-//! crossed in the last step, touch only the vertices near them, and certify that the small lens
-//! found there is the whole overlap. Where the certificate fails the cold path answers.
+//! The warm path of the clip. Contacts move little from step to step: it walks from the edges that
+//! crossed in the last step, touches only the vertices near them, and certifies that the lens found
+//! there is the whole overlap. Where the certificate fails, the cold path is used.
 //!
-//! Why the certificate holds. Let the first polygon's boundary enter the second's at P_in and leave
-//! it at P_out, and let Q be bounded by the first one's chain from P_in to P_out and the second
-//! one's chain back. Q turns left at every corner, and by one turn in all as long as neither chain
-//! turns by more than half a turn: so Q is convex and lies to the left of all its own edges. What
-//! is left to show is that each chain's vertices lie within the *far* part of the other polygon,
-//! whose edges are not Q's. A polygon inscribed in that far part, of three or four of its vertices,
-//! is enough. Then Q's boundary is part of the boundary of the overlap; both are simple closed curves,
-//! so they are the same.
+//! Proof of the certificate. Let the first polygon's boundary enter the second's at P_in and leave it
+//! at P_out, and let Q be bounded by the first one's chain from P_in to P_out and the second one's
+//! chain back. Q turns left at every corner, and by one full turn if neither chain turns by more than
+//! half a turn: so Q is convex and to the left of all its edges. It remains to show that each chain's
+//! vertices are within the *far* part of the other polygon, whose edges are not Q's. It is enough that
+//! they are within a polygon inscribed in that far part, of three or four of its vertices. Then Q's
+//! boundary is part of the overlap's boundary; both are simple closed curves, so they are the same.
 
 use alloc::vec::Vec;
 
@@ -18,14 +17,13 @@ use super::lens::{Crossing, Located, Stretch, point_along, trace};
 use super::ring::{after, before, ring_distance};
 use crate::vec2::Vec2;
 
-/// Steps that a walk may take before the cold path is the cheaper one.
+/// Largest number of steps of a walk; beyond, the cold path is cheaper.
 const WALK: usize = 8;
 /// Chains longer than this (in vertices) are left to the cold path.
 const CHAIN: usize = 32;
-/// Crossing edges flatter than this sine are left to the cold path, which knows of edges that lie
-/// on one another.
+/// Crossing edges within this sine of parallel are left to the cold path, which treats coincident edges.
 pub(super) const FLAT: f64 = 1e-9;
-/// What rounding may do to the sine of two edges; far below [`FLAT`].
+/// Rounding of the sine between two edges; far below [`FLAT`].
 const ROUNDING: f64 = 1e-13;
 
 /// A crossing with the geometry that found it.
@@ -39,7 +37,7 @@ struct Edges {
     b_along: Vec2,
     /// b_along × a_along.
     turn: f64,
-    /// How far along the first polygon's edge, 0 to 1.
+    /// Position along the first polygon's edge, 0 to 1.
     share: f64,
 }
 
@@ -56,8 +54,8 @@ impl Edges {
     }
 }
 
-/// The stretch of `a`'s boundary inside `b`, if it is found near `hint` and certified to be the
-/// only one. Then the vertices of the overlap are in `outline_m` (appended).
+/// The stretch of `a`'s boundary inside `b`, if it is found near `hint` and certified to be the only one.
+/// The vertices of the overlap are then appended to `outline_m`.
 #[inline(always)]
 pub(crate) fn find(
     a: &ConvexPolygon,
@@ -144,15 +142,15 @@ fn walk<const ENTER: bool>(a: &ConvexPolygon, b: &Placed<'_>, hint: Crossing) ->
     None
 }
 
-/// On one edge of `b`: does the walk back meet P_out before P_in?
+/// On one edge of `b`: does the walk back reach P_out before P_in?
 #[inline(always)]
 fn b_order(enter: &Edges, found: &Located) -> bool {
     enter.b_along.dot(found.enters_m - found.leaves_m) > 0.0
 }
 
-/// At most half a turn from the first edge of a chain to its last, to rounding (opposite sides of
-/// a box are half a turn apart); on one edge, in order. The corners at P_in and P_out, which are
-/// not [`FLAT`], leave more room than that rounding takes.
+/// Does a chain turn by at most half a turn, to rounding (opposite sides of a box are half a turn apart)?
+/// On one edge: are the points in order? The corners at P_in and P_out are not [`FLAT`], which leaves more
+/// room than this rounding.
 #[inline(always)]
 fn chain_turns_little(chain: usize, first: Vec2, last: Vec2, in_order: bool) -> bool {
     if chain == 0 {
@@ -164,7 +162,7 @@ fn chain_turns_little(chain: usize, first: Vec2, last: Vec2, in_order: bool) -> 
             && turn * turn <= ROUNDING * ROUNDING * first.length_squared() * last.length_squared())
 }
 
-/// From the end of the edge where `a` enters round to the start of the edge where it leaves.
+/// From the end of `b`'s edge where `a` enters to the start of the edge where it leaves.
 #[inline(always)]
 fn far_part_of_b(b: &Placed<'_>, enter: &Edges, leave: &Edges) -> FarPart {
     let count = b.count();
@@ -173,7 +171,7 @@ fn far_part_of_b(b: &Placed<'_>, enter: &Edges, leave: &Edges) -> FarPart {
     FarPart { from, edges, count, start: enter.b_end, end: leave.b_start }
 }
 
-/// From the end of the edge where `a` leaves round to the start of the edge where it enters.
+/// From the end of `a`'s edge where it leaves to the start of the edge where it enters.
 #[inline(always)]
 fn far_part_of_a(a: &ConvexPolygon, enter: &Edges, leave: &Edges) -> FarPart {
     let count = a.count();
@@ -182,7 +180,7 @@ fn far_part_of_a(a: &ConvexPolygon, enter: &Edges, leave: &Edges) -> FarPart {
     FarPart { from, edges, count, start: leave.a_end, end: enter.a_start }
 }
 
-/// The edges of a polygon that take no part in a lens: `edges` of them, from vertex `from` on.
+/// The edges of a polygon that are not in a lens: `edges` of them, from vertex `from`.
 struct FarPart {
     from: usize,
     edges: usize,
@@ -192,8 +190,8 @@ struct FarPart {
 }
 
 impl FarPart {
-    /// Do all of a chain's vertices lie within the far part? Tests a polygon inscribed in it first
-    /// and, for those it does not hold, the far part itself. `vertex` gives the polygon's.
+    /// Are all vertices of a chain within the far part? Tests an inscribed polygon first, then the far part
+    /// itself. `vertex` gives the polygon's vertices.
     #[inline(always)]
     fn holds(&self, vertex: impl Fn(usize) -> Vec2, chain: &[Vec2]) -> bool {
         if chain.is_empty() {
@@ -211,7 +209,7 @@ impl FarPart {
         })
     }
 
-    /// The same by four of its corners, where three did not hold it.
+    /// [`FarPart::holds`] with four corners, where three were not enough.
     #[inline(never)]
     fn holds_in_thirds(&self, vertex: impl Fn(usize) -> Vec2, p: Vec2) -> bool {
         let third = self.edges / 3;
@@ -241,7 +239,7 @@ impl FarPart {
     }
 }
 
-/// Does `p` lie to the left of the line from `start` to `end`, or on it?
+/// Is `p` to the left of the line from `start` to `end`, or on it?
 #[inline(always)]
 fn is_left(start: Vec2, end: Vec2, p: Vec2) -> bool {
     (end - start).cross(p - start) >= 0.0

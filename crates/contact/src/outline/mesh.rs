@@ -1,5 +1,5 @@
-//! Convex pieces by triangulation: ears cut off, diagonals flipped to better shapes, triangles
-//! merged. It takes whatever ring there is.
+//! Convex pieces of any simple ring by triangulation: ears are cut off, diagonals flipped to better
+//! shapes, triangles merged.
 
 use alloc::collections::BinaryHeap;
 use alloc::vec;
@@ -26,13 +26,13 @@ pub(super) fn convex_pieces(vertices: &[Vec2], ring: &[usize], rounding_m: f64) 
 
 /// Cuts a ring into triangles, the best-shaped ear first.
 ///
-/// All signs are exact and a point on a triangle's border counts as in it, so by the two-ears
-/// theorem there always is an ear. Cutting one off changes the state of its two neighbours only.
+/// All signs are exact, and a point on a triangle's border counts as inside, so that by the two-ears
+/// theorem there is always an ear. Cutting one off changes only its two neighbours.
 fn ears(points: &[Vec2]) -> Vec<[usize; 3]> {
     let count = points.len();
     let mut next: Vec<usize> = (0..count).map(|i| (i + 1) % count).collect();
     let mut previous: Vec<usize> = (0..count).map(|i| (i + count - 1) % count).collect();
-    // Corners that are not strictly convex: only they can block an ear. Cuts never add any.
+    // Corners that are not strictly convex: only these can block an ear. Cuts add none.
     let mut blunt: Vec<usize> = (0..count)
         .filter(|&i| turn(points[previous[i]], points[i], points[next[i]]) <= 0.0)
         .collect();
@@ -72,7 +72,7 @@ fn ears(points: &[Vec2]) -> Vec<[usize; 3]> {
     triangles
 }
 
-/// The tip is strictly convex and no blunt corner is in the closed triangle.
+/// Is the tip strictly convex, with no blunt corner in the closed triangle?
 fn is_ear(points: &[Vec2], corners: [usize; 3], blunt: &[usize]) -> bool {
     let [a, b, c] = corners.map(|i| points[i]);
     if turn(a, b, c) <= 0.0 {
@@ -102,7 +102,7 @@ fn shape_quality([a, b, c]: [Vec2; 3]) -> f64 {
     greater((b - a).cross(c - a) / longest_squared, 0.0)
 }
 
-/// Faces as rings of half-edges. A half-edge on the border of the whole has no twin.
+/// Faces as rings of half-edges. A half-edge on the outer border has no twin.
 struct Mesh<'a> {
     points: &'a [Vec2],
     /// Point from which a half-edge starts.
@@ -110,7 +110,7 @@ struct Mesh<'a> {
     next: Vec<usize>,
     previous: Vec<usize>,
     twin: Vec<Option<usize>>,
-    /// False for the half-edges of a diagonal that was taken away.
+    /// False for the half-edges of a removed diagonal.
     alive: Vec<bool>,
 }
 
@@ -142,23 +142,23 @@ impl<'a> Mesh<'a> {
         self.points[self.origin[half_edge]]
     }
 
-    /// Flips diagonals until the triangulation is Delaunay's, as near as the outline allows
-    /// (Lawson 1977): that makes the smallest angles as large as can be. Only the shapes hang on
-    /// it, so the angles need not be exact and the number of flips may be bounded.
+    /// Flips diagonals to the constrained Delaunay triangulation (Lawson 1977), which maximises the
+    /// smallest angles. Only shapes depend on it, so that angles need not be exact and the number of flips
+    /// may be limited.
     fn improve_shapes(&mut self) {
-        let mut to_look_at: Vec<usize> = (0..self.origin.len()).rev().collect();
+        let mut queue: Vec<usize> = (0..self.origin.len()).rev().collect();
         let mut flips_left = 50 * self.origin.len();
-        while let Some(h) = to_look_at.pop() {
+        while let Some(h) = queue.pop() {
             let Some(g) = self.twin[h] else { continue };
             if flips_left > 0 && self.flip_helps(h, g) {
                 flips_left -= 1;
                 self.flip(h, g);
-                to_look_at.extend([self.next[h], self.previous[h], self.next[g], self.previous[g]]);
+                queue.extend([self.next[h], self.previous[h], self.next[g], self.previous[g]]);
             }
         }
     }
 
-    /// The angles opposite the diagonal sum to more than π, and the other diagonal is inside.
+    /// Do the angles opposite the diagonal sum to more than π, with the other diagonal inside?
     fn flip_helps(&self, h: usize, g: usize) -> bool {
         let (a, b) = (self.point(h), self.point(g));
         let (c, d) = (self.point(self.previous[h]), self.point(self.previous[g]));
@@ -170,7 +170,7 @@ impl<'a> Mesh<'a> {
         sine_of_sum < -1.0e-12 * scale && turn(d, b, c) > 0.0 && turn(c, a, d) > 0.0
     }
 
-    /// Turns the diagonal between two triangles into the other one of their four corners.
+    /// Replaces the diagonal between two triangles by the other one of their four corners.
     fn flip(&mut self, h: usize, g: usize) {
         let (h1, h2) = (self.next[h], self.previous[h]);
         let (g1, g2) = (self.next[g], self.previous[g]);
@@ -185,7 +185,7 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// Takes away every diagonal that no convex piece needs, the longest first.
+    /// Removes every diagonal that no convex piece needs, the longest first.
     fn merge_faces(&mut self, rounding_m: f64) {
         let mut diagonals: Vec<(f64, usize, usize)> = (0..self.origin.len())
             .filter_map(|h| {
@@ -207,7 +207,7 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// The origin of h between its neighbours when the diagonal h, g is gone.
+    /// The origin of h and its neighbours without the diagonal h, g.
     fn corner_without(&self, h: usize, g: usize) -> [Vec2; 3] {
         [self.point(self.previous[h]), self.point(h), self.point(self.next[self.next[g]])]
     }

@@ -1,7 +1,7 @@
 //! Cuts a simple polygon into convex pieces along diagonals.
 //!
-//! No point is added, so both sides of a seam have the same end points to the bit: what a seam
-//! adds to one piece's boundary sums it takes from its neighbour's.
+//! No point is added, so that both sides of a seam have the same end points, bit for bit: its terms in
+//! the two pieces' boundary sums cancel.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -14,10 +14,9 @@ use crate::vec2::Vec2;
 /// The convex pieces of a simple polygon in the positive sense, as indices into its vertices. Each
 /// piece begins at its smallest index; the pieces are in the order of their indices.
 ///
-/// First by single cuts that each do away with a reflex corner or two, the shortest first; so a
-/// step or a knuckle costs one seam. What those cannot do, or where there is too much to try, is
-/// triangulated and the triangles merged, which takes at most four times the fewest pieces
-/// (Hertel & Mehlhorn 1983).
+/// First by single cuts that each remove one or two reflex corners, the shortest first, so that a step
+/// or a knuckle costs one seam. Where that fails or takes too long, by triangulation and merging, which
+/// gives at most four times the fewest pieces (Hertel & Mehlhorn 1983).
 pub(super) fn convex_pieces(vertices: &[Vec2]) -> Vec<Vec<usize>> {
     let rounding_m = tidy::rounding_m(vertices.iter().copied());
     let mut pieces = Vec::new();
@@ -41,11 +40,11 @@ pub(super) fn convex_pieces(vertices: &[Vec2]) -> Vec<Vec<usize>> {
     pieces
 }
 
-/// Beyond this many light tests at worst (0.3 s), a ring is triangulated at once.
+/// A ring that may need more cheap tests than this (0.3 s) is triangulated at once.
 const MAX_WORK: u64 = 1_000_000_000;
 
-/// A cut that passes a vertex nearer than this fraction of its length, or leaves an edge at a
-/// smaller angle (rad), would make a sliver.
+/// A cut nearer to a vertex than this fraction of its length, or at a smaller angle to an edge (rad),
+/// would make a sliver.
 const SLIVER: f64 = 1.0e-6;
 
 /// A part of the outline that is still to be cut.
@@ -73,8 +72,8 @@ impl Ring<'_> {
         (0..self.indices.len()).filter(|&i| tidy::is_reflex(corner(i), self.rounding_m)).collect()
     }
 
-    /// The diagonal, as two places in the ring, that leaves no reflex angle at the most of its
-    /// ends; among those the shortest.
+    /// The diagonal, as two places in the ring, that removes the reflex angles at most of its ends; of
+    /// these the shortest.
     fn best_cut(&self, reflex: &[usize]) -> Option<[usize; 2]> {
         let count = self.indices.len();
         let pairs = count as u64 * reflex.len() as u64;
@@ -96,7 +95,7 @@ impl Ring<'_> {
         cuts.into_iter().map(|(_, _, cut)| cut).find(|cut| self.is_clear(*cut))
     }
 
-    /// The diagonal leaves no reflex angle at the reflex corner `at`. Then it also starts inside.
+    /// Does the diagonal leave no reflex angle at the reflex corner `at`? Then it also starts inside.
     fn mends(&self, at: usize, to: usize) -> bool {
         let (before, after) = (self.before(at), self.after(at));
         if to == at || to == before || to == after {
@@ -106,7 +105,7 @@ impl Ring<'_> {
         !tidy::is_reflex([a, p, q], self.rounding_m) && !tidy::is_reflex([q, p, b], self.rounding_m)
     }
 
-    /// The diagonal meets the ring at its ends only, and cuts no sliver off.
+    /// Does the diagonal touch the ring only at its ends, without cutting off a sliver?
     fn is_clear(&self, [from, to]: [usize; 2]) -> bool {
         let ends = [self.point(from), self.point(to)];
         let is_end = |i| i == from || i == to;
@@ -125,14 +124,14 @@ impl Ring<'_> {
     }
 }
 
-/// The edge from an end of the diagonal to `other` makes hardly any angle with it.
+/// Is the edge from an end of the diagonal to `other` nearly parallel to it?
 fn leaves_along(end: Vec2, other: Vec2, [a, b]: [Vec2; 2]) -> bool {
     let diagonal = if end == a { b - a } else { a - b };
     let edge = other - end;
     diagonal.dot(edge) > 0.0 && diagonal.cross(edge).abs() <= SLIVER * diagonal.dot(edge)
 }
 
-/// The diagonal passes the point at hardly any distance.
+/// Does the diagonal nearly pass through the point?
 fn passes_close(p: Vec2, [a, b]: [Vec2; 2]) -> bool {
     let (diagonal, from_a) = (b - a, p - a);
     let (along, squared_length) = (diagonal.dot(from_a), diagonal.length_squared());

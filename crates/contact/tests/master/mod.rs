@@ -1,5 +1,5 @@
-//! A co-simulation master as hosts are: it steps at a fixed Δt, moves its bodies by itself, shows
-//! states that are some steps old, and keeps its loads to itself.
+//! A typical co-simulation master: it moves its bodies itself, passes states that are some steps old, and
+//! does not report its loads.
 
 use fenderline_contact::{
     Body, BodyId, BodyState, CoSimHost, DirectHost, Event, HostIntegration, HostSettings,
@@ -7,9 +7,9 @@ use fenderline_contact::{
     Wrench, advance, advance_from_engine_states, vec2,
 };
 
-/// Bodies that may touch, their first states, and the loads that only the master knows.
+/// Bodies that may touch, their initial states, and the loads, which only the master knows.
 #[derive(Clone, Debug)]
-pub(crate) struct Story {
+pub(crate) struct Scene {
     pub(crate) model: Model,
     pub(crate) states: Vec<BodyState>,
     pub(crate) loads: Vec<Wrench>,
@@ -20,7 +20,7 @@ pub(crate) fn rectangle(length_m: f64, beam_m: f64) -> Outline {
     Outline::new(&[vec2(-x, -y), vec2(x, -y), vec2(x, y), vec2(-x, y)]).expect("a rectangle").0
 }
 
-/// Linear spring, no damper, with friction and its shear spring where `friction` is not zero.
+/// A linear spring without damper; with friction and shear spring if `friction` is not zero.
 pub(crate) fn rubber(stiffness_npm2: f64, restitution: f64, friction: f64) -> Material {
     Material {
         stiffness_npm2,
@@ -32,7 +32,7 @@ pub(crate) fn rubber(stiffness_npm2: f64, restitution: f64, friction: f64) -> Ma
     }
 }
 
-/// A model in which the first body may touch all others.
+/// A model with pairs of the first body and each other.
 pub(crate) fn model(bodies: &[(Outline, Mobility)], material: Material) -> Model {
     let mut builder = Model::builder();
     for (index, (outline, mobility)) in bodies.iter().enumerate() {
@@ -50,11 +50,11 @@ pub(crate) fn model(bodies: &[(Outline, Mobility)], material: Material) -> Model
     builder.build().expect("a good model")
 }
 
-/// A tug of 1000 t, 13 m wide, `gap_m` in front of a wall of 500 kN/m²: k·width = 6.5 MN/m.
-pub(crate) fn tug_at_a_wall(gap_m: f64, speed_mps: f64, restitution: f64) -> Story {
+/// A tug of 1000 t, 13 m wide, at `gap_m` from a wall of 500 kN/m²: k·width = 6.5 MN/m.
+pub(crate) fn tug_at_a_wall(gap_m: f64, speed_mps: f64, restitution: f64) -> Scene {
     let tug = Mobility::Free { mass_kg: 1e6, yaw_inertia_kgm2: 6.4e7 };
     let bodies = [(rectangle(32.0, 13.0), tug), (rectangle(200.0, 100.0), Mobility::Fixed)];
-    Story {
+    Scene {
         model: model(&bodies, rubber(500e3, restitution, 0.0)),
         states: vec![
             BodyState { velocity_mps: vec2(speed_mps, 0.0), ..BodyState::default() },
@@ -64,35 +64,35 @@ pub(crate) fn tug_at_a_wall(gap_m: f64, speed_mps: f64, restitution: f64) -> Sto
     }
 }
 
-/// How a master is served.
+/// The interface that the master uses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Service {
-    /// By a [`CoSimHost`] that is told nothing.
-    Following(HostSettings),
-    /// The same, and told the loads.
-    Told(HostSettings),
-    /// The same, and told that there are none: no observer.
-    ToldNothing(HostSettings),
-    /// By `advance` alone, with what is shown taken for the present and no loads.
-    Plain,
-    /// By `advance` alone, told the loads.
-    PlainTold,
-    /// By a [`DirectHost`].
-    Present,
+    /// A [`CoSimHost`] without loads.
+    CoSim(HostSettings),
+    /// A [`CoSimHost`] with the loads.
+    CoSimWithLoads(HostSettings),
+    /// A [`CoSimHost`] with zero loads, which turns the observer off.
+    CoSimWithoutObserver(HostSettings),
+    /// `advance` alone, with old states taken for current ones and no loads.
+    AdvanceWithoutLoads,
+    /// `advance` alone, with the loads.
+    Advance,
+    /// A [`DirectHost`].
+    Direct,
 }
 
 /// The master.
 pub(crate) struct Master {
-    pub(crate) story: Story,
+    pub(crate) scene: Scene,
     pub(crate) integration: HostIntegration,
     pub(crate) delay_steps: u32,
-    /// The master's masses over the model's.
+    /// The master's masses over those of the model.
     pub(crate) mass_factor: f64,
-    /// All states since the beginning; the last are the present ones.
+    /// All states since the start; the last are the current ones.
     pub(crate) past: Vec<Vec<BodyState>>,
     pub(crate) host: CoSimHost,
     pub(crate) work: HostWorkspace,
-    pub(crate) present: DirectHost,
+    pub(crate) direct: DirectHost,
     memory: Memory,
     plain: Workspace,
     service: Service,
@@ -100,25 +100,27 @@ pub(crate) struct Master {
 
 impl Master {
     pub(crate) fn new(
-        story: Story,
+        scene: Scene,
         integration: HostIntegration,
         delay_steps: u32,
         service: Service,
     ) -> Master {
         let settings = match service {
-            Service::Following(settings)
-            | Service::Told(settings)
-            | Service::ToldNothing(settings) => settings,
-            Service::Plain | Service::PlainTold | Service::Present => HostSettings::default(),
+            Service::CoSim(settings)
+            | Service::CoSimWithLoads(settings)
+            | Service::CoSimWithoutObserver(settings) => settings,
+            Service::AdvanceWithoutLoads | Service::Advance | Service::Direct => {
+                HostSettings::default()
+            }
         };
         Master {
-            host: CoSimHost::new(&story.model, settings),
-            work: HostWorkspace::new(&story.model),
-            present: DirectHost::new(&story.model),
-            memory: Memory::new(&story.model),
-            plain: Workspace::new(&story.model),
-            past: vec![story.states.clone()],
-            story,
+            host: CoSimHost::new(&scene.model, settings),
+            work: HostWorkspace::new(&scene.model),
+            direct: DirectHost::new(&scene.model),
+            memory: Memory::new(&scene.model),
+            plain: Workspace::new(&scene.model),
+            past: vec![scene.states.clone()],
+            scene,
             integration,
             delay_steps,
             mass_factor: 1.0,
@@ -126,22 +128,22 @@ impl Master {
         }
     }
 
-    /// A master served by a host that knows it.
-    pub(crate) fn known(story: Story, integration: HostIntegration, delay_steps: u32) -> Master {
+    /// A master with a [`CoSimHost`] that has the right integrator and delay.
+    pub(crate) fn known(scene: Scene, integration: HostIntegration, delay_steps: u32) -> Master {
         let settings = HostSettings { delay_steps, integration };
-        Master::new(story, integration, delay_steps, Service::Following(settings))
+        Master::new(scene, integration, delay_steps, Service::CoSim(settings))
     }
 
-    pub(crate) fn given(&self) -> &[Wrench] {
+    pub(crate) fn wrenches(&self) -> &[Wrench] {
         match self.service {
-            Service::Plain | Service::PlainTold => self.plain.wrenches(),
+            Service::AdvanceWithoutLoads | Service::Advance => self.plain.wrenches(),
             _ => self.work.wrenches(),
         }
     }
 
     pub(crate) fn events(&self) -> &[Event] {
         match self.service {
-            Service::Plain | Service::PlainTold => self.plain.events(),
+            Service::AdvanceWithoutLoads | Service::Advance => self.plain.events(),
             _ => self.work.events(),
         }
     }
@@ -150,45 +152,51 @@ impl Master {
         self.past.last().expect("never empty")
     }
 
-    pub(crate) fn shown(&self) -> &[BodyState] {
+    pub(crate) fn input_states(&self) -> &[BodyState] {
         let old = (self.past.len() - 1).saturating_sub(self.delay_steps as usize);
         &self.past[old]
     }
 
-    /// What the master is given for its next step.
-    fn ask(&mut self, step_s: f64) -> Result<Vec<Wrench>, StepError> {
-        let shown = self.shown().to_vec();
-        let (model, loads) = (&self.story.model, &self.story.loads);
-        let nothing = vec![Wrench::default(); loads.len()];
-        let told = match self.service {
-            Service::Following(_) => None,
-            Service::Told(_) | Service::PlainTold | Service::Present => Some(loads.as_slice()),
-            Service::ToldNothing(_) | Service::Plain => Some(nothing.as_slice()),
+    /// The wrenches for the master's next step.
+    fn next_wrenches(&mut self, step_s: f64) -> Result<Vec<Wrench>, StepError> {
+        let states = self.input_states().to_vec();
+        let (model, loads) = (&self.scene.model, &self.scene.loads);
+        let no_loads = vec![Wrench::default(); loads.len()];
+        let given_loads = match self.service {
+            Service::CoSim(_) => None,
+            Service::CoSimWithLoads(_) | Service::Advance | Service::Direct => {
+                Some(loads.as_slice())
+            }
+            Service::CoSimWithoutObserver(_) | Service::AdvanceWithoutLoads => {
+                Some(no_loads.as_slice())
+            }
         };
-        if let (Service::Plain | Service::PlainTold, Some(told)) = (self.service, told) {
-            advance(model, &mut self.memory, &mut self.plain, &shown, told, step_s)?;
+        if let (Service::AdvanceWithoutLoads | Service::Advance, Some(given_loads)) =
+            (self.service, given_loads)
+        {
+            advance(model, &mut self.memory, &mut self.plain, &states, given_loads, step_s)?;
             return Ok(self.plain.wrenches().to_vec());
         }
-        if let (Service::Present, Some(told)) = (self.service, told) {
+        if let (Service::Direct, Some(given_loads)) = (self.service, given_loads) {
             return self
-                .present
-                .step(model, &mut self.work, &shown, told, step_s)
+                .direct
+                .step(model, &mut self.work, &states, given_loads, step_s)
                 .map(<[_]>::to_vec);
         }
-        self.host.step(model, &mut self.work, &shown, told, step_s).map(<[_]>::to_vec)
+        self.host.step(model, &mut self.work, &states, given_loads, step_s).map(<[_]>::to_vec)
     }
 
     pub(crate) fn step(&mut self, step_s: f64) {
-        let wrenches = self.ask(step_s).expect("a good step");
+        let wrenches = self.next_wrenches(step_s).expect("a good step");
         let mut states = self.states().to_vec();
         for (index, state) in states.iter_mut().enumerate() {
-            let (contact, load) = (&wrenches[index], &self.story.loads[index]);
+            let (contact, load) = (&wrenches[index], &self.scene.loads[index]);
             let share = 1.0 / self.mass_factor;
             let sum = Wrench {
                 force_n: (contact.force_n + load.force_n) * share,
                 moment_nm: (contact.moment_nm + load.moment_nm) * share,
             };
-            let mobility = self.story.model.bodies()[index].mobility;
+            let mobility = self.scene.model.bodies()[index].mobility;
             *state = moved(state, mobility, &sum, self.integration, step_s);
         }
         self.past.push(states);
@@ -201,7 +209,7 @@ impl Master {
     }
 }
 
-/// Solves M a = W by Gauss's elimination in the body's axes: not the engine's own inverse.
+/// Solves M a = W by Gaussian elimination in the body's axes, independently of the engine's inverse.
 fn acceleration(state: &BodyState, mobility: Mobility, sum: &Wrench) -> (Vec2, f64) {
     let mut m = match mobility {
         Mobility::Fixed => return (Vec2::ZERO, 0.0),
@@ -253,22 +261,22 @@ fn moved(
     }
 }
 
-/// The converged answer: the engine moves the bodies itself, in steps of 0.01 s with the loads told.
-pub(crate) fn converged(story: &Story, duration_s: f64) -> Vec<BodyState> {
-    moved_by_the_engine(story, 0.01, duration_s)
+/// The converged solution: the engine moves the bodies in steps of 0.01 s, with the loads.
+pub(crate) fn converged(scene: &Scene, duration_s: f64) -> Vec<BodyState> {
+    moved_by_the_engine(scene, 0.01, duration_s)
 }
 
-/// The engine moves the bodies itself, with the loads told.
-pub(crate) fn moved_by_the_engine(story: &Story, step_s: f64, duration_s: f64) -> Vec<BodyState> {
-    let (mut memory, mut work) = (Memory::new(&story.model), Workspace::new(&story.model));
-    let mut states = story.states.clone();
+/// The states after a run in which the engine moves the bodies, with the loads.
+pub(crate) fn moved_by_the_engine(scene: &Scene, step_s: f64, duration_s: f64) -> Vec<BodyState> {
+    let (mut memory, mut work) = (Memory::new(&scene.model), Workspace::new(&scene.model));
+    let mut states = scene.states.clone();
     for _ in 0..(duration_s / step_s).round() as usize {
         advance_from_engine_states(
-            &story.model,
+            &scene.model,
             &mut memory,
             &mut work,
             &states,
-            &story.loads,
+            &scene.loads,
             step_s,
         )
         .expect("a good step");
@@ -277,21 +285,21 @@ pub(crate) fn moved_by_the_engine(story: &Story, step_s: f64, duration_s: f64) -
     states
 }
 
-/// A ship of 200 m × 32 m with a mass that differs between surge and sway, and is coupled in yaw.
+/// A ship of 200 m × 32 m whose mass differs between surge and sway and is coupled with yaw.
 pub(crate) fn ship() -> (Outline, Mobility) {
     let matrix = [[1.03e8, 0.0, 0.0], [0.0, 1.5e8, 4e8], [0.0, 4e8, 4.3e11]];
     (rectangle(200.0, 32.0), Mobility::FullMatrix { matrix })
 }
 
-/// The ship, at a heading of 30°, drifting sideways on a fender 4 m wide, 60 m forward of her centre.
-pub(crate) fn ship_on_a_fender(friction: f64, stiffness_npm2: f64) -> Story {
+/// The ship at a heading of 30°, drifting sideways onto a fender 4 m wide, 60 m forward of her centre.
+pub(crate) fn ship_on_a_fender(friction: f64, stiffness_npm2: f64) -> Scene {
     let heading_rad = core::f64::consts::FRAC_PI_6;
     let (sin, cos) = libm::sincos(heading_rad);
     let at = |forward: f64, starboard: f64| {
         vec2(cos * forward - sin * starboard, sin * forward + cos * starboard)
     };
     let bodies = [ship(), (rectangle(4.0, 8.0), Mobility::Fixed)];
-    Story {
+    Scene {
         model: model(&bodies, rubber(stiffness_npm2, 0.1, friction)),
         states: vec![
             BodyState { heading_rad, velocity_mps: at(0.1, 0.3), ..BodyState::default() },
@@ -301,13 +309,13 @@ pub(crate) fn ship_on_a_fender(friction: f64, stiffness_npm2: f64) -> Story {
     }
 }
 
-/// A tug that meets a free ship's side forward of midships, at a slant.
-pub(crate) fn tug_against_a_ship(friction: f64) -> Story {
+/// A tug that hits a free ship's side forward of midships, at an angle.
+pub(crate) fn tug_against_a_ship(friction: f64) -> Scene {
     let tug = Mobility::Free { mass_kg: 1e6, yaw_inertia_kgm2: 6.4e7 };
     let bodies = [(rectangle(32.0, 13.0), tug), ship()];
     let heading_rad = 1.5;
     let (sin, cos) = libm::sincos(heading_rad);
-    Story {
+    Scene {
         model: model(&bodies, rubber(500e3, 0.1, friction)),
         states: vec![
             BodyState {
@@ -322,9 +330,9 @@ pub(crate) fn tug_against_a_ship(friction: f64) -> Story {
     }
 }
 
-/// The ship, at rest, at a heading of 30°, touching two fenders 4 m wide 60 m forward and 40 m aft of
-/// her centre, and pushed against them by a steady load ahead of her centre.
-pub(crate) fn ship_on_two_fenders(friction: f64) -> Story {
+/// The ship at rest at a heading of 30°, touching two fenders 4 m wide, 60 m forward and 40 m aft of her
+/// centre, and pushed against them by a steady load forward of her centre.
+pub(crate) fn ship_on_two_fenders(friction: f64) -> Scene {
     let heading_rad = core::f64::consts::FRAC_PI_6;
     let (sin, cos) = libm::sincos(heading_rad);
     let at = |forward: f64, starboard: f64| {
@@ -337,7 +345,7 @@ pub(crate) fn ship_on_two_fenders(friction: f64) -> Story {
     };
     let wide = || (rectangle(4.0, 8.0), Mobility::Fixed);
     let load = Wrench { force_n: at(0.0, 1e6), moment_nm: 2e7 };
-    Story {
+    Scene {
         model: model(&[ship(), wide(), wide()], rubber(1e6, 0.1, friction)),
         states: vec![
             BodyState { heading_rad, ..BodyState::default() },

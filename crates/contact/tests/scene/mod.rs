@@ -1,10 +1,10 @@
-//! A ship along a berth with eight fenders, and its motion: the scene of several tests.
+//! A ship at a berth with eight fenders, and its motion: shared by several tests.
 
 use fenderline_contact::{
     Body, BodyState, Material, Mobility, Model, Outline, Vec2, Workspace, vec2,
 };
 
-/// The ship's place in the states; the fenders follow it.
+/// Index of the ship; the fenders follow it.
 pub(crate) const SHIP: usize = 0;
 /// Number of fenders.
 pub(crate) const FENDERS: usize = 8;
@@ -12,7 +12,7 @@ pub(crate) const FENDERS: usize = 8;
 pub(crate) const SHIP_MASS_KG: f64 = 9.06e7;
 /// Moment of inertia with its added part (kg·m²).
 pub(crate) const SHIP_YAW_INERTIA_KGM2: f64 = 8.4e11;
-/// East position at which the ship's side meets the fenders' faces (m).
+/// East position at which the ship's side touches the fenders' faces (m).
 pub(crate) const TOUCH_EAST_M: f64 = 1.0;
 
 /// A container ship of 298 × 46 m and eight fenders 4 m wide, 30 m apart, their faces at 24 m east.
@@ -47,7 +47,7 @@ pub(crate) fn berth(stiffness_npm2: f64) -> Model {
     builder.build().expect("a good model")
 }
 
-/// All states of [`berth`] for one of the ship.
+/// The states of all bodies of [`berth`] for a state of the ship.
 pub(crate) fn states(ship: BodyState) -> Vec<BodyState> {
     let fender = |number: usize| BodyState {
         position_m: vec2(-120.0 + 30.0 * number as f64, 24.0),
@@ -56,7 +56,7 @@ pub(crate) fn states(ship: BodyState) -> Vec<BodyState> {
     std::iter::once(ship).chain((0..FENDERS).map(fender)).collect()
 }
 
-/// The ship free under its contact forces and a push towards the berth: semi-implicit Euler.
+/// Moves the ship under its contact forces and a push, by semi-implicit Euler.
 pub(crate) fn advance(ship: &mut BodyState, work: &Workspace, push_n: Vec2, step_s: f64) {
     let wrench = work.wrenches()[SHIP];
     ship.velocity_mps += (wrench.force_n + push_n) * (step_s / SHIP_MASS_KG);

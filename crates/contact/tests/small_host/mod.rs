@@ -1,7 +1,7 @@
 //! A small host around the engine for tests: scenes of bodies, fenders and steady loads, and their motion.
 
 #![allow(dead_code, reason = "each test binary uses its own part")]
-#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+#![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 pub(crate) mod scenes;
 
@@ -86,12 +86,12 @@ pub(crate) enum Method {
     Paper,
 }
 
-/// Who moves the bodies, and how.
+/// How the bodies are moved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Integrator {
-    /// The host: positions with the old velocities, then the velocities.
+    /// By the host: positions with the old velocities, then the velocities.
     Euler,
-    /// The engine by the coupled method; by the paper's method the host, velocities first.
+    /// Coupled method: by the engine. Paper's method: by the host, velocities first.
     SemiImplicit,
 }
 
@@ -109,7 +109,7 @@ pub(crate) struct Load {
     pub(crate) force_n: Vec2,
 }
 
-/// What a run is made of.
+/// The input of a run.
 #[derive(Clone, Debug)]
 pub(crate) struct Scene {
     pub(crate) step_s: f64,
@@ -172,7 +172,7 @@ impl Scene {
         }
     }
 
-    /// Bodies have keys in the order of their names, so that their own order does not matter.
+    /// The model. Keys of bodies follow their names, so that their order does not matter.
     pub(crate) fn model(&self) -> Model {
         let mut names: Vec<&str> = self.bodies.iter().map(|body| body.name.as_str()).collect();
         names.sort_unstable();
@@ -241,7 +241,7 @@ impl Peaks {
         Peaks { first_touch_s: t_s, ..Peaks::default() }
     }
 
-    /// The contacts of one step that begins at `t_s`; the forces of several patches add up.
+    /// Adds the contacts of one step that begins at `t_s`; the forces of several patches are summed.
     fn add(&mut self, contacts: &[&Contact], t_s: f64) {
         self.last_touch_s = t_s;
         let force_n: f64 = contacts.iter().map(|contact| contact.peak_normal_force_n).sum();
@@ -388,7 +388,7 @@ impl Host {
     }
 }
 
-/// Adds the contacts of a step to the records of what they belong to.
+/// Adds the contacts of a step to the records of their owners.
 fn add_by<K: Copy + PartialEq>(
     records: &mut Vec<(K, Peaks)>,
     contacts: &[Contact],

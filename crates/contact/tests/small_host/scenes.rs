@@ -1,4 +1,4 @@
-//! The scenes against which the coupled method is judged: a tug's impact, an oblique berthing, a push.
+//! Scenes for tests of the coupled method: a tug's impact, an oblique berthing, a tug's push.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -18,7 +18,7 @@ pub(crate) fn rubber() -> Material {
     }
 }
 
-/// The paper's tug, 32 m × 13 m with a flat bow 10 m wide; added masses ours, as in `scenarios/paper`.
+/// The paper's tug, 32 m × 13 m with a flat bow 10 m wide; added masses estimated, as in `scenarios/paper`.
 pub(crate) fn tug() -> BodySetup {
     let half = [(16.0, 5.0), (15.5, 6.5), (-14.5, 6.5), (-16.0, 5.0)];
     let mass_kg = 930e3;
@@ -57,7 +57,7 @@ fn mirrored(half: &[(f64, f64)]) -> Outline {
     outline(&half.iter().map(|&(x, y)| vec2(x, y)).chain(port).collect::<Vec<_>>())
 }
 
-/// A cone fender's curve (fenders/cone.toml), of a height and a rated reaction.
+/// A cone fender's reaction curve (fenders/cone.toml), for a height and a rated reaction.
 pub(crate) fn cone(height_m: f64, rated_reaction_n: f64) -> FenderLaw {
     let reactions =
         [0.0, 0.20, 0.39, 0.58, 0.76, 0.90, 0.98, 1.00, 0.98, 0.94, 0.90, 0.88, 0.88, 0.90, 0.96];
@@ -138,7 +138,7 @@ fn coupled(step_s: f64, duration_s: f64, bodies: Vec<BodySetup>) -> Scene {
     }
 }
 
-/// The paper's experiment: the tug, bow on, 2 m off the ship's side `along_m` forward of midships.
+/// The paper's experiment: the tug, bow on, 2 m from the ship's side, `along_m` forward of midships.
 pub(crate) fn tug_impact(speed_mps: f64, along_m: f64, step_s: f64) -> Scene {
     let mut tug = tug();
     tug.heading_rad = FRAC_PI_2;
@@ -150,8 +150,8 @@ pub(crate) fn tug_impact(speed_mps: f64, along_m: f64, step_s: f64) -> Scene {
     scene
 }
 
-/// The same tug 20 m forward of midships, her bow 20° aft of square: one shoulder touches, sticks, and the
-/// tug turns and rolls along the side.
+/// The same tug 20 m forward of midships, her bow 20° aft of square: one shoulder touches and sticks, and the tug
+/// turns and rolls along the side.
 pub(crate) fn oblique_tug_impact(speed_mps: f64, step_s: f64) -> Scene {
     let mut scene = tug_impact(speed_mps, 20.0, step_s);
     let tug = &mut scene.bodies[1];
@@ -166,7 +166,7 @@ pub(crate) fn oblique_berthing(step_s: f64) -> Scene {
     let mut ship = ship();
     let angle = 5.0_f64.to_radians();
     ship.heading_rad = angle;
-    // The forward shoulder's place beside the foremost fender, less the fender and half a metre.
+    // The forward shoulder is half a metre from the foremost fender.
     let (sin, cos) = (libm::sin(angle), libm::cos(angle));
     ship.position_m = vec2(0.0, -FENDER_HEIGHT_M - 0.5 - (90.0 * sin + 23.0 * cos));
     ship.velocity.surge_mps = 0.1 * cos + 0.15 * sin;

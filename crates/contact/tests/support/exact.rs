@@ -1,30 +1,30 @@
 //! The overlap of two convex polygons in rational arithmetic: no rounding before the result.
 //!
-//! An oracle for the clip: the coordinates are taken as the exact numbers that their bits say, the
-//! polygons are clipped against each other half-plane by half-plane (Sutherland & Hodgman 1974),
-//! and only what is handed back is rounded, once, to the nearest number.
+//! An oracle for the clip: coordinates are exact numbers, the polygons are clipped against each other
+//! half-plane by half-plane (Sutherland & Hodgman 1974), and only results are rounded, once, to the
+//! nearest number.
 
 #![allow(dead_code, reason = "each test binary that includes this file uses its own part of it")]
 
 use fenderline_contact::{Vec2, vec2};
 use num_rational::BigRational;
 
-/// What two polygons have in common.
+/// The overlap of two polygons.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ExactOverlap {
-    /// S (m²), correctly rounded; 0 where they touch at most.
+    /// S (m²), correctly rounded; 0 where they at most touch.
     pub(crate) area_m2: f64,
     /// ∫x dS and ∫y dS about the frame's origin (m³), correctly rounded.
     pub(crate) first_moments_m3: Vec2,
     /// C (m), correctly rounded; `None` where the area is 0.
     pub(crate) centroid_m: Option<Vec2>,
-    /// The sum of those edges of the overlap that are a's boundary inside b, walked in the positive
-    /// sense (m): d = Σ (P_out − P_in) where no edges coincide. Turned by −90° it is ∂S/∂x of a.
+    /// The sum of the overlap's edges on a's boundary inside b, in the positive sense (m):
+    /// d = Σ (P_out − P_in) where no edges coincide. Turned by −90° it is ∂S/∂x of a.
     pub(crate) boundary_of_a_m: Vec2,
-    /// The sum of those that are b's boundary inside a (m). The three sums add up to nothing.
+    /// The sum of those on b's boundary inside a (m). The three sums add up to zero.
     pub(crate) boundary_of_b_m: Vec2,
-    /// The sum of those on which the two boundaries run together, in one sense (m). There ∂S/∂x has
-    /// two one-sided values: d with it and d without it.
+    /// The sum of those where the two boundaries coincide in the same sense (m). There ∂S/∂x has two
+    /// one-sided values: d with and without it.
     pub(crate) shared_boundary_m: Vec2,
     /// Corners of the overlap in the positive sense, each coordinate correctly rounded (m). Empty
     /// where the area is 0.
@@ -50,7 +50,7 @@ pub(crate) fn exact_overlap(a: &[Vec2], b: &[Vec2]) -> ExactOverlap {
     measured(&overlap, &a, &b)
 }
 
-/// A point, or a vector, without rounding.
+/// A point or vector without rounding.
 #[derive(Clone, Debug, PartialEq)]
 struct Point {
     x: BigRational,
@@ -157,8 +157,8 @@ fn measured(overlap: &[Point], a: &[Point], b: &[Point]) -> ExactOverlap {
     }
 }
 
-/// The edge p, q of the overlap is on the line of a side of the ring. Both are convex and on the
-/// same side of that line, so on the line means on the side itself.
+/// Is the edge p, q of the overlap on a side of the ring? Both polygons are convex and on the same side of
+/// that side's line, so that on the line means on the side.
 fn runs_along(p: &Point, q: &Point, ring: &[Point]) -> bool {
     let zero = whole(0);
     sides(ring).any(|(from, to)| {
@@ -178,7 +178,7 @@ pub(crate) fn nearest(value: &BigRational) -> f64 {
     if *value < zero {
         return -nearest(&-value);
     }
-    // A quotient of 66 or 67 bits; what the division leaves over counts as one more bit.
+    // A quotient of 66 or 67 bits; a remainder counts as one more bit.
     let (numerator, denominator) = (value.numer(), value.denom());
     let shift = 66 + denominator.bits() as i64 - numerator.bits() as i64;
     let (numerator, denominator) = if shift >= 0 {
@@ -222,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn edges_that_coincide_are_shared() {
+    fn coincident_edges_are_shared() {
         let overlap = exact_overlap(&square(0.0, 0.0, 2.0), &square(1.0, 0.0, 2.0));
         assert_eq!(overlap.area_m2, 2.0);
         assert_eq!(overlap.boundary_of_a_m, vec2(0.0, 2.0));
@@ -260,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_lost_at_a_nanometre_of_depth_far_from_the_origin() {
+    fn a_nanometre_of_depth_is_exact_far_from_the_origin() {
         let (far, depth) = (1.0e7, 2.0_f64.powi(-28));
         let overlap = exact_overlap(&square(far, far, 2.0), &square(far + 2.0 - depth, far, 4.0));
         assert_eq!(overlap.area_m2, 2.0 * depth);

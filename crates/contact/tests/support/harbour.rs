@@ -5,7 +5,7 @@ use fenderline_contact::{
     Vec2, Workspace, step, vec2,
 };
 
-/// Table 1 of the paper.
+/// The material of the paper's Table 1.
 pub const PAPER: Material = Material {
     stiffness_npm2: 500e3,
     damping_nspm2: 0.0,
@@ -23,7 +23,7 @@ pub fn body(key: u64, vertices: &[Vec2], free: bool) -> Body {
     Body { name: format!("body {key}"), key, outline, mobility }
 }
 
-/// Every body may touch every other.
+/// A model in which every body may touch every other.
 pub fn model(bodies: Vec<Body>, material: Material) -> Model {
     let mut builder = Model::builder();
     for body in bodies {
@@ -34,7 +34,7 @@ pub fn model(bodies: Vec<Body>, material: Material) -> Model {
     builder.build().expect("a good model")
 }
 
-/// The same with a `Pair` for each two bodies that are not both fixed.
+/// Likewise, with a `Pair` for each two bodies that are not both fixed.
 pub fn model_of_explicit_pairs(bodies: Vec<Body>, material: Material) -> Model {
     let fixed: Vec<bool> = bodies.iter().map(|b| b.mobility == Mobility::Fixed).collect();
     let mut builder = Model::builder();
@@ -53,12 +53,12 @@ pub fn model_of_explicit_pairs(bodies: Vec<Body>, material: Material) -> Model {
     builder.build().expect("a good model")
 }
 
-/// At rest at a place and heading.
+/// A state at rest.
 pub fn at(x_m: f64, y_m: f64, heading_rad: f64) -> BodyState {
     BodyState { position_m: vec2(x_m, y_m), heading_rad, ..Default::default() }
 }
 
-/// A model with what one run of it needs.
+/// A model, and a run of it.
 pub struct Run {
     pub model: Model,
     pub memory: Memory,
@@ -66,25 +66,25 @@ pub struct Run {
 }
 
 impl Run {
-    /// A run that has not begun.
+    /// A run before its first step.
     pub fn new(model: Model) -> Run {
         let (memory, work) = (Memory::new(&model), Workspace::new(&model));
         Run { model, memory, work }
     }
 
-    /// One step; its contacts.
+    /// Takes one step; returns its contacts.
     pub fn step(&mut self, states: &[BodyState], step_s: f64) -> Vec<Contact> {
         step(&self.model, &mut self.memory, &mut self.work, states, step_s).expect("good states");
         self.work.contacts().to_vec()
     }
 
-    /// Did the last step tell of this?
-    pub fn told(&self, kind: EventKind) -> bool {
+    /// Did the last step have this event?
+    pub fn has_event(&self, kind: EventKind) -> bool {
         self.work.events().iter().any(|e| e.kind == kind)
     }
 }
 
-/// The contacts of two bodies that have never met.
+/// The contacts of two bodies in their first step.
 pub fn contacts_of(a: &[Vec2], a_state: BodyState, b: &[Vec2], b_state: BodyState) -> Vec<Contact> {
     let bodies = vec![body(1, a, true), body(2, b, true)];
     Run::new(model(bodies, PAPER)).step(&[a_state, b_state], 0.1)

@@ -1,4 +1,4 @@
-//! What the tests of the contact engine share.
+//! Shared by the tests of the contact engine.
 
 #![allow(dead_code, reason = "each test binary uses its own part")]
 #![allow(unreachable_pub, reason = "modules of a test binary")]

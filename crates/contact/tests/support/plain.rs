@@ -1,9 +1,9 @@
-//! The overlap of two convex polygons by plain Sutherland & Hodgman (1974) in f64: no cleverness
-//! and no memory, so that millions of cases can be compared with the clip.
+//! The overlap of two convex polygons by plain Sutherland & Hodgman (1974) in f64, without memory: fast
+//! enough to compare the clip in millions of cases.
 
 use fenderline_contact::Vec2;
 
-/// Corners of the overlap.
+/// The corners of the overlap.
 pub fn plain_overlap(a: &[Vec2], b: &[Vec2]) -> Vec<Vec2> {
     let mut ring = a.to_vec();
     for (j, &from) in b.iter().enumerate() {
@@ -25,7 +25,7 @@ pub fn plain_overlap(a: &[Vec2], b: &[Vec2]) -> Vec<Vec2> {
     ring
 }
 
-/// Shoelace about the first vertex (m²).
+/// Area by the shoelace formula about the first vertex (m²).
 pub fn plain_area_m2(ring: &[Vec2]) -> f64 {
     let Some(&origin) = ring.first() else { return 0.0 };
     ring[1..].windows(2).map(|w| (w[0] - origin).cross(w[1] - origin)).sum::<f64>() * 0.5

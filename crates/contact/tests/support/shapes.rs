@@ -1,11 +1,11 @@
-//! Convex polygons and where to put them: hulls, fenders, random shapes.
+//! Convex polygons and their positions: hulls, fenders, random shapes.
 
 use core::f64::consts::TAU;
 
 use fenderline_contact::{Pose, Vec2, vec2};
 use proptest::prelude::*;
 
-/// From pairs of coordinates.
+/// Points from pairs of coordinates.
 pub fn points(coordinates: &[(f64, f64)]) -> Vec<Vec2> {
     coordinates.iter().map(|&(x, y)| vec2(x, y)).collect()
 }
@@ -75,15 +75,15 @@ pub fn any_convex() -> impl Strategy<Value = Vec<Vec2>> {
     ]
 }
 
-/// The largest extent of a ring in a direction, and the vertex that has it.
+/// The largest extent of a ring in a direction, and its vertex.
 pub fn support(ring: &[Vec2], pose: Pose, direction: Vec2) -> (f64, Vec2) {
     ring.iter().map(|&v| pose.rotation.apply(v)).fold((f64::NEG_INFINITY, Vec2::ZERO), |best, v| {
         if v.dot(direction) > best.0 { (v.dot(direction), v) } else { best }
     })
 }
 
-/// Puts `b` beside `a` in the direction of `bearing_rad`, sunk in by `depth_m` and shifted sideways
-/// by `share` of the way from corner to corner.
+/// Places `b` beside `a` in the direction `bearing_rad`, with penetration `depth_m`, shifted sideways by
+/// `share` of the way from corner to corner.
 pub fn beside(
     a: &[Vec2],
     a_pose: Pose,
@@ -97,7 +97,7 @@ pub fn beside(
     let (reach_a, corner_a) = support(a, a_pose, out);
     let (reach_b, corner_b) = support(b, turned, -out);
     let along = out.quarter_turn();
-    // Share 0: corner against corner. Else B's corner off along the tangent, up to A's far end.
+    // Share 0: corner against corner. Else b's corner along the tangent, up to a's far end.
     let extent = support(a, a_pose, along).0 + support(a, a_pose, -along).0;
     let aside = (corner_a - corner_b).dot(along) + share * extent;
     let position = a_pose.position_m + out * (reach_a + reach_b - depth_m) + along * aside;

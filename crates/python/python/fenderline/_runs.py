@@ -44,6 +44,10 @@ class Runs(NamedTuple):
     """One row for every pair of bodies that touched in a run; ``run`` is its number."""
     fenders: Table
     """One row for every fender that was touched in a run; ``run`` is its number."""
+    verdicts: Table
+    """The verdict on each run: its worst finding, such as ``fender_failed``."""
+    findings: Table
+    """What was found in each run, the worst first; ``run`` is its number."""
 
 
 def run_many(
@@ -63,10 +67,14 @@ def run_many(
     ([0, 1, 2], (3, 2, 6))
     >>> bool((np.diff(runs.pairs["peak_normal_force_n"]) > 0).all())
     True
+    >>> runs.verdicts["verdict"].tolist()  # two steel hulls touch: no limit is known
+    ['not_rated', 'not_rated', 'not_rated']
     """
     if isinstance(variants, Mapping):
         columns = {k: v.tolist() if isinstance(v, np.ndarray) else v for k, v in variants.items()}
         rows = zip(*columns.values(), strict=True)
         variants = [dict(zip(columns, row, strict=True)) for row in rows]
     states, results = run_variants(scenario, variants, threads)
-    return Runs(states, results["pairs"], results["fenders"])
+    return Runs(
+        states, results["pairs"], results["fenders"], results["verdicts"], results["findings"]
+    )

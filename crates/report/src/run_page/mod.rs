@@ -9,15 +9,16 @@ mod parts;
 mod recorder;
 mod scene;
 mod tables;
+mod verdict;
 mod vessels;
 
 use fenderline_contact::EventKind;
 use fenderline_sim::Method;
 use maud::{Markup, html};
 
-use crate::plot::{fenders_legend, fixed, harbour_legend, outlined_legend, page};
+use crate::plot::{fenders_legend, harbour_legend, outlined_legend, page};
 use crate::words::{event_text, interrupted_text};
-use fenderline_results::{Outcome, Verdict, is_plain, worst_first};
+use fenderline_results::{Outcome, is_plain};
 
 pub use recorder::Recorder;
 
@@ -25,8 +26,6 @@ use recorder::PairTrace;
 
 /// Most pairs in a chart: more lines cannot be told apart.
 const DRAWN_PAIRS: usize = 6;
-/// Most fenders listed by name under "Needs attention".
-const GRAVE_FENDERS: usize = 12;
 /// Most pairs with a close-up.
 const CLOSE_UPS: usize = 2;
 
@@ -43,6 +42,7 @@ pub fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
             p { strong { "Interrupted: " } (interrupted_text(interrupted)) "." }
         }
         h2 { "Result" }
+        (verdict::headline(outcome))
         (fenders::headline(outcome))
         (vessels::headline(outcome))
         (tables::results(outcome))
@@ -125,18 +125,13 @@ fn remarks(outcome: &Outcome<'_>) -> Markup {
             || matches!(kind, EventKind::FenderRatingExceeded(_) | EventKind::FenderFailed(_))
     };
     let grave: Vec<_> = outcome.events.counts().filter(|(kind, _)| !is_listed(*kind)).collect();
-    let fenders = grave_fenders(outcome);
     html! {
         @if begun > 0 {
             p class="note" { "Contacts begun: " (begun) "; ended: " (ended) "." }
         }
-        @if !grave.is_empty() || !fenders.is_empty() {
+        @if !grave.is_empty() {
             h3 { "Needs attention" }
             ul class="plain" {
-                @for fender in fenders.iter().take(GRAVE_FENDERS) { li { (fender) } }
-                @if fenders.len() > GRAVE_FENDERS {
-                    li { "and " (fenders.len() - GRAVE_FENDERS) " more fenders, in summary.json" }
-                }
                 @for (kind, count) in grave {
                     li { (event_text(kind)) @if count > 1 { " (" (count) " times)" } }
                 }
@@ -152,35 +147,6 @@ fn remarks(outcome: &Outcome<'_>) -> Markup {
             }
         }
     }
-}
-
-/// A line for each overloaded fender, the worst first.
-fn grave_fenders(outcome: &Outcome<'_>) -> Vec<Markup> {
-    let setups = &outcome.setup.fenders;
-    let order = worst_first(setups, outcome.fenders);
-    let summaries = order.into_iter().map(|index| &outcome.fenders[index]);
-    let lines = summaries.filter_map(|summary| {
-        let fender = &setups[summary.fender];
-        let verdict = Verdict::of(fender, summary);
-        let of = |share: Option<f64>| share.map_or_else(|| "–".into(), |s| fixed(100.0 * s, 0));
-        verdict.is_grave().then(|| html! {
-            strong { (fender.name) ": " (verdict.text()) }
-            @match verdict {
-                Verdict::Failed => {
-                    ": compressed " (fixed(summary.peak_deflection_m * 1e3, 0)) " mm, into its stop or flat. "
-                    "The stop and the structure behind it carried the hull; do not use these forces for "
-                    "design."
-                }
-                Verdict::OverRated => {
-                    ": energy " (of(summary.share_of_rated_energy)) " %, reaction "
-                    (of(summary.share_of_rated_reaction)) " %, deflection "
-                    (of(summary.share_of_rated_deflection)) " % of rated."
-                }
-                _ => { ": " (of(summary.share_of_hull_pressure)) " % of the permissible hull pressure." }
-            }
-        })
-    });
-    lines.collect()
 }
 
 fn method_notes(outcome: &Outcome<'_>) -> Markup {

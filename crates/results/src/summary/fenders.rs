@@ -4,7 +4,7 @@ use fenderline_sim::{FenderSetup, FenderSource, FenderSummary};
 use serde_json::{Map, Value, json};
 
 use crate::outcome::Outcome;
-use crate::verdict::Verdict;
+use crate::verdict::FenderVerdict;
 
 /// One object per touched fender, in the order of the scenario. Missing data (rating, permissible hull pressure, source)
 /// have no key.
@@ -21,7 +21,7 @@ fn fender_json(fender: &FenderSetup, body: &str, summary: &FenderSummary) -> Val
     let mut object = json!({
         "name": fender.name,
         "body": body,
-        "verdict": Verdict::of(fender, summary).key(),
+        "verdict": FenderVerdict::of(fender, summary).key(),
         "failed": summary.failed,
         "first_touch_s": summary.first_touch_s,
         "approach_speed_mps": summary.approach_speed_mps,

@@ -3,6 +3,7 @@
 mod berthing;
 mod events;
 mod fenders;
+mod verdict;
 mod world;
 
 use core::fmt;
@@ -16,6 +17,7 @@ use crate::outcome::{Outcome, WrittenFile};
 use berthing::berthing_json;
 use events::events_json;
 use fenders::fenders_json;
+use verdict::verdict_json;
 use world::put_world;
 
 /// The word that a scenario file uses.
@@ -75,6 +77,7 @@ pub fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<String, S
         "integrator": integrator_text(setup.integrator),
         "step_s": setup.step_s,
         "steps": outcome.steps,
+        "verdict": verdict_json(outcome),
         "interrupted": outcome.interrupted.is_some(),
         "duration_s": setup.duration_s,
         "bodies": bodies,

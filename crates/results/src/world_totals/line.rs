@@ -1,7 +1,6 @@
 //! Totals of a mooring line over a run.
 
 use fenderline_contact::number::greater;
-use fenderline_sim::mooring::{LineKind, RopeCurve};
 use fenderline_sim::{Mooring, MooringSetup};
 
 use super::{Lasting, Peak};
@@ -38,7 +37,7 @@ impl LineTotals {
         if self.made_fast_s.is_none() {
             self.made_fast_s = Some(t_s);
             self.break_load_n = Some(line.break_load_n());
-            self.working_load_n = working_load_n(&setup.line.kind);
+            self.working_load_n = setup.line.kind.working_load_n();
         }
         self.is_fast = !state.parted;
         self.last_tension_n = now.load.tension_n;
@@ -108,17 +107,5 @@ impl LineVerdict {
             LineVerdict::OverWorking => "over_working_load",
             LineVerdict::Parted => "parted",
         }
-    }
-}
-
-/// Working load of a harbour line (N): 55 % of the rope's break load for wire, 50 % for others (MEG4, as
-/// [`fenderline_sim::mooring`] has it). None for a cable, for which that guideline has none.
-fn working_load_n(kind: &LineKind) -> Option<f64> {
-    match kind {
-        LineKind::Light { main, .. } => {
-            let share = if main.curve == RopeCurve::wire() { 0.55 } else { 0.5 };
-            Some(share * main.break_load_n)
-        }
-        LineKind::Heavy { .. } => None,
     }
 }

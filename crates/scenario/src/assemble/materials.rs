@@ -7,8 +7,8 @@ use super::{Assembly, Checked};
 use crate::checked::Table;
 use crate::error::Notice;
 
-/// Larger coefficients of friction get a notice. Rubber on dry steel or concrete has about 1, polyethylene facings about
-/// 0.2 (from memory, no source read); the margin is for rough surfaces.
+/// Larger coefficients of friction get a notice. Rubber on dry steel or concrete has about 1, polyethylene facings
+/// about 0.2 (from memory, no source read); the margin is for rough surfaces.
 const HIGHEST_USUAL_FRICTION: f64 = 1.5;
 
 impl Assembly<'_, '_> {

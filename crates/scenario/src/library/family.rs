@@ -39,7 +39,8 @@ pub struct Family {
 /// How the reaction of a family falls in unloading.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FamilyUnloading {
-    /// The share of energy returned, or the unloading curve with deflections over height and reactions over rated reaction.
+    /// The share of energy returned, or the unloading curve with deflections over height and reactions over rated
+    /// reaction.
     pub law: Unloading,
     /// Where it comes from.
     pub source: String,

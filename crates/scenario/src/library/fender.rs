@@ -26,8 +26,8 @@ pub struct CatalogueFender {
     /// Rated energy as published (J), where it was. It differs from the integral by several per cent
     /// (13 % for the smallest pneumatic fender) and is not used.
     pub published_energy_j: Option<f64>,
-    /// Deflection (m) against reaction (N), from (0, 0), deflections rising; piecewise linear. It may reach beyond the rated
-    /// deflection.
+    /// Deflection (m) against reaction (N), from (0, 0), deflections rising; piecewise linear. It may reach beyond the
+    /// rated deflection.
     pub curve: Vec<(f64, f64)>,
     /// How the reaction falls in unloading, where the family has it.
     pub unloading: Option<Unloading>,

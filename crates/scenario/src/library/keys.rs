@@ -175,9 +175,9 @@ static UNLOADING: TableSpec = TableSpec {
                 fewest: 2,
             }),
             Unless("`returned_energy` is given"),
-            "Rows of deflection over height and reaction over rated reaction that a retreat comes down to, \
-                  from [0, 0]; straight between them, nowhere above the curve. Beyond the last row the reaction \
-                  comes down to the same share of the curve as there.",
+            "The unloading curve: rows of deflection over height and reaction over rated reaction, from [0, 0]; \
+             straight between them, nowhere above the curve. Beyond the last row it keeps the same share of the \
+             curve as there.",
             &["[[0, 0], [0.25, 0.4], [0.5, 0.9]]"],
         ),
         SOURCE,

@@ -144,6 +144,10 @@ impl Rudder {
 fn share_over_rudder(advance_mps: f64, loading: f64) -> f64 {
     let advance_squared = advance_mps * advance_mps;
     let sum = advance_squared + loading.abs();
+    if sum == 0.0 {
+        // No race and no speed of advance, or one whose square is 0: any share gives no flow.
+        return 1.0;
+    }
     match (advance_mps >= 0.0, loading >= 0.0) {
         (true, true) => 1.0,
         (false, true) => loading / sum,

@@ -3,7 +3,7 @@
 use fenderline_contact::number::lesser;
 
 use super::ends::{LineEnds, Span};
-use super::rope::Rope;
+use super::rope::{Rope, RopeCurve};
 use super::winch::Winch;
 use crate::range::{OutOfRange, within};
 
@@ -79,6 +79,19 @@ impl LineKind {
                 main.break_load_n,
             ),
             LineKind::Heavy { break_load_n, .. } => *break_load_n,
+        }
+    }
+
+    /// Working load of a mooring rope (N): 55 % of the rope's break load for wire, 50 % for others (public summaries of
+    /// OCIMF's MEG4). `None` for a cable, for which that guideline has none.
+    #[must_use]
+    pub fn working_load_n(&self) -> Option<f64> {
+        match self {
+            LineKind::Light { main, .. } => {
+                let share = if main.curve == RopeCurve::wire() { 0.55 } else { 0.5 };
+                Some(share * main.break_load_n)
+            }
+            LineKind::Heavy { .. } => None,
         }
     }
 

@@ -14,6 +14,7 @@ use crate::order::{Action, LineAction, Order, OrderError, VesselAction, check_or
 use crate::record::Energy;
 use crate::setup::{Integrator, Method, Setup};
 use crate::summary::PairSummary;
+use crate::verdict::{Finding, Verdict};
 use crate::world::{Assist, Faults, Job, Mooring, TugAtWork, VesselState};
 
 impl Simulation {
@@ -111,6 +112,27 @@ impl Simulation {
     /// A summary of each fender that was touched, in the order of the set-up.
     pub fn fender_summaries(&self) -> impl Iterator<Item = &FenderSummary> {
         self.fender_summaries.all.iter().flatten()
+    }
+
+    /// What was found in the run so far, the worst first. [`Verdict::of`] gives the verdict.
+    #[must_use]
+    pub fn findings(&self) -> Vec<Finding> {
+        let gain = self.energy_gain();
+        let gain = gain
+            .map(|EnergyGain { gained_j, taken_j }| Finding::EnergyGained { gained_j, taken_j });
+        self.watch.findings(&self.setup, self.fender_summaries(), gain)
+    }
+
+    /// Bodies that started inside each other; empty in a sound scenario. Known before the first step.
+    #[must_use]
+    pub fn start_findings(&self) -> &[Finding] {
+        self.watch.starts()
+    }
+
+    /// The verdict on the run so far.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        Verdict::of(&self.findings())
     }
 
     /// The current state of the vessels, in the order of the set-up.

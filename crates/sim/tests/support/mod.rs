@@ -1,54 +1,23 @@
-//! Bodies and set-ups that the tests of this crate share.
+//! Bodies and set-ups that the tests of this crate share. Their numbers are those of the engine's tests.
 
-#![allow(dead_code, reason = "each test binary uses its own part")]
+#![allow(dead_code, unused_imports, reason = "each test binary uses its own part")]
 
 pub(crate) mod scenes;
+#[path = "../../../contact/tests/small_host/mod.rs"]
+mod small_host;
 
-use fenderline_contact::{Material, Outline, Vec2, vec2};
-use fenderline_sim::{
-    BodySetup, BodyVelocity, Integrator, MassProperties, Method, NamedMaterial, PairSetup, Setup,
-};
+use fenderline_contact::{Material, Outline};
+use fenderline_sim::{BodySetup, Integrator, Method, NamedMaterial, PairSetup, Setup};
 
-/// A rectangle, length along x, about the origin.
-pub(crate) fn rectangle(length_m: f64, width_m: f64) -> Outline {
-    let (x, y) = (0.5 * length_m, 0.5 * width_m);
-    outline(&[vec2(-x, -y), vec2(x, -y), vec2(x, y), vec2(-x, y)])
-}
-
-pub(crate) fn outline(vertices: &[Vec2]) -> Outline {
-    Outline::new(vertices).expect("a good outline").0
-}
+pub(crate) use small_host::{outline, rectangle, spring};
 
 /// A floating body; the yaw inertia from a radius of gyration.
 pub(crate) fn floating(name: &str, outline: Outline, mass_kg: f64, gyradius_m: f64) -> BodySetup {
-    let mass = MassProperties {
-        mass_kg,
-        yaw_inertia_kgm2: mass_kg * gyradius_m * gyradius_m,
-        ..MassProperties::default()
-    };
-    BodySetup { mass: Some(mass), ..fixed(name, outline) }
+    scenes::body(small_host::floating(name, outline, mass_kg, gyradius_m))
 }
 
 pub(crate) fn fixed(name: &str, outline: Outline) -> BodySetup {
-    BodySetup {
-        name: name.into(),
-        outline,
-        mass: None,
-        position_m: Vec2::ZERO,
-        heading_rad: 0.0,
-        velocity: BodyVelocity::default(),
-    }
-}
-
-pub(crate) fn spring(stiffness_npm2: f64, restitution: f64) -> Material {
-    Material {
-        stiffness_npm2,
-        damping_nspm2: 0.0,
-        shear_stiffness_npm: 0.0,
-        friction_static: 0.0,
-        friction_dynamic: 0.0,
-        restitution,
-    }
+    scenes::body(small_host::fixed(name, outline))
 }
 
 /// Two bodies of one material.

@@ -1,73 +1,26 @@
-//! The scenes against which the coupled method is judged: a tug's impact, an oblique berthing, a push.
+//! The scenes of the engine's tests as set-ups of the simulator.
 
-use std::f64::consts::FRAC_PI_2;
-
-use fenderline_contact::{FenderLaw, Material, Outline, ReactionFactors, Stop, vec2};
+use fenderline_contact::{Fender, Material};
 use fenderline_sim::{
-    BodySetup, FenderSetup, HullPressure, Integrator, Load, MassProperties, Method, NamedMaterial,
-    PairSetup, Rated, Setup,
+    BodySetup, BodyVelocity, FenderSetup, HullPressure, Integrator, Load, MassProperties, Method,
+    NamedMaterial, PairSetup, Rated, Setup, WorldSetup,
 };
 
-use super::{fixed, outline, spring};
+use super::small_host::{self, Scene, scenes};
 
-/// The paper's Table 1.
-pub(crate) fn rubber() -> Material {
-    Material {
-        shear_stiffness_npm: 3e6,
-        friction_static: 0.5,
-        friction_dynamic: 0.5,
-        ..spring(500e3, 0.1)
-    }
-}
+pub(crate) use scenes::{FENDER_HEIGHT_M, cone};
 
-/// The paper's tug, 32 m × 13 m with a flat bow 10 m wide; added masses ours, as in `scenarios/paper`.
 pub(crate) fn tug() -> BodySetup {
-    let half = [(16.0, 5.0), (15.5, 6.5), (-14.5, 6.5), (-16.0, 5.0)];
-    let mass_kg = 930e3;
-    BodySetup {
-        mass: Some(MassProperties {
-            mass_kg,
-            yaw_inertia_kgm2: mass_kg * 64.0,
-            added_surge_kg: 0.086 * mass_kg,
-            added_sway_kg: 0.84 * mass_kg,
-            added_yaw_kgm2: 0.4 * mass_kg * 64.0,
-        }),
-        ..fixed("tug", mirrored(&half))
-    }
+    body(scenes::tug())
 }
 
-/// The paper's container ship, 298 m × 46 m, with 190 m of parallel side.
-pub(crate) fn ship() -> BodySetup {
-    let half = [(149.0, 3.0), (90.0, 23.0), (-100.0, 23.0), (-149.0, 16.0)];
-    let mass_kg = 87.8e6;
-    let yaw_inertia_kgm2 = mass_kg * 74.5 * 74.5;
-    BodySetup {
-        mass: Some(MassProperties {
-            mass_kg,
-            yaw_inertia_kgm2,
-            added_surge_kg: 0.031 * mass_kg,
-            added_sway_kg: 0.506 * mass_kg,
-            added_yaw_kgm2: 0.72 * yaw_inertia_kgm2,
-        }),
-        ..fixed("ship", mirrored(&half))
-    }
+pub(crate) fn quay() -> BodySetup {
+    body(scenes::quay())
 }
 
-/// A hull from its starboard half, bow to stern.
-fn mirrored(half: &[(f64, f64)]) -> Outline {
-    let port = half.iter().rev().map(|&(x, y)| vec2(x, -y));
-    outline(&half.iter().map(|&(x, y)| vec2(x, y)).chain(port).collect::<Vec<_>>())
-}
-
-/// A cone fender's curve (fenders/cone.toml), of a height and a rated reaction.
-pub(crate) fn cone(height_m: f64, rated_reaction_n: f64) -> FenderLaw {
-    let reactions =
-        [0.0, 0.20, 0.39, 0.58, 0.76, 0.90, 0.98, 1.00, 0.98, 0.94, 0.90, 0.88, 0.88, 0.90, 0.96];
-    let points = (0..)
-        .zip(reactions)
-        .map(|(k, r)| [0.05 * f64::from(k) * height_m, r * rated_reaction_n])
-        .chain([0.72, 0.75].map(|d| [d * height_m, (1.0 + (d - 0.72) / 0.3) * rated_reaction_n]));
-    FenderLaw::Curve(points.collect())
+/// Concrete (0) and a fender's facing of friction 0.2 (1).
+pub(crate) fn berth_materials() -> Vec<NamedMaterial> {
+    materials(scenes::berth_materials())
 }
 
 /// A cone fender on the west side of body 0, material 1.
@@ -77,25 +30,62 @@ pub(crate) fn cone_fender(
     height_m: f64,
     rated_reaction_n: f64,
 ) -> FenderSetup {
-    let law = cone(height_m, rated_reaction_n);
+    fender(scenes::cone_fender(name, along_m, height_m, rated_reaction_n))
+}
+
+pub(crate) fn tug_impact(speed_mps: f64, along_m: f64, step_s: f64) -> Setup {
+    setup(scenes::tug_impact(speed_mps, along_m, step_s))
+}
+
+pub(crate) fn oblique_berthing(step_s: f64) -> Setup {
+    setup(scenes::oblique_berthing(step_s))
+}
+
+pub(crate) fn tug_push(step_s: f64) -> Setup {
+    setup(scenes::tug_push(step_s))
+}
+
+pub(crate) fn body(of: small_host::BodySetup) -> BodySetup {
+    let small_host::BodySetup { name, outline, mass, position_m, heading_rad, velocity } = of;
+    let small_host::BodyVelocity { surge_mps, sway_mps, yaw_radps } = velocity;
+    BodySetup {
+        name,
+        outline,
+        mass: mass.map(|mass| MassProperties {
+            mass_kg: mass.mass_kg,
+            yaw_inertia_kgm2: mass.yaw_inertia_kgm2,
+            added_surge_kg: mass.added_surge_kg,
+            added_sway_kg: mass.added_sway_kg,
+            added_yaw_kgm2: mass.added_yaw_kgm2,
+        }),
+        position_m,
+        heading_rad,
+        velocity: BodyVelocity { surge_mps, sway_mps, yaw_radps },
+    }
+}
+
+fn materials(all: Vec<Material>) -> Vec<NamedMaterial> {
+    let named = |(index, material)| NamedMaterial { name: format!("material {index}"), material };
+    all.into_iter().enumerate().map(named).collect()
+}
+
+/// Adds what only the simulator knows of a fender: the height of its face, and the pressure on the hull.
+fn fender(of: Fender) -> FenderSetup {
     FenderSetup {
-        name: name.into(),
-        body: 0,
-        position_m: vec2(along_m, 0.0),
-        facing_rad: -FRAC_PI_2,
-        width_m: 2.0,
+        name: of.name,
+        body: of.body.0 as usize,
+        position_m: of.position_m,
+        facing_rad: of.facing_rad,
+        width_m: of.width_m,
         height_m: 3.0,
         above_water_m: 2.0,
-        projection_m: height_m,
-        rated: Rated::of(&law, 0.72 * height_m),
-        stop: Some(Stop {
-            from_m: 0.75 * height_m,
-            stiffness_npm: 50.0 * rated_reaction_n / height_m,
-        }),
-        law,
-        unloading: None,
-        material: 1,
-        factors: ReactionFactors::default(),
+        projection_m: of.projection_m,
+        rated: Rated::of(&of.law, of.rated_deflection_m),
+        stop: of.stop,
+        law: of.law,
+        unloading: of.unloading,
+        material: of.material.0 as usize,
+        factors: of.factors,
         energy_by_angle: vec![],
         hull_pressure: HullPressure::OverFace,
         hull_pressure_limit_npm2: None,
@@ -103,112 +93,33 @@ pub(crate) fn cone_fender(
     }
 }
 
-/// Concrete (0) and a fender's facing of friction 0.2 (1).
-pub(crate) fn berth_materials() -> Vec<NamedMaterial> {
-    let of_friction = |friction: f64, shear_stiffness_npm, stiffness| Material {
-        shear_stiffness_npm,
-        friction_static: friction,
-        friction_dynamic: friction,
-        ..spring(stiffness, 0.1)
+fn setup(of: Scene) -> Setup {
+    let pair = |pair: small_host::PairSetup| {
+        let small_host::PairSetup { bodies, material } = pair;
+        PairSetup { bodies, material }
     };
-    let named = |name: &str, material| NamedMaterial { name: name.into(), material };
-    vec![
-        named("concrete", of_friction(0.5, 1e7, 50e6)),
-        named("facing", of_friction(0.2, 3e6, 0.0)),
-    ]
-}
-
-/// A quay along the meridian with eight cone fenders on its west side.
-pub(crate) fn quay() -> BodySetup {
-    let corners = [vec2(-250.0, 0.0), vec2(250.0, 0.0), vec2(250.0, 20.0), vec2(-250.0, 20.0)];
-    fixed("quay", outline(&corners))
-}
-
-pub(crate) const FENDER_HEIGHT_M: f64 = 1.6;
-
-fn eight_fenders() -> Vec<FenderSetup> {
-    (0..8)
-        .map(|k| {
-            let along_m = -84.0 + 24.0 * f64::from(k);
-            cone_fender(&format!("fender {k}"), along_m, FENDER_HEIGHT_M, 1.2e6)
-        })
-        .collect()
-}
-
-fn coupled(step_s: f64, duration_s: f64, bodies: Vec<BodySetup>) -> Setup {
+    let load = |load: small_host::Load| {
+        let small_host::Load { body, force_n } = load;
+        Load { body, force_n, moment_nm: 0.0, from_s: 0.0, until_s: f64::INFINITY }
+    };
     Setup {
-        step_s,
-        duration_s,
-        integrator: Integrator::SemiImplicit,
-        method: Method::Coupled,
-        bodies,
-        materials: berth_materials(),
-        pairs: vec![],
+        step_s: of.step_s,
+        duration_s: of.duration_s,
+        integrator: match of.integrator {
+            small_host::Integrator::Euler => Integrator::Euler,
+            small_host::Integrator::SemiImplicit => Integrator::SemiImplicit,
+        },
+        method: match of.method {
+            small_host::Method::Coupled => Method::Coupled,
+            small_host::Method::Paper => Method::Paper,
+        },
+        bodies: of.bodies.into_iter().map(body).collect(),
+        materials: materials(of.materials),
+        pairs: of.pairs.into_iter().map(pair).collect(),
         all_other_pairs: None,
-        fenders: vec![],
+        fenders: of.fenders.into_iter().map(fender).collect(),
         berthing: None,
-        loads: vec![],
-        world: fenderline_sim::WorldSetup::default(),
+        loads: of.loads.into_iter().map(load).collect(),
+        world: WorldSetup::default(),
     }
-}
-
-/// The paper's experiment: the tug, bow on, 2 m off the ship's side `along_m` forward of midships.
-pub(crate) fn tug_impact(speed_mps: f64, along_m: f64, step_s: f64) -> Setup {
-    let mut tug = tug();
-    tug.heading_rad = FRAC_PI_2;
-    tug.position_m = vec2(along_m, -41.0);
-    tug.velocity.surge_mps = speed_mps;
-    let mut setup = coupled(step_s, 20.0, vec![ship(), tug]);
-    setup.materials = vec![NamedMaterial { name: "rubber".into(), material: rubber() }];
-    setup.pairs = vec![PairSetup { bodies: [0, 1], material: 0 }];
-    setup
-}
-
-/// The same 20 m forward of midships, her bow 20° aft of square: one shoulder touches, she sticks, turns
-/// and rolls along the side.
-pub(crate) fn oblique_tug_impact(speed_mps: f64, step_s: f64) -> Setup {
-    let mut setup = tug_impact(speed_mps, 20.0, step_s);
-    let tug = &mut setup.bodies[1];
-    tug.heading_rad = 70.0_f64.to_radians();
-    let (sin, cos) = (libm::sin(tug.heading_rad), libm::cos(tug.heading_rad));
-    tug.position_m.y = -23.0 - 1.0 - 16.0 * sin - 5.0 * cos;
-    setup
-}
-
-/// The ship, bow 5° towards the quay, comes in sideways at 0.15 m/s with 0.1 m/s along the berth.
-pub(crate) fn oblique_berthing(step_s: f64) -> Setup {
-    let mut ship = ship();
-    let angle = 5.0_f64.to_radians();
-    ship.heading_rad = angle;
-    // The forward shoulder's place beside the foremost fender, less the fender and half a metre.
-    let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-    ship.position_m = vec2(0.0, -FENDER_HEIGHT_M - 0.5 - (90.0 * sin + 23.0 * cos));
-    ship.velocity.surge_mps = 0.1 * cos + 0.15 * sin;
-    ship.velocity.sway_mps = 0.15 * cos - 0.1 * sin;
-    let mut setup = coupled(step_s, 180.0, vec![quay(), ship]);
-    setup.fenders = eight_fenders();
-    setup.pairs = vec![PairSetup { bodies: [0, 1], material: 0 }];
-    setup
-}
-
-/// The ship alongside, and the tug at her outer side, 60 m forward of midships, pushing with 500 kN.
-pub(crate) fn tug_push(step_s: f64) -> Setup {
-    let mut ship = ship();
-    ship.position_m = vec2(0.0, -FENDER_HEIGHT_M - 23.0);
-    let mut tug = tug();
-    tug.heading_rad = FRAC_PI_2;
-    tug.position_m = ship.position_m + vec2(60.0, -23.0 - 16.0);
-    let mut setup = coupled(step_s, 600.0, vec![quay(), ship, tug]);
-    setup.fenders = eight_fenders();
-    setup.materials.push(NamedMaterial { name: "rubber".into(), material: rubber() });
-    setup.pairs =
-        vec![PairSetup { bodies: [0, 1], material: 0 }, PairSetup { bodies: [1, 2], material: 2 }];
-    setup.loads = vec![Load {
-        body: 2,
-        force_n: vec2(0.0, 500e3),
-        moment_nm: 0.0,
-        from_s: 0.0,
-        until_s: f64::INFINITY,
-    }];
-    setup
 }

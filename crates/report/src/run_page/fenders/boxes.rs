@@ -5,8 +5,8 @@ use fenderline_contact::{BodyState, Rotation, vec2};
 use fenderline_sim::FenderSetup;
 
 use crate::plot::{FenderBox, Label, Place, Use, shortened};
+use fenderline_results::FenderVerdict;
 use fenderline_results::Outcome;
-use fenderline_results::{Verdict, utilisation};
 
 /// Most fenders with names.
 const NAMED: usize = 12;
@@ -65,8 +65,8 @@ fn used(outcome: &Outcome<'_>, index: usize) -> Use {
     let Some(summary) = outcome.fenders.iter().find(|f| f.fender == index) else {
         return Use::Untouched;
     };
-    match Verdict::of(&outcome.setup.fenders[index], summary) {
-        Verdict::Failed => Use::Failed,
-        _ => utilisation(summary).map_or(Use::NotRated, Use::Share),
+    match FenderVerdict::of(&outcome.setup.fenders[index], summary) {
+        FenderVerdict::Failed => Use::Failed,
+        _ => summary.governing().map_or(Use::NotRated, |(_, share)| Use::Share(share)),
     }
 }

@@ -11,7 +11,7 @@ use super::Recorder;
 use super::charts::Charts;
 use crate::plot::fixed;
 use fenderline_results::Outcome;
-use fenderline_results::{Verdict, most_used, utilisation, worst_first};
+use fenderline_results::worst_first;
 
 pub(super) use boxes::{boxes, names};
 pub(super) use setup::setup_table;
@@ -23,18 +23,16 @@ pub(super) fn headline(outcome: &Outcome<'_>) -> Markup {
         return html! {};
     }
     let unrated = outcome.fenders.iter().filter(|f| setups[f.fender].rated.is_none()).count();
-    let verdicts = outcome.fenders.iter().map(|f| Verdict::of(&setups[f.fender], f));
-    let Some(worst) = verdicts.max() else {
+    if outcome.fenders.is_empty() {
         return html! { p { "None of the " (setups.len()) " fenders was touched." } };
-    };
+    }
     let most = worst_first(setups, outcome.fenders).first().map(|&i| &outcome.fenders[i]);
     html! {
         p {
-            span class={ "verdict " (worst.key()) } { "Fenders: " (worst.text()) }
-            " " (outcome.fenders.len()) " of " (setups.len()) " touched"
-            @if let Some((summary, share)) = most.and_then(|f| Some((f, utilisation(f)?))) {
+            (outcome.fenders.len()) " of " (setups.len()) " fenders touched"
+            @if let Some((summary, (quantity, share))) = most.and_then(|f| Some((f, f.governing()?))) {
                 "; most used " strong { (setups[summary.fender].name) } ", "
-                (fixed(100.0 * share, 0)) " % of its rated " (most_used(summary))
+                (fixed(100.0 * share, 0)) " % of its rated " (quantity)
             }
             "."
             @if unrated > 0 && unrated < outcome.fenders.len() {

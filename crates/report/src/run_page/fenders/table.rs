@@ -9,7 +9,7 @@ use maud::{Markup, html};
 use crate::plot::{decimals_for, fixed, plain, significant};
 use crate::{Head, table_head};
 use fenderline_results::Outcome;
-use fenderline_results::{Verdict, worst_first};
+use fenderline_results::{FenderVerdict, worst_first};
 
 /// Fenders shown; of more, the most used.
 const ROWS: usize = 40;
@@ -36,7 +36,7 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
                     Head::Number("First touch", "s"),
                     Head::Number("Approach", "m/s, deg"),
                     Head::Number("Factor", "on reaction, on energy"),
-                    Head::Text("Verdict", ""),
+                    Head::Text("FenderVerdict", ""),
                 ]))
                 tbody {
                     @for &index in &shown {
@@ -134,7 +134,7 @@ fn cells(
             @if names_kind { small { (kind_of(fender)) } }
         }
         @if let Some(summary) = summary {
-            @let verdict = Verdict::of(fender, summary);
+            @let verdict = FenderVerdict::of(fender, summary);
             (value(&fixed(summary.peak_deflection_m * 1e3, 0), summary.share_of_rated_deflection))
             (value(&significant(summary.peak_reaction_n / 1e3, 3), summary.share_of_rated_reaction))
             (value(&significant(summary.peak_energy_j / 1e3, 3), summary.share_of_rated_energy))

@@ -12,27 +12,16 @@ use fenderline_results::{LineVerdict, Who};
 /// Most events listed.
 const EVENTS: usize = 12;
 
-/// Ships aground, and the lines in one sentence.
+/// The lines in a sentence; nothing where there are none.
 pub(in crate::run_page) fn headline(outcome: &Outcome<'_>) -> Markup {
-    let (setup, world) = (outcome.setup, outcome.world);
-    let aground = setup.world.vessels.iter().zip(&world.vessels);
-    let aground = aground.filter(|(_, totals)| totals.aground.s() > 0.0);
-    let worst = world.lines.iter().map(|line| line.verdict()).max();
+    let world = outcome.world;
     let share = world.lines.iter().filter_map(|line| line.share_of_break_load());
     let share = share.fold(0.0, greater);
     let parted = world.lines.iter().filter(|line| line.parted_s.is_some()).count();
     html! {
-        @for (vessel, totals) in aground {
+        @if !world.lines.is_empty() {
             p {
-                span class="verdict failed" { "AGROUND" }
-                " " (setup.bodies[vessel.body].name) " was aground for "
-                (plain(totals.aground.s(), 4)) " s."
-            }
-        }
-        @if let Some(worst) = worst {
-            p {
-                span class={ "verdict " (class(worst)) } { "Lines: " (worst.text()) }
-                " " (counted(world.lines.len() as u64, "line", "lines"))
+                (counted(world.lines.len() as u64, "line", "lines"))
                 @if parted > 0 { ", " strong { (parted) " PARTED" } }
                 "; the most used reached " (fixed(100.0 * share, 0)) " % of its break load."
             }

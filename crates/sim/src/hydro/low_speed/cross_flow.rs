@@ -86,6 +86,11 @@ fn square_moment(a: f64, b: f64) -> f64 {
     if a.abs() >= half {
         return a.abs() * b / 6.0;
     }
+    let divisor = 24.0 * half * half;
+    if divisor == 0.0 {
+        // The squares of both are smaller than any number.
+        return 0.0;
+    }
     let a2 = a * a;
-    (half * half / 8.0 + a2 / 4.0 - a2 * a2 / (24.0 * half * half)).copysign(b)
+    (half * half / 8.0 + a2 / 4.0 - a2 * a2 / divisor).copysign(b)
 }

@@ -19,16 +19,36 @@ pub struct Wake {
 impl Wake {
     /// 1 − w: u_P = u(1 − w). Astern the propeller is in open water, without wake.
     pub fn remaining(&self, velocity: &Velocity, length_m: f64) -> f64 {
-        if velocity.surge_mps <= 0.0 {
+        // The square of a very small speed is 0.
+        let speed_mps = velocity.speed_mps();
+        if velocity.surge_mps <= 0.0 || speed_mps == 0.0 {
             return 1.0;
         }
         let straight = 1.0 - self.straight;
         if self.rate == 0.0 {
             return straight;
         }
-        let yaw = velocity.yaw_radps * length_m / velocity.speed_mps();
+        let yaw = velocity.yaw_radps * length_m / speed_mps;
         let angle_rad = velocity.drift_rad() - self.place * yaw;
         let limit = self.limits[usize::from(angle_rad > 0.0)];
         straight * (1.0 + (1.0 - libm::exp(-self.rate * angle_rad.abs())) * (limit - 1.0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The wrench of a ship that a soft seabed had all but stopped was not a number.
+    #[test]
+    fn the_wake_of_a_ship_that_has_all_but_stopped_is_a_number() {
+        let wake = Wake { straight: 0.4, limits: [1.6, 1.1], rate: 4.0, place: -0.5 };
+        for surge_mps in [1e-150, 1e-162, 1e-170, 1e-300, 5e-324] {
+            for yaw_radps in [0.0, 1e-160, 1.0] {
+                let velocity = Velocity { surge_mps, sway_mps: 0.0, yaw_radps };
+                let remaining = wake.remaining(&velocity, 200.0);
+                assert!((0.0..=1.0).contains(&remaining), "{surge_mps}, {yaw_radps}: {remaining}");
+            }
+        }
     }
 }

@@ -1,6 +1,5 @@
-//! What a workspace keeps between steps decides how fast an answer comes, never what it is: a run that
-//! gets a new one every step gives the same bits as one that keeps its own, and so does one that does not ask for
-//! a report of each contact.
+//! The content of a workspace affects speed, never results: a run with a new workspace in each step gives the same bits
+//! as one that keeps its own, and so does a run without contact reports.
 
 mod support;
 
@@ -15,7 +14,7 @@ use support::shapes::{ellipse, hull, points, rectangle, stepped_ship};
 const STEP_S: f64 = 0.25;
 const STEPS: usize = 120;
 
-/// Tugs, barges and stepped ships adrift before a quay with fenders, in each other's way.
+/// Drifting tugs, barges and stepped ships in front of a quay with fenders, close to each other.
 fn crowd() -> (Model, Vec<BodyState>, Vec<Wrench>) {
     let shapes = [rectangle(24.0, 9.0), hull(40.0, 11.0, 12), ellipse(20.0, 8.0, 20, &[])];
     let mut builder = Model::builder();
@@ -28,7 +27,7 @@ fn crowd() -> (Model, Vec<BodyState>, Vec<Wrench>) {
     for number in 0..30_u64 {
         let shape = if number % 10 == 7 { &stepped_ship() } else { &shapes[number as usize % 3] };
         let free = number % 11 != 5;
-        // Keys in another order than bodies.
+        // Keys are in another order than bodies.
         builder.body(body((number * 7) % 31, shape, free));
         let (row, column) = ((number / 6) as f64, (number % 6) as f64);
         let mut state =
@@ -66,29 +65,29 @@ fn fender(body: BodyId, material: MaterialId, key: u64) -> Fender {
     }
 }
 
-/// All that a step gives.
+/// All results of a step.
 type Found = (Vec<Contact>, Vec<Wrench>, Vec<Event>, Vec<BodyState>, Vec<u8>);
 
-/// A step that moves the states on.
+/// A step, and the motion of the states.
 type OneStep = fn(&Model, &mut Memory, &mut Workspace, &mut [BodyState], &[Wrench]);
 
-/// What becomes of the workspace.
+/// The use of the workspace.
 #[derive(Clone, Copy, PartialEq)]
 enum Work {
     Kept,
-    ThrownAway,
-    /// Kept, and not asked for contacts.
+    New,
+    /// Kept, without contact reports.
     Brief,
 }
 
-/// Every step of a run.
+/// The results of all steps of a run.
 fn run(one_step: OneStep, with: Work) -> Vec<Found> {
     let (model, mut states, loads) = crowd();
     let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
     work.report_contacts(with != Work::Brief);
     (0..STEPS)
         .map(|_| {
-            if with == Work::ThrownAway {
+            if with == Work::New {
                 work = Workspace::new(&model);
             }
             one_step(&model, &mut memory, &mut work, &mut states, &loads);
@@ -99,8 +98,8 @@ fn run(one_step: OneStep, with: Work) -> Vec<Found> {
 }
 
 fn same_bits(one_step: OneStep) {
-    let (kept, thrown_away) = (run(one_step, Work::Kept), run(one_step, Work::ThrownAway));
-    for (index, (one, other)) in kept.iter().zip(&thrown_away).enumerate() {
+    let (kept, renewed) = (run(one_step, Work::Kept), run(one_step, Work::New));
+    for (index, (one, other)) in kept.iter().zip(&renewed).enumerate() {
         // Debug text shows every bit of a float that is not NaN.
         assert_eq!(format!("{one:?}"), format!("{other:?}"), "step {index}");
     }
@@ -110,10 +109,10 @@ fn same_bits(one_step: OneStep) {
 }
 
 fn same_bits_but_for_contacts(one_step: OneStep) {
-    let (told, brief) = (run(one_step, Work::Kept), run(one_step, Work::Brief));
-    for (index, (mut told, brief)) in told.into_iter().zip(brief).enumerate() {
-        told.0.clear();
-        assert_eq!(format!("{told:?}"), format!("{brief:?}"), "step {index}");
+    let (results, brief) = (run(one_step, Work::Kept), run(one_step, Work::Brief));
+    for (index, (mut results, brief)) in results.into_iter().zip(brief).enumerate() {
+        results.0.clear();
+        assert_eq!(format!("{results:?}"), format!("{brief:?}"), "step {index}");
     }
 }
 
@@ -149,28 +148,27 @@ fn by_the_coupled_method(
 }
 
 #[test]
-fn a_workspace_thrown_away_every_step_changes_no_bit_of_the_papers_method() {
+fn a_new_workspace_in_every_step_changes_no_bit_of_the_papers_method() {
     same_bits(by_the_papers_method);
 }
 
 #[test]
-fn a_workspace_thrown_away_every_step_changes_no_bit_of_the_coupled_method() {
+fn a_new_workspace_in_every_step_changes_no_bit_of_the_coupled_method() {
     same_bits(by_the_coupled_method);
 }
 
 #[test]
-fn contacts_that_are_not_told_change_no_bit_of_the_papers_method() {
+fn missing_contact_reports_change_no_bit_of_the_papers_method() {
     same_bits_but_for_contacts(by_the_papers_method);
 }
 
 #[test]
-fn contacts_that_are_not_told_change_no_bit_of_the_coupled_method() {
+fn missing_contact_reports_change_no_bit_of_the_coupled_method() {
     same_bits_but_for_contacts(by_the_coupled_method);
 }
 
-/// What the host does with what is fixed: body 6 and the quay stand, go for a while and stand again, and are put
-/// elsewhere at once.
-fn move_what_is_fixed(states: &mut [BodyState], index: usize) {
+/// Moves the fixed bodies: body 6 and the quay are at rest, move for a while, are at rest again, and are teleported.
+fn move_fixed_bodies(states: &mut [BodyState], index: usize) {
     let goes_mps = if (30..60).contains(&(index % 80)) { 0.3 } else { 0.0 };
     for body in [0, 6] {
         states[body].velocity_mps = vec2(0.0, -goes_mps);
@@ -182,8 +180,8 @@ fn move_what_is_fixed(states: &mut [BodyState], index: usize) {
     }
 }
 
-/// Other uses of a workspace: a run by the paper's method, a run in which what is fixed is elsewhere, and a step
-/// that fails after some bodies have been looked at.
+/// Other uses of a workspace: by the paper's method, with the fixed bodies at other positions, and a step that fails
+/// after some bodies were processed.
 fn use_otherwise(
     model: &Model,
     other: &mut Memory,
@@ -210,36 +208,40 @@ fn use_otherwise(
     }
 }
 
-/// Bodies that stand as they stood are left as they are in the workspace, unless another use has come between.
+/// The workspace keeps the values of bodies that have not moved, unless it was used otherwise in between.
 #[test]
 fn a_workspace_used_otherwise_in_between_changes_no_bit() {
     let (model, mut states, loads) = crowd();
     let (mut memory, mut own) = (Memory::new(&model), Workspace::new(&model));
     let (mut same_memory, mut other_memory) = (Memory::new(&model), Memory::new(&model));
     for index in 0..STEPS {
-        move_what_is_fixed(&mut states, index);
+        move_fixed_bodies(&mut states, index);
         use_otherwise(&model, &mut other_memory, &mut own, &states, &loads, index);
         let mut fresh = Workspace::new(&model);
         let found =
             [(&mut memory, &mut own), (&mut same_memory, &mut fresh)].map(|(memory, work)| {
                 advance(&model, memory, work, &states, &loads, STEP_S)
                     .expect("good states and loads");
-                let told = (work.contacts(), work.wrenches(), work.events());
-                format!("{told:?} {:?} {:?} {memory:?}", work.states_after(), work.displacements())
+                let results = (work.contacts(), work.wrenches(), work.events());
+                format!(
+                    "{results:?} {:?} {:?} {memory:?}",
+                    work.states_after(),
+                    work.displacements()
+                )
             });
         assert!(found[0] == found[1], "step {index}");
         states.copy_from_slice(own.states_after());
     }
 }
 
-/// Now and then a step that does not, so that each finds what the other left.
+/// Steps that move bodies in place alternate with others, so that each starts from the other's workspace.
 #[test]
-fn bodies_moved_in_place_go_where_they_go_otherwise() {
+fn advance_in_place_moves_bodies_like_advance() {
     let (model, mut states, loads) = crowd();
     let (mut memory, mut own) = (Memory::new(&model), Workspace::new(&model));
     let (mut same_memory, mut other) = (Memory::new(&model), Workspace::new(&model));
     for index in 0..STEPS {
-        move_what_is_fixed(&mut states, index);
+        move_fixed_bodies(&mut states, index);
         let mut moved = states.clone();
         if index % 9 < 7 {
             advance_in_place(&model, &mut memory, &mut own, &mut moved, &loads, STEP_S)
@@ -254,8 +256,8 @@ fn bodies_moved_in_place_go_where_they_go_otherwise() {
     }
 }
 
-/// A ship of 1000 t against the two fenders of a quay, with bodies and materials added in this order or backwards,
-/// and adrift beside it so many more.
+/// A ship of 1000 t on two fenders of a quay, with bodies and materials added in this order or in reverse, and with
+/// `more` bodies adrift beside it.
 fn berth(backwards: bool, more: u64) -> (Model, Vec<BodyState>) {
     let mut builder = Model::builder();
     let mut bodies = vec![
@@ -290,7 +292,7 @@ fn berth(backwards: bool, more: u64) -> (Model, Vec<BodyState>) {
     (builder.build().expect("a good model"), states)
 }
 
-/// A workspace that was made for fewer bodies had no room for what contacts of more let go: a step panicked.
+/// A workspace made for fewer bodies had no room for the energy released by more contacts: a step panicked.
 #[test]
 fn a_workspace_made_for_a_smaller_model_serves_a_larger_one() {
     let (small, _) = berth(false, 0);
@@ -315,10 +317,10 @@ fn a_workspace_made_for_a_smaller_model_serves_a_larger_one() {
     assert_eq!(after(Workspace::new(&small)), after(Workspace::new(&large)));
 }
 
-/// Two models that differ only by the order in which bodies and materials were added have the same memories: a
-/// workspace took what it had of the one for that of the other, and the quay was told to be where the ship is.
+/// Models that differ only in the order of adding bodies and materials have the same memories. A workspace used its
+/// values of one model for the other, and the quay was reported at the ship's position.
 #[test]
-fn a_workspace_shared_with_the_same_model_in_another_order_changes_no_bit() {
+fn a_workspace_used_for_the_same_model_in_another_order_changes_no_bit() {
     let models = [berth(false, 2), berth(true, 2)];
     let mut runs = models.each_ref().map(|(model, states)| (Memory::new(model), states.clone()));
     let mut shared = Workspace::new(&models[0].0);
@@ -329,9 +331,9 @@ fn a_workspace_shared_with_the_same_model_in_another_order_changes_no_bit() {
             let found =
                 [(&mut same, &mut own), (&mut *memory, &mut shared)].map(|(memory, work)| {
                     advance(model, memory, work, states, &loads, STEP_S).expect("good states");
-                    let told = (work.contacts(), work.wrenches(), work.events());
+                    let results = (work.contacts(), work.wrenches(), work.events());
                     format!(
-                        "{told:?} {:?} {:?} {memory:?}",
+                        "{results:?} {:?} {:?} {memory:?}",
                         work.states_after(),
                         work.displacements()
                     )
@@ -342,16 +344,16 @@ fn a_workspace_shared_with_the_same_model_in_another_order_changes_no_bit() {
     }
 }
 
-/// The first error left the results of the last good step alone, the second took its states.
+/// The first error kept the results of the last good step, the second changed its states.
 #[test]
-fn errors_in_a_row_leave_the_results_of_the_last_good_step() {
+fn repeated_errors_keep_the_results_of_the_last_good_step() {
     let (model, states) = berth(false, 1);
     let loads = vec![Wrench::default(); states.len()];
     let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
     advance(&model, &mut memory, &mut work, &states, &loads, STEP_S).expect("good states");
     let results = |work: &Workspace| {
-        let told = (work.contacts(), work.wrenches(), work.events());
-        format!("{told:?} {:?} {:?}", work.states_after(), work.displacements())
+        let results = (work.contacts(), work.wrenches(), work.events());
+        format!("{results:?} {:?} {:?}", work.states_after(), work.displacements())
     };
     let before = (results(&work), memory.snapshot());
     let mut bad = states.clone();

@@ -1,0 +1,42 @@
+//! The verdict in the summary that `run` prints, and in its exit code.
+
+use core::fmt::Write as _;
+
+use super::printed::one_line;
+use crate::failure::Failure;
+use fenderline_results::Outcome;
+use fenderline_sim::{Finding, Gravity, Verdict};
+
+/// Findings printed at most.
+const FINDINGS: usize = 12;
+
+/// The verdict in one line, in capitals from the first exceeded limit on, and a line a finding, the worst first.
+pub(super) fn lines(outcome: &Outcome<'_>) -> String {
+    let verdict = Verdict::of(outcome.findings);
+    let is_grave = verdict.gravity() >= Gravity::Attention;
+    let words = if is_grave { verdict.text().to_uppercase() } else { verdict.text().to_owned() };
+    let mut text = format!("verdict: {words}\n");
+    for finding in outcome.findings.iter().take(FINDINGS) {
+        let _ = writeln!(text, "  {}", one_line(&finding.sentence(outcome.setup)));
+    }
+    if outcome.findings.len() > FINDINGS {
+        let more = outcome.findings.len() - FINDINGS;
+        let _ = writeln!(text, "  and {more} more, in summary.json");
+    }
+    text
+}
+
+/// The end of the command.
+///
+/// # Errors
+/// A failed case where something broke or was struck and failures are not allowed.
+pub(super) fn exit(findings: &[Finding], allow_failures: bool) -> Result<(), Failure> {
+    let verdict = Verdict::of(findings);
+    if verdict.gravity() < Gravity::Failed || allow_failures {
+        return Ok(());
+    }
+    Err(Failure::case(format_args!(
+        "error: {}; the results are complete (--allow-failures: exit code 0)",
+        verdict.text()
+    )))
+}

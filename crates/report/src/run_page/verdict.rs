@@ -1,0 +1,38 @@
+//! The verdict on the run, at the top of the page.
+
+use maud::{Markup, html};
+
+use fenderline_results::Outcome;
+use fenderline_sim::{Gravity, Verdict};
+
+/// Findings shown at most.
+const FINDINGS: usize = 12;
+
+/// The verdict, and its findings from the worst on.
+pub(super) fn headline(outcome: &Outcome<'_>) -> Markup {
+    let verdict = Verdict::of(outcome.findings);
+    let (shown, rest) = outcome.findings.split_at(outcome.findings.len().min(FINDINGS));
+    html! {
+        p class="headline" {
+            span class={ "verdict " (class(verdict.gravity())) } { (verdict.text()) }
+        }
+        @if !shown.is_empty() {
+            ul class="plain" {
+                @for finding in shown {
+                    li { (finding.sentence(outcome.setup)) "." }
+                }
+                @if !rest.is_empty() { li { "And " (rest.len()) " more, in summary.json." } }
+            }
+        }
+    }
+}
+
+/// The class that colours a verdict.
+fn class(gravity: Gravity) -> &'static str {
+    match gravity {
+        Gravity::Ok => "ok",
+        Gravity::Note => "not_rated",
+        Gravity::Attention => "over_rated",
+        Gravity::Failed => "failed",
+    }
+}

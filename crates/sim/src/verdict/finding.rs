@@ -1,0 +1,279 @@
+//! What can be found in a run.
+
+use super::Verdict;
+use crate::setup::Setup;
+
+/// Something found in a run, with the body, fender, line or vessel that it is about: indices into the [`Setup`].
+#[derive(Clone, Debug, PartialEq)]
+pub enum Finding {
+    /// A hull touched a structure without a fender between them.
+    StructureStruck {
+        /// The two bodies.
+        bodies: [usize; 2],
+        /// Start of the first step of it (s).
+        first_s: f64,
+        /// How long they touched (s).
+        lasting_s: f64,
+        /// Peak normal force (N).
+        peak_force_n: f64,
+        /// Peak penetration (m).
+        peak_depth_m: f64,
+    },
+    /// A fender was compressed to its stop, or to its whole projection.
+    FenderFailed {
+        /// The fender.
+        fender: usize,
+        /// Start of the step of its peak deflection (s).
+        at_s: f64,
+        /// Peak deflection (m).
+        deflection_m: f64,
+    },
+    /// A line parted.
+    LineParted {
+        /// The line.
+        line: usize,
+        /// When (s).
+        at_s: f64,
+        /// The tension at which it parted (N).
+        tension_n: f64,
+    },
+    /// Two bodies started inside each other, or a fender started beyond its rated deflection.
+    StartInside {
+        /// The two bodies.
+        bodies: [usize; 2],
+        /// The fender, where one is between them.
+        fender: Option<usize>,
+        /// Penetration of structure, or deflection of the fender (m).
+        depth_m: f64,
+    },
+    /// A vessel was aground.
+    Aground {
+        /// The vessel.
+        vessel: usize,
+        /// Start of the first step of it (s).
+        first_s: f64,
+        /// How long (s).
+        lasting_s: f64,
+    },
+    /// A fender was beyond its rating.
+    FenderOverRated {
+        /// The fender.
+        fender: usize,
+        /// `energy`, `deflection` or `reaction`: the one that governs.
+        quantity: &'static str,
+        /// Its peak over the rated one.
+        share: f64,
+    },
+    /// A line could not be made fast: its ends were farther apart than its length.
+    LineNotMadeFast {
+        /// The line.
+        line: usize,
+        /// When (s).
+        at_s: f64,
+    },
+    /// A line was above its working load.
+    LineOverWorking {
+        /// The line.
+        line: usize,
+        /// Start of the first step of it (s).
+        first_s: f64,
+        /// How long (s).
+        lasting_s: f64,
+        /// Peak tension over working load.
+        share: f64,
+    },
+    /// A fender pressed harder on the hull than permitted.
+    HullPressure {
+        /// The fender.
+        fender: usize,
+        /// Peak pressure over the permissible one.
+        share: f64,
+    },
+    /// Contacts created energy. Only the paper's method does.
+    EnergyGained {
+        /// Energy returned beyond the energy absorbed (J).
+        gained_j: f64,
+        /// Energy absorbed (J).
+        taken_j: f64,
+    },
+    /// The coupled solve did not converge.
+    NotConverged {
+        /// Start of the first step of it (s).
+        first_s: f64,
+        /// Number of steps.
+        steps: u32,
+    },
+    /// The brake of a line's winch rendered.
+    LineRendered {
+        /// The line.
+        line: usize,
+        /// Line paid out by it (m).
+        rendered_m: f64,
+    },
+    /// A fender without rating was touched.
+    FenderNotRated {
+        /// The fender.
+        fender: usize,
+    },
+    /// Two bodies touched, and nothing says what they stand.
+    ContactNotRated {
+        /// The two bodies.
+        bodies: [usize; 2],
+    },
+    /// The scenario has fenders, and none was touched.
+    NoFenderTouched,
+}
+
+impl Finding {
+    /// The verdict on a run with this finding alone.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        match self {
+            Finding::StructureStruck { .. } => Verdict::StructureStruck,
+            Finding::FenderFailed { .. } => Verdict::FenderFailed,
+            Finding::LineParted { .. } => Verdict::LineParted,
+            Finding::StartInside { .. } => Verdict::StartInside,
+            Finding::Aground { .. } => Verdict::Aground,
+            Finding::FenderOverRated { .. } => Verdict::FenderOverRated,
+            Finding::LineOverWorking { .. } => Verdict::LineOverWorking,
+            Finding::LineNotMadeFast { .. } => Verdict::LineNotMadeFast,
+            Finding::HullPressure { .. } => Verdict::HullPressure,
+            Finding::EnergyGained { .. } => Verdict::EnergyGained,
+            Finding::NotConverged { .. } => Verdict::NotConverged,
+            Finding::LineRendered { .. } => Verdict::LineRendered,
+            Finding::FenderNotRated { .. } | Finding::ContactNotRated { .. } => Verdict::NotRated,
+            Finding::NoFenderTouched => Verdict::NoFenderTouched,
+        }
+    }
+
+    /// Names of the bodies, fenders, lines or vessels that it is about.
+    #[must_use]
+    pub fn names<'a>(&self, setup: &'a Setup) -> Vec<&'a str> {
+        let body = |index: usize| setup.bodies[index].name.as_str();
+        let fender = |index: usize| setup.fenders[index].name.as_str();
+        match *self {
+            Finding::StructureStruck { bodies, .. }
+            | Finding::ContactNotRated { bodies }
+            | Finding::StartInside { bodies, fender: None, .. } => bodies.map(body).to_vec(),
+            Finding::StartInside { bodies, fender: Some(index), .. } => {
+                let mut names = vec![fender(index)];
+                names.extend(bodies.map(body));
+                names
+            }
+            Finding::FenderFailed { fender: index, .. }
+            | Finding::FenderOverRated { fender: index, .. }
+            | Finding::HullPressure { fender: index, .. }
+            | Finding::FenderNotRated { fender: index } => vec![fender(index)],
+            Finding::LineParted { line, .. }
+            | Finding::LineOverWorking { line, .. }
+            | Finding::LineNotMadeFast { line, .. }
+            | Finding::LineRendered { line, .. } => {
+                vec![setup.world.lines[line].line.name.as_str()]
+            }
+            Finding::Aground { vessel, .. } => vec![body(setup.world.vessels[vessel].body)],
+            Finding::EnergyGained { .. }
+            | Finding::NotConverged { .. }
+            | Finding::NoFenderTouched => vec![],
+        }
+    }
+
+    /// The finding in one sentence, with its numbers, without a full stop.
+    #[must_use]
+    pub fn sentence(&self, setup: &Setup) -> String {
+        let names = self.names(setup);
+        match *self {
+            Finding::StructureStruck { first_s, lasting_s, peak_force_n, peak_depth_m, .. } => {
+                format!(
+                    "{} struck {} without a fender between them, from {first_s:.1} s for {}: {}, {} deep",
+                    names[0],
+                    names[1],
+                    duration(lasting_s),
+                    force(peak_force_n),
+                    length(peak_depth_m)
+                )
+            }
+            Finding::FenderFailed { at_s, deflection_m, .. } => format!(
+                "Fender {} was compressed {} at {at_s:.1} s, into its stop or flat; the structure behind it carried \
+                 the hull",
+                names[0],
+                length(deflection_m)
+            ),
+            Finding::LineParted { at_s, tension_n, .. } => {
+                format!("Line {} parted at {at_s:.1} s under {}", names[0], force(tension_n))
+            }
+            Finding::StartInside { fender: None, depth_m, .. } => format!(
+                "{} starts {} inside {}; the first contact has no meaning",
+                names[0],
+                length(depth_m),
+                names[1]
+            ),
+            Finding::StartInside { fender: Some(_), depth_m, .. } => format!(
+                "Fender {} is compressed {} by {} and {} at the start, beyond its rating; the first contact has no \
+                 meaning",
+                names[0],
+                length(depth_m),
+                names[1],
+                names[2]
+            ),
+            Finding::Aground { first_s, lasting_s, .. } => {
+                format!("{} was aground from {first_s:.1} s for {}", names[0], duration(lasting_s))
+            }
+            Finding::FenderOverRated { quantity, share, .. } => {
+                format!("Fender {}: {quantity} {:.0} % of rated", names[0], 100.0 * share)
+            }
+            Finding::LineOverWorking { first_s, lasting_s, share, .. } => format!(
+                "Line {}: {:.0} % of its working load, above it from {first_s:.1} s for {}",
+                names[0],
+                100.0 * share,
+                duration(lasting_s)
+            ),
+            Finding::LineNotMadeFast { at_s, .. } => {
+                format!("Line {} could not be made fast at {at_s:.1} s", names[0])
+            }
+            Finding::HullPressure { share, .. } => format!(
+                "Fender {}: {:.0} % of the permissible hull pressure",
+                names[0],
+                100.0 * share
+            ),
+            Finding::EnergyGained { gained_j, taken_j } => format!(
+                "Contacts returned {:.1} kJ more than they absorbed, {:.0} % of the absorbed energy",
+                gained_j / 1e3,
+                100.0 * gained_j / taken_j
+            ),
+            Finding::NotConverged { first_s, steps } => format!(
+                "The contact solve did not converge in {steps} {}, first at {first_s:.1} s",
+                if steps == 1 { "step" } else { "steps" }
+            ),
+            Finding::LineRendered { rendered_m, .. } => {
+                format!("The winch of line {} rendered {}", names[0], length(rendered_m))
+            }
+            Finding::FenderNotRated { .. } => {
+                format!("Fender {} has no rating to compare with", names[0])
+            }
+            Finding::ContactNotRated { .. } => {
+                format!("{} and {} touched; no limit of theirs is known", names[0], names[1])
+            }
+            Finding::NoFenderTouched => "No fender was touched".to_owned(),
+        }
+    }
+}
+
+fn force(force_n: f64) -> String {
+    if force_n >= 1e6 {
+        format!("{:.2} MN", force_n / 1e6)
+    } else {
+        format!("{:.1} kN", force_n / 1e3)
+    }
+}
+
+fn length(length_m: f64) -> String {
+    if length_m < 1.0 { format!("{:.0} mm", length_m * 1e3) } else { format!("{length_m:.2} m") }
+}
+
+fn duration(lasting_s: f64) -> String {
+    if lasting_s < 600.0 {
+        format!("{lasting_s:.1} s")
+    } else {
+        format!("{:.0} min", lasting_s / 60.0)
+    }
+}

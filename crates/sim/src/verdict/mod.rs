@@ -1,0 +1,181 @@
+//! The verdict on a run: everything that an engineer must know before a number of it is used.
+//!
+//! A run collects [`Finding`]s: a hull on structure, a fender beyond its rating, a line that parted. The [`Verdict`] is the
+//! worst of them. Terminal, exit code, `summary.json`, report, Python and the live pages all show this one.
+//!
+//! | file | content |
+//! |---|---|
+//! | `verdict/finding.rs` | what can be found, and its sentence |
+//! | `verdict/watch.rs` | the totals that a run keeps for it, step by step |
+//! | `verdict/start.rs` | bodies that start inside each other |
+
+mod finding;
+mod start;
+mod watch;
+
+pub use finding::Finding;
+pub(crate) use start::starts_inside;
+pub(crate) use watch::Watch;
+
+/// The verdict on a run, from best to worst.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Verdict {
+    /// Nothing was found.
+    AllWell,
+    /// The scenario has fenders, and none was touched.
+    NoFenderTouched,
+    /// Bodies touched where no limit is known: a fender without rating, or hulls without a fender between them.
+    NotRated,
+    /// The brake of a line's winch rendered.
+    LineRendered,
+    /// The coupled solve of a contact did not converge within its iteration limit.
+    NotConverged,
+    /// The paper's method returned more energy than the contacts absorbed.
+    EnergyGained,
+    /// The pressure of a fender on the hull was above the permissible pressure.
+    HullPressure,
+    /// A line could not be made fast.
+    LineNotMadeFast,
+    /// A line was above its working load.
+    LineOverWorking,
+    /// Deflection, reaction or energy of a fender was beyond its rating.
+    FenderOverRated,
+    /// A vessel was aground.
+    Aground,
+    /// Bodies started the run inside each other: forces and energies of the first contact have no meaning.
+    StartInside,
+    /// A line parted.
+    LineParted,
+    /// A fender was compressed to its stop, or to its whole projection.
+    FenderFailed,
+    /// A hull struck a structure that fenders should protect.
+    StructureStruck,
+}
+
+/// How grave a verdict is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Gravity {
+    /// Within all limits.
+    Ok,
+    /// Something to know; no limit was exceeded.
+    Note,
+    /// A limit was exceeded, or the result is in doubt.
+    Attention,
+    /// Something broke or was struck. `fenderline run` ends with exit code 1.
+    Failed,
+}
+
+impl Verdict {
+    /// All verdicts, from best to worst.
+    pub const ALL: [Verdict; 15] = [
+        Verdict::AllWell,
+        Verdict::NoFenderTouched,
+        Verdict::NotRated,
+        Verdict::LineRendered,
+        Verdict::NotConverged,
+        Verdict::EnergyGained,
+        Verdict::HullPressure,
+        Verdict::LineNotMadeFast,
+        Verdict::LineOverWorking,
+        Verdict::FenderOverRated,
+        Verdict::Aground,
+        Verdict::StartInside,
+        Verdict::LineParted,
+        Verdict::FenderFailed,
+        Verdict::StructureStruck,
+    ];
+
+    /// The verdict on a list of findings: the worst of them.
+    #[must_use]
+    pub fn of(findings: &[Finding]) -> Verdict {
+        findings.iter().map(Finding::verdict).max().unwrap_or(Verdict::AllWell)
+    }
+
+    /// The verdict in words, for people.
+    #[must_use]
+    pub fn text(self) -> &'static str {
+        match self {
+            Verdict::AllWell => "all well",
+            Verdict::NoFenderTouched => "no fender was touched",
+            Verdict::NotRated => "no rating to compare with",
+            Verdict::LineRendered => "a winch rendered",
+            Verdict::NotConverged => "the contact solve did not converge",
+            Verdict::EnergyGained => "the method created energy",
+            Verdict::HullPressure => "permissible hull pressure exceeded",
+            Verdict::LineNotMadeFast => "line could not be made fast",
+            Verdict::LineOverWorking => "line over its working load",
+            Verdict::FenderOverRated => "fender over its rating",
+            Verdict::Aground => "aground",
+            Verdict::StartInside => "bodies start inside each other",
+            Verdict::LineParted => "line parted",
+            Verdict::FenderFailed => "fender failed",
+            Verdict::StructureStruck => "structure struck",
+        }
+    }
+
+    /// The verdict in files and in messages of programs.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            Verdict::AllWell => "all_well",
+            Verdict::NoFenderTouched => "no_fender_touched",
+            Verdict::NotRated => "not_rated",
+            Verdict::LineRendered => "line_rendered",
+            Verdict::NotConverged => "not_converged",
+            Verdict::EnergyGained => "energy_gained",
+            Verdict::HullPressure => "hull_pressure_exceeded",
+            Verdict::LineNotMadeFast => "line_not_made_fast",
+            Verdict::LineOverWorking => "line_over_working_load",
+            Verdict::FenderOverRated => "fender_over_rated",
+            Verdict::Aground => "aground",
+            Verdict::StartInside => "start_inside",
+            Verdict::LineParted => "line_parted",
+            Verdict::FenderFailed => "fender_failed",
+            Verdict::StructureStruck => "structure_struck",
+        }
+    }
+
+    /// How grave it is.
+    #[must_use]
+    pub fn gravity(self) -> Gravity {
+        match self {
+            Verdict::AllWell => Gravity::Ok,
+            Verdict::NoFenderTouched | Verdict::NotRated | Verdict::LineRendered => Gravity::Note,
+            Verdict::NotConverged
+            | Verdict::EnergyGained
+            | Verdict::HullPressure
+            | Verdict::LineNotMadeFast
+            | Verdict::LineOverWorking
+            | Verdict::FenderOverRated
+            | Verdict::Aground
+            | Verdict::StartInside => Gravity::Attention,
+            Verdict::LineParted | Verdict::FenderFailed | Verdict::StructureStruck => {
+                Gravity::Failed
+            }
+        }
+    }
+}
+
+impl Gravity {
+    /// The gravity in files and in messages of programs.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            Gravity::Ok => "ok",
+            Gravity::Note => "note",
+            Gravity::Attention => "attention",
+            Gravity::Failed => "failed",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_list_of_verdicts_is_in_order_and_a_worse_verdict_is_at_least_as_grave() {
+        assert!(Verdict::ALL.is_sorted());
+        assert!(Verdict::ALL.map(Verdict::gravity).is_sorted());
+    }
+}

@@ -1,0 +1,245 @@
+//! The totals of a run that its findings come from. Their size does not grow with the run.
+
+use fenderline_contact::EventKind;
+use fenderline_contact::number::greater;
+
+use super::finding::Finding;
+use crate::fender::FenderSummary;
+use crate::record::StepRecord;
+use crate::setup::Setup;
+use crate::world::{Mooring, WorldEventKind};
+
+/// When something was first so, and in how many steps.
+#[derive(Clone, Copy, Debug, Default)]
+struct Lasting {
+    first_s: Option<f64>,
+    steps: u32,
+}
+
+impl Lasting {
+    fn count(&mut self, t_s: f64) {
+        self.first_s.get_or_insert(t_s);
+        self.steps += 1;
+    }
+
+    /// First time and duration (s); `None` if it never was.
+    fn first_and_lasting(self, step_s: f64) -> Option<(f64, f64)> {
+        self.first_s.map(|first_s| (first_s, f64::from(self.steps) * step_s))
+    }
+}
+
+/// Contact of two bodies without a fender.
+#[derive(Clone, Debug)]
+struct Touch {
+    bodies: [usize; 2],
+    lasting: Lasting,
+    peak_force_n: f64,
+    peak_depth_m: f64,
+}
+
+#[derive(Clone, Debug, Default)]
+struct LineWatch {
+    over_working: Lasting,
+    peak_n: f64,
+    rendered_m: f64,
+    /// When (s), and under what tension (N).
+    parted: Option<(f64, f64)>,
+    /// When it could not be made fast (s).
+    not_made_fast_s: Option<f64>,
+}
+
+/// The totals.
+#[derive(Clone, Debug)]
+pub(crate) struct Watch {
+    /// For each body: a contact of it without a fender is a strike.
+    protected: Vec<bool>,
+    starts: Vec<Finding>,
+    touches: Vec<Touch>,
+    aground: Vec<Lasting>,
+    lines: Vec<LineWatch>,
+    not_converged: Lasting,
+}
+
+/// The bodies that fenders protect: those that carry fenders, and all fixed bodies where a fixed body carries some.
+pub(crate) fn protected(setup: &Setup) -> Vec<bool> {
+    let mut all = vec![false; setup.bodies.len()];
+    for fender in &setup.fenders {
+        all[fender.body] = true;
+    }
+    let is_berth = all.iter().zip(&setup.bodies).any(|(carries, body)| *carries && body.is_fixed());
+    for (own, body) in all.iter_mut().zip(&setup.bodies) {
+        *own |= is_berth && body.is_fixed();
+    }
+    all
+}
+
+impl Watch {
+    /// Before the first step; `starts_inside` finds what overlaps then.
+    pub(crate) fn new(
+        setup: &Setup,
+        starts_inside: impl FnOnce(&dyn Fn([usize; 2]) -> bool) -> Vec<Finding>,
+    ) -> Watch {
+        let protected = protected(setup);
+        let starts = starts_inside(&|bodies: [usize; 2]| bodies.iter().any(|&b| protected[b]));
+        Watch {
+            starts,
+            touches: Vec::new(),
+            aground: vec![Lasting::default(); setup.world.vessels.len()],
+            lines: vec![LineWatch::default(); setup.world.lines.len()],
+            not_converged: Lasting::default(),
+            protected,
+        }
+    }
+
+    /// What was found before the first step.
+    pub(crate) fn starts(&self) -> &[Finding] {
+        &self.starts
+    }
+
+    /// Adds one step.
+    pub(crate) fn add(&mut self, setup: &Setup, step: &StepRecord<'_>) {
+        self.add_touches(step);
+        for (own, now) in self.aground.iter_mut().zip(step.vessels) {
+            if now.aground {
+                own.count(step.t_s);
+            }
+        }
+        for ((own, line), now) in self.lines.iter_mut().zip(&setup.world.lines).zip(step.lines) {
+            own.add(line.line.kind.working_load_n(), now, step.t_s);
+        }
+        for event in step.world_events {
+            if event.kind == WorldEventKind::LineNotMadeFast {
+                self.lines[event.who].not_made_fast_s.get_or_insert(step.t_s);
+            }
+        }
+        if step.events.iter().any(|event| event.kind == EventKind::NotConverged) {
+            self.not_converged.count(step.t_s);
+        }
+    }
+
+    /// Patches of a pair are adjacent in the list: their forces in a step add up.
+    fn add_touches(&mut self, step: &StepRecord<'_>) {
+        let mut last: Option<(usize, f64)> = None;
+        for contact in step.contacts.iter().filter(|contact| contact.fender.is_none()) {
+            let bodies = [contact.body_1.0 as usize, contact.body_2.0 as usize];
+            let found = self.touches.iter().position(|touch| touch.bodies == bodies);
+            let index = found.unwrap_or_else(|| {
+                let lasting = Lasting::default();
+                self.touches.push(Touch { bodies, lasting, peak_force_n: 0.0, peak_depth_m: 0.0 });
+                self.touches.len() - 1
+            });
+            let touch = &mut self.touches[index];
+            let force_n = match last {
+                Some((same, force_n)) if same == index => force_n + contact.peak_normal_force_n,
+                _ => {
+                    touch.lasting.count(step.t_s);
+                    contact.peak_normal_force_n
+                }
+            };
+            touch.peak_force_n = greater(touch.peak_force_n, force_n);
+            touch.peak_depth_m = greater(touch.peak_depth_m, contact.peak_depth_m);
+            last = Some((index, force_n));
+        }
+    }
+
+    /// What was found so far, the worst first; findings of one kind in the order of the set-up, contacts in that of first
+    /// touch.
+    pub(crate) fn findings<'a>(
+        &self,
+        setup: &Setup,
+        fenders: impl Iterator<Item = &'a FenderSummary>,
+        gain: Option<Finding>,
+    ) -> Vec<Finding> {
+        let step_s = setup.step_s;
+        let mut all = self.starts.clone();
+        let touches = self.touches.iter().filter(|touch| touch.peak_force_n > 0.0);
+        all.extend(touches.map(|touch| self.touch_finding(touch, step_s)));
+        let mut any_touched = false;
+        for summary in fenders {
+            any_touched = true;
+            all.extend(fender_finding(setup, summary));
+        }
+        if !any_touched && !setup.fenders.is_empty() {
+            all.push(Finding::NoFenderTouched);
+        }
+        for (vessel, own) in self.aground.iter().enumerate() {
+            let found = own.first_and_lasting(step_s);
+            all.extend(found.map(|(first_s, lasting_s)| Finding::Aground {
+                vessel,
+                first_s,
+                lasting_s,
+            }));
+        }
+        for (line, own) in self.lines.iter().enumerate() {
+            let working_n = setup.world.lines[line].line.kind.working_load_n();
+            all.extend(own.finding(line, working_n, step_s));
+        }
+        all.extend(gain);
+        if let Some(first_s) = self.not_converged.first_s {
+            all.push(Finding::NotConverged { first_s, steps: self.not_converged.steps });
+        }
+        // Stable: findings of one kind keep their order.
+        all.sort_by_key(|finding| core::cmp::Reverse(finding.verdict()));
+        all
+    }
+
+    fn touch_finding(&self, touch: &Touch, step_s: f64) -> Finding {
+        let Touch { bodies, lasting, peak_force_n, peak_depth_m } = *touch;
+        match lasting.first_and_lasting(step_s) {
+            Some((first_s, lasting_s)) if bodies.iter().any(|&body| self.protected[body]) => {
+                Finding::StructureStruck { bodies, first_s, lasting_s, peak_force_n, peak_depth_m }
+            }
+            _ => Finding::ContactNotRated { bodies },
+        }
+    }
+}
+
+/// The worst of a touched fender, if there is anything.
+fn fender_finding(setup: &Setup, summary: &FenderSummary) -> Option<Finding> {
+    let fender = summary.fender;
+    let governing = summary.governing();
+    Some(if summary.failed {
+        let (at_s, deflection_m) = (summary.peak_deflection_at_s, summary.peak_deflection_m);
+        Finding::FenderFailed { fender, at_s, deflection_m }
+    } else if let Some((quantity, share)) = governing.filter(|(_, share)| *share > 1.0) {
+        Finding::FenderOverRated { fender, quantity, share }
+    } else if let Some(share) = summary.share_of_hull_pressure.filter(|share| *share > 1.0) {
+        Finding::HullPressure { fender, share }
+    } else if setup.fenders[fender].rated.is_none() {
+        Finding::FenderNotRated { fender }
+    } else {
+        return None;
+    })
+}
+
+impl LineWatch {
+    fn add(&mut self, working_n: Option<f64>, now: &Mooring, t_s: f64) {
+        let Some((_, state)) = &now.line else { return };
+        let tension_n = greater(now.load.tension_n, now.load.parted_at_n.unwrap_or(0.0));
+        self.peak_n = greater(self.peak_n, tension_n);
+        if state.parted && self.parted.is_none() {
+            self.parted = Some((t_s, now.load.parted_at_n.unwrap_or(self.peak_n)));
+        }
+        if working_n.is_some_and(|limit_n| now.load.tension_n > limit_n) {
+            self.over_working.count(t_s);
+        }
+        self.rendered_m += now.load.winch.rendered_m;
+    }
+
+    fn finding(&self, line: usize, working_n: Option<f64>, step_s: f64) -> Option<Finding> {
+        if let Some((at_s, tension_n)) = self.parted {
+            return Some(Finding::LineParted { line, at_s, tension_n });
+        }
+        if let (Some((first_s, lasting_s)), Some(working_n)) =
+            (self.over_working.first_and_lasting(step_s), working_n)
+        {
+            let share = self.peak_n / working_n;
+            return Some(Finding::LineOverWorking { line, first_s, lasting_s, share });
+        }
+        if let Some(at_s) = self.not_made_fast_s {
+            return Some(Finding::LineNotMadeFast { line, at_s });
+        }
+        let rendered_m = self.rendered_m;
+        (rendered_m > 0.0).then_some(Finding::LineRendered { line, rendered_m })
+    }
+}
