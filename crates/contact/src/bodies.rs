@@ -20,6 +20,8 @@ pub(crate) struct Bodies {
     pub(crate) headings_rad: Vec<f64>,
     /// How far from its centre of gravity each body may reach within this step (m).
     pub(crate) reach_m: Vec<f64>,
+    /// Ranks, ascending, of the bodies that this step places. The others stay where the last step had them.
+    pub(crate) active: Vec<u32>,
 }
 
 impl Bodies {
@@ -29,6 +31,7 @@ impl Bodies {
             poses: Vec::with_capacity(count),
             headings_rad: Vec::with_capacity(count),
             reach_m: Vec::with_capacity(count),
+            active: Vec::with_capacity(count),
         }
     }
 
@@ -39,6 +42,7 @@ impl Bodies {
         }
         self.input.resize(count, BodyState::default());
         self.reach_m.resize(count, 0.0);
+        self.active.clear();
     }
 
     /// Invalidates all poses: each is computed anew when its body is next placed.
@@ -80,6 +84,16 @@ impl Displaced {
     pub(crate) fn clear(&mut self) {
         self.all.clear();
         self.teleported.clear();
+    }
+
+    /// Adds a body whose pose changed in this way. Ranks come in ascending order.
+    pub(crate) fn add(&mut self, rank: u32, change: PoseChange) {
+        if change != PoseChange::Consistent {
+            self.all.push(rank);
+        }
+        if change == PoseChange::Teleported {
+            self.teleported.push(rank);
+        }
     }
 
     /// Was one of these two bodies teleported?

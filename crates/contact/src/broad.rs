@@ -8,18 +8,17 @@ use crate::fender::RankedFender;
 use crate::model::Model;
 use crate::pair::RankedPair;
 
-/// Computes the candidates of this step. `list_holds`: the neighbour list still holds all pairs that are near.
+/// Computes the candidates of this step.
 pub(crate) fn pair(
     model: &Model,
     bodies: &Bodies,
-    list_holds: bool,
     Candidates { pairings, neighbours }: &mut Candidates,
 ) {
     pairings.clear();
     push_near(model, bodies, &model.pairs, 0, pairings);
     if let Some(material) = model.all_other_pairs {
-        if !list_holds {
-            neighbours.renew(model, material, &bodies.poses, &bodies.reach_m);
+        if !neighbours.holds(model, bodies) {
+            neighbours.renew(model, material, bodies);
         }
         push_near(model, bodies, neighbours.pairs(), model.pairs.len() as u32, pairings);
         if !model.pairs.is_empty() {

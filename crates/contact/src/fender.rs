@@ -250,7 +250,7 @@ mod tests {
     use alloc::vec;
 
     #[test]
-    fn factors_are_taken_at_the_compression_time_and_held_beyond_their_ends() {
+    fn factors_are_read_at_the_compression_time_and_constant_beyond_their_ends() {
         let factors = ReactionFactors {
             constant: 1.1,
             by_compression_time: vec![[1.0, 1.2], [3.0, 1.0]],

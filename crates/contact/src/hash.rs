@@ -45,7 +45,7 @@ mod tests {
 
     /// The sums of "" and "a" are those that the Python package fnvhash gives.
     #[test]
-    fn known_sums() {
+    fn known_hashes() {
         assert_eq!(Fnv1a::of(b""), 0xcbf2_9ce4_8422_2325);
         assert_eq!(Fnv1a::of(b"a"), 0xaf63_dc4c_8601_ec8c);
         let mut hash = Fnv1a::default();

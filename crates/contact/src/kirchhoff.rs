@@ -88,7 +88,7 @@ mod tests {
 
     /// A ship that drifts and turns, alone for ten minutes, in steps of 0.1 s.
     #[test]
-    fn a_body_alone_keeps_its_energy_and_its_momentum() {
+    fn a_free_body_conserves_energy_and_momentum() {
         let mut state = BodyState {
             velocity_mps: vec2(2.0, 0.6),
             yaw_rate_radps: 0.01,
@@ -122,7 +122,7 @@ mod tests {
     /// The fixed point diverged in steps of many seconds: a tug at 6 m/s nearly doubled her energy in one of 5 s, and
     /// a step of a minute was refused, though she was alone.
     #[test]
-    fn a_body_alone_keeps_its_energy_in_steps_of_any_length() {
+    fn a_free_body_conserves_energy_in_steps_of_any_length() {
         let tug = Kirchhoff { surge_kg: 1.01e6, sway_kg: 1.71e6, yaw_kgm2: 8.3e7 };
         for body in [SHIP, tug] {
             let energy = |own: Vec2, r: f64| {

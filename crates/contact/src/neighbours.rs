@@ -6,10 +6,11 @@
 
 use alloc::vec::Vec;
 
+use crate::bodies::Bodies;
 use crate::material::MaterialId;
 use crate::model::Model;
 use crate::pair::{Bounds, RankedPair};
-use crate::vec2::{Pose, Vec2};
+use crate::vec2::Vec2;
 
 /// How much larger a body's circle in the list is than its own, as a fraction. A larger margin makes the list longer, a
 /// smaller one makes it short-lived.
@@ -34,7 +35,7 @@ pub(crate) struct NeighbourList {
 
 /// A body's enlarged circle.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Circle {
+struct Circle {
     center_m: Vec2,
     radius_m: f64,
 }
@@ -48,7 +49,7 @@ impl Circle {
 
     /// Does this circle contain the same body's present circle?
     #[inline]
-    pub(crate) fn holds(&self, center_m: Vec2, radius_m: f64) -> bool {
+    fn holds(&self, center_m: Vec2, radius_m: f64) -> bool {
         let margin_m = USABLE * (self.radius_m - radius_m);
         margin_m >= 0.0 && (center_m - self.center_m).length_squared() <= margin_m * margin_m
     }
@@ -66,52 +67,37 @@ impl NeighbourList {
         &self.bounds
     }
 
-    /// The circles by rank; empty if the list was made for another model.
-    #[inline]
-    pub(crate) fn circles_for(&self, model: &Model) -> &[Circle] {
-        if self.layout == model.layout { &self.circles } else { &[] }
+    /// Is the list still valid? Only active bodies can have moved.
+    pub(crate) fn holds(&self, model: &Model, bodies: &Bodies) -> bool {
+        if self.layout != model.layout {
+            return false;
+        }
+        let count = self.circles.len();
+        let (poses, reach_m) = (&bodies.poses[..count], &bodies.reach_m[..count]);
+        bodies.active.iter().all(|&rank| {
+            let rank = rank as usize;
+            self.circles[rank].holds(poses[rank].position_m, reach_m[rank])
+        })
     }
 
-    /// Is the list still valid for bodies at `poses` with this reach, both by rank?
-    pub(crate) fn holds(&self, model: &Model, poses: &[Pose], reach_m: &[f64]) -> bool {
-        let circles = self.circles_for(model);
-        circles.len() == poses.len()
-            && circles
-                .iter()
-                .zip(poses.iter().zip(reach_m))
-                .all(|(circle, (pose, &reach_m))| circle.holds(pose.position_m, reach_m))
-    }
-
-    /// Makes the list anew for bodies at `poses` with this reach.
-    pub(crate) fn renew(
-        &mut self,
-        model: &Model,
-        material: MaterialId,
-        poses: &[Pose],
-        reach_m: &[f64],
-    ) {
+    /// Makes the list anew.
+    pub(crate) fn renew(&mut self, model: &Model, material: MaterialId, bodies: &Bodies) {
         self.layout = model.layout;
         self.circles.clear();
-        self.circles.extend(poses.iter().zip(reach_m).map(|(pose, &reach_m)| Circle {
+        let reach = bodies.poses.iter().zip(&bodies.reach_m);
+        self.circles.extend(reach.map(|(pose, &reach_m)| Circle {
             center_m: pose.position_m,
             radius_m: reach_m * (1.0 + MARGIN),
         }));
         self.sweep(model, material);
     }
 
-    /// Sweep and prune. The bodies are kept sorted by the southern ends of their circles. That order changes little from
-    /// list to list, so an insertion sort takes one pass.
+    /// Sweep and prune, from south to north.
     fn sweep(&mut self, model: &Model, material: MaterialId) {
-        let count = self.circles.len();
-        if self.by_x.len() != count {
-            self.by_x.clear();
-            self.by_x.extend((0..count as u32).map(|rank| (0.0, rank)));
-        }
-        for (south_m, rank) in &mut self.by_x {
-            let circle = &self.circles[*rank as usize];
-            *south_m = circle.center_m.x - circle.radius_m;
-        }
-        insertion_sort(&mut self.by_x);
+        let ends = (0..).zip(&self.circles);
+        self.by_x.clear();
+        self.by_x.extend(ends.map(|(rank, circle)| (circle.center_m.x - circle.radius_m, rank)));
+        self.by_x.sort_unstable_by(|p, q| p.0.total_cmp(&q.0).then(p.1.cmp(&q.1)));
         self.pairs.clear();
         for (i, &(_, one)) in self.by_x.iter().enumerate() {
             let circle = self.circles[one as usize];
@@ -140,27 +126,4 @@ impl NeighbourList {
 
 fn is_named(model: &Model, a: u32, b: u32) -> bool {
     model.pairs.binary_search_by_key(&(a, b), |p| (p.a, p.b)).is_ok()
-}
-
-/// By position, then rank: a total order. Falls back to a full sort if the order is far off, as in the first list and
-/// after teleports.
-fn insertion_sort(by_x: &mut [(f64, u32)]) {
-    let mut moves = 0usize;
-    for i in 1..by_x.len() {
-        let mut j = i;
-        while j > 0 && after(by_x[j - 1], by_x[j]) {
-            by_x.swap(j - 1, j);
-            j -= 1;
-            moves += 1;
-        }
-        if moves > 32 * by_x.len() {
-            by_x.sort_unstable_by(|p, q| p.0.total_cmp(&q.0).then(p.1.cmp(&q.1)));
-            return;
-        }
-    }
-}
-
-#[inline]
-fn after(p: (f64, u32), q: (f64, u32)) -> bool {
-    p.0 > q.0 || (p.0 == q.0 && p.1 > q.1)
 }

@@ -42,7 +42,7 @@ mod tests {
 
     /// The sign of a zero from `f64::min` and `f64::max` was the machine's: x86 gave one, aarch64 the other.
     #[test]
-    fn which_zero_is_the_lesser_does_not_depend_on_the_machine() {
+    fn signed_zeros_compare_alike_on_every_machine() {
         // Not known to the compiler, which would else fold them by its own rules.
         let [plus, minus] = core::hint::black_box([0.0, -0.0]);
         for second in [plus, minus] {
@@ -56,7 +56,7 @@ mod tests {
     }
 
     #[test]
-    fn nan_in_the_first_place_gives_the_second() {
+    fn nan_as_first_argument_gives_the_second() {
         assert_eq!(lesser(f64::NAN, 1.0), 1.0);
         assert_eq!(greater(f64::NAN, 1.0), 1.0);
         assert!(greater(1.0, f64::NAN).is_nan());

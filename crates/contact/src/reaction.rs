@@ -121,7 +121,7 @@ mod tests {
     use alloc::vec;
 
     #[test]
-    fn reaction_and_energy_follow_the_points_and_the_last_line_goes_on() {
+    fn reaction_and_energy_follow_the_points_and_the_last_segment_is_extended() {
         let law = FenderLaw::Curve(vec![[0.0, 0.0], [1.0, 10.0], [2.0, 8.0], [3.0, 12.0]]);
         for (deflection_m, reaction_n, energy_j) in [
             (0.0, 0.0, 0.0),

@@ -59,24 +59,8 @@ impl Results {
         }
     }
 
-    /// Checks states and wrenches of the bodies of these ranks.
-    ///
-    /// # Errors
-    /// [`StepError::NotFinite`], naming the first body with a non-finite number.
-    pub(crate) fn check_finite(&self, model: &Model, ranks: &[u32]) -> Result<(), StepError> {
-        // One sum over all: it is finite if all numbers are, except for the very largest.
-        let sum: f64 = ranks
-            .iter()
-            .map(|&rank| {
-                let id = model.id_of[rank as usize].0 as usize;
-                let (state, wrench) = (&self.states_after[id], &self.wrenches[id]);
-                let linear = state.position_m + state.velocity_mps + wrench.force_n;
-                linear.x + linear.y + state.heading_rad + state.yaw_rate_radps + wrench.moment_nm
-            })
-            .sum();
-        if sum.is_finite() {
-            return Ok(());
-        }
+    /// Finds the first body with a non-finite state or wrench.
+    pub(crate) fn not_finite(&self, model: &Model) -> Option<StepError> {
         let is_finite = |id: usize| {
             let (state, wrench) = (&self.states_after[id], &self.wrenches[id]);
             state.position_m.is_finite()
@@ -86,10 +70,7 @@ impl Results {
                 && wrench.force_n.is_finite()
                 && wrench.moment_nm.is_finite()
         };
-        let bodies = model.bodies().iter().enumerate();
-        match bodies.into_iter().find(|&(id, _)| !is_finite(id)) {
-            Some((_, body)) => Err(StepError::NotFinite { body: body.name.clone() }),
-            None => Ok(()),
-        }
+        let (_, body) = model.bodies().iter().enumerate().find(|&(id, _)| !is_finite(id))?;
+        Some(StepError::NotFinite { body: body.name.clone() })
     }
 }

@@ -58,8 +58,7 @@ pub fn step(
     next_memory.clear();
 
     // 2. Broad phase: pairs of bodies that are near each other.
-    let list_holds = candidates.neighbours.holds(model, &bodies.poses, &bodies.reach_m);
-    broad::pair(model, bodies, list_holds, candidates);
+    broad::pair(model, bodies, candidates);
 
     // 3. Narrow phase: S, C and n of each patch (§3.1), and its memory.
     let past = memory.past(displaced);
@@ -97,7 +96,8 @@ fn place(
 ) {
     bodies.resize(model.ranked.len());
     displaced.clear();
-    let Bodies { input, poses, headings_rad, reach_m } = bodies;
+    bodies.active.extend(0..model.ranked.len() as u32);
+    let Bodies { input, poses, headings_rad, reach_m, .. } = bodies;
     let places = input.iter_mut().zip(poses).zip(headings_rad).zip(reach_m);
     for (rank, (((input, pose), heading_rad), reach_m)) in places.enumerate() {
         let body = &model.ranked[rank];

@@ -332,7 +332,7 @@ mod tests {
     }
 
     #[test]
-    fn a_loop_returns_the_area_under_the_unloading_curve_and_the_share_of_the_plays() {
+    fn a_loop_returns_the_area_under_the_unloading_curve() {
         let points = vec![[0.0, 0.0], [0.1, 0.0], [0.4, 4e5], [0.7, 1e6]];
         let (law, unloading) = (cone(), Unloading::Curve(points.clone()));
         assert_eq!(
@@ -368,7 +368,7 @@ mod tests {
 
     /// Random walks: work is recoverable energy plus heat, and heat never decreases.
     #[test]
-    fn on_any_path_heat_only_grows_and_energy_balances() {
+    fn on_any_path_heat_grows_and_energy_balances() {
         let law = cone();
         let mut seed = 7_u64;
         let mut random = || {

@@ -14,7 +14,6 @@ use crate::report::{
     Contact, ContactImpulse, ContactWork, EnergyParts, ForceParts, Friction, Wrench,
 };
 use crate::touch::{Scene, Touch, arms_m};
-use crate::vec2::Vec2;
 
 /// A memory with more energy than this could not be restored (J).
 const MOST_TAKEN_J: f64 = 1e29;
@@ -65,6 +64,20 @@ impl Totals<'_> {
         );
         slip
     }
+
+    /// As [`Totals::add`]. Returns what the report of the contact needs.
+    #[inline(always)]
+    fn entry<'w>(
+        &mut self,
+        model: &Model,
+        constraint: &'w Constraint,
+        memory: &'w mut PatchMemory,
+        diagnostics: &'w Diagnostics,
+    ) -> Entry<'w> {
+        let ids = model.ids_of([constraint.a, constraint.b]);
+        let slip = self.add(ids, constraint, memory);
+        Entry { constraint, diagnostics, slip, ids, memory }
+    }
 }
 
 /// The contacts of a solved sub-step, one entry a patch in each list.
@@ -93,19 +106,21 @@ impl Reports<'_> {
         totals: &mut Totals<'_>,
         Solved { patches, constraints, memories, diagnostics }: Solved<'_>,
     ) {
-        let both = constraints.iter().zip(memories);
-        let solved = patches.iter().zip(both.zip(diagnostics));
-        let is_first = self.contacts.len() == self.first;
-        self.contacts.reserve(if is_first { patches.len() } else { 0 });
+        let share = totals.sub_step.share;
+        let solved = patches.iter().zip(constraints.iter().zip(memories).zip(diagnostics));
+        if self.contacts.len() == self.first {
+            // The first sub-step.
+            self.contacts.extend(solved.map(|(patch, ((constraint, memory), diagnostics))| {
+                let entry = totals.entry(scene.model, constraint, memory, diagnostics);
+                entry.contact(scene, patch, share)
+            }));
+            return;
+        }
         for (index, (patch, ((constraint, memory), diagnostics))) in solved.enumerate() {
-            let ids = scene.model.ids_of([constraint.a, constraint.b]);
-            let slip = totals.add(ids, constraint, memory);
-            let entry = Entry { constraint, diagnostics, slip, factor: memory.factor };
-            if is_first || !self.has_added(scene.model, index, totals.sub_step.share, patch, &entry)
-            {
-                *self.in_order &= is_first;
-                let arms_m = arms_m(scene, patch, memory.point_in_a_m);
-                self.contacts.push(entry.contact(scene, patch, ids, arms_m, totals.sub_step.share));
+            let entry = totals.entry(scene.model, constraint, memory, diagnostics);
+            if !self.has_added(scene.model, index, share, patch, &entry) {
+                *self.in_order = false;
+                self.contacts.push(entry.contact(scene, patch, share));
             }
         }
     }
@@ -121,7 +136,7 @@ impl Reports<'_> {
         patch: &Patch,
         entry: &Entry<'_>,
     ) -> bool {
-        let [one, two] = model.ids_of([patch.candidate.a, patch.candidate.b]);
+        let [one, two] = entry.ids;
         let fender = patch.candidate.fender(model).map(|face| face.id);
         let wanted = (one.min(two), one.max(two), fender, patch.number);
         let same = |c: &Contact| (c.body_1, c.body_2, c.fender, c.patch) == wanted;
@@ -170,8 +185,9 @@ struct Entry<'w> {
     constraint: &'w Constraint,
     diagnostics: &'w Diagnostics,
     slip: Slip,
-    /// Factor on the fender's reaction.
-    factor: f64,
+    /// A and B.
+    ids: [BodyId; 2],
+    memory: &'w PatchMemory,
 }
 
 impl Entry<'_> {
@@ -194,15 +210,8 @@ impl Entry<'_> {
 
     /// The report of a contact that begins with this sub-step.
     #[inline(always)]
-    fn contact(
-        &self,
-        scene: &Scene<'_>,
-        patch: &Patch,
-        ids: [BodyId; 2],
-        arms_m: [Vec2; 2],
-        share: f64,
-    ) -> Contact {
-        let Entry { constraint, diagnostics, slip, factor } = self;
+    fn contact(&self, scene: &Scene<'_>, patch: &Patch, share: f64) -> Contact {
+        let Entry { constraint, diagnostics, slip, ids, memory } = self;
         let Forces { normal_n, tangential_n, friction } = constraint.forces;
         let parts = self.parts();
         let touch = Touch {
@@ -231,7 +240,7 @@ impl Entry<'_> {
                 limiter_n: parts.limiter_n * share,
             },
             work: self.work(),
-            factor: *factor,
+            factor: memory.factor,
             energy: EnergyParts {
                 stored_j: diagnostics.stored_j,
                 peak_absorbed_j: diagnostics.absorbed_j,
@@ -239,7 +248,7 @@ impl Entry<'_> {
                 hysteresis_at_start_j: diagnostics.hysteresis_j,
                 shear_stored_j: slip.shear_stored_j,
             },
-            ..touch.contact(scene, patch, ids, arms_m)
+            ..touch.contact(scene, patch, *ids, arms_m(scene, patch, memory.point_in_a_m))
         }
     }
 

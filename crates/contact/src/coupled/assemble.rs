@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use crate::coupled::constraint::{Constraint, Forces, Laws};
-use crate::coupled::dynamics::kick_s;
+use crate::coupled::motion::{Motion, kick_s};
 use crate::coupled::press_out::{Placement, opening_mps};
 use crate::events::{note, report_patch};
 use crate::fender::RankedFender;
@@ -44,9 +44,8 @@ pub(crate) struct Diagnostics {
 #[derive(Clone, Copy)]
 pub(crate) struct Start<'w> {
     pub(crate) scene: Scene<'w>,
-    pub(crate) moves: &'w [bool],
     pub(crate) inverses: &'w [InverseMatrix],
-    pub(crate) velocity_lags_s: &'w [f64],
+    pub(crate) motions: &'w [Motion],
     /// Length of the sub-step (s).
     pub(crate) h: f64,
 }
@@ -122,7 +121,7 @@ pub(crate) fn assemble(
     let material: &Material = &model.materials()[patch.candidate.material.0 as usize];
 
     // Kinematics (eq. 9–10) and effective masses (eq. 13–19).
-    let movers = Movers::of([a, b].map(|rank| start.moves[rank as usize]));
+    let movers = Movers::of([a, b].map(|rank| start.motions[rank as usize].moves));
     let mut touch = touch(&start.scene, aside.clip, patch, face, old, movers);
     let absorbed_j = touch.stored_j;
     let unloaded = match face {
@@ -142,7 +141,7 @@ pub(crate) fn assemble(
 
     // The normal law (eq. 2–3): spring, stop and damper.
     let factor = factor(model, face, &touch, old);
-    let lag_s = start.velocity_lags_s[constraint.one_floating() as usize];
+    let lag_s = start.motions[constraint.one_floating() as usize].velocity_lag_s;
     let kick_s = kick_s(lag_s, start.h);
     let (mut damper_n, mut damped_m2) = (0.0, 0.0);
     if material.damping_nspm2 != 0.0 {

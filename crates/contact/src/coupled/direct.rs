@@ -271,7 +271,7 @@ mod tests {
 
     /// To rounding: each contact's forces are those that it would have with all others' as they are.
     #[test]
-    fn the_direct_solve_is_where_a_sweep_changes_nothing() {
+    fn the_direct_solution_is_a_fixed_point_of_the_sweep() {
         let moving = (vec2(4e-3, 1e-2), 2e-4);
         for fixed in [Velocity::default(), moving] {
             let (mut bodies, inverses, mut constraints) = ship_on_fenders(0.5);
@@ -302,7 +302,7 @@ mod tests {
     }
 
     #[test]
-    fn where_a_bound_would_be_passed_no_body_changes() {
+    fn a_direct_solution_beyond_a_bound_changes_no_body() {
         let (bodies, inverses, mut constraints) = ship_on_fenders(1e-3);
         let mut tried = bodies.clone();
         assert!(!solve(&mut tried, &inverses, &mut constraints, H), "friction cannot hold");

@@ -6,6 +6,7 @@ use core::ops::Range;
 
 use crate::bodies::{Displaced, NONE_DISPLACED};
 use crate::candidates::Pairing;
+use crate::coupled::motion::Motion;
 use crate::memory::{HintMemory, Memory, Past, PatchMemory, PlaceMemory};
 use crate::model::Model;
 use crate::next_memory::NextMemory;
@@ -166,28 +167,28 @@ pub(crate) fn set_patches(islands: &mut [Island], patches: &[Patch]) {
 }
 
 impl Group {
-    /// Sets the group to these islands, with their moving bodies, which are marked in `in_island`. `one_each`: each island
-    /// has one moving body.
+    /// Sets the group to these islands, with their moving bodies, which are marked as in an island.
     pub(crate) fn enter(
         &mut self,
         islands: &[Island],
         candidates: &[Pairing],
-        one_each: bool,
-        moves: &[bool],
-        in_island: &mut [bool],
+        motions: &mut [Motion],
     ) {
         let ([first, ..], [.., last]) = (islands, islands) else { return };
         self.candidates = first.candidates().start..last.candidates().end;
         self.patches = first.patches.start as usize..last.patches.end as usize;
         self.bodies.clear();
-        if !one_each {
-            return self.find_bodies(&candidates[self.candidates.clone()], moves, in_island);
+        for Pairing { candidate, .. } in &candidates[self.candidates.clone()] {
+            for rank in [candidate.a, candidate.b] {
+                let motion = &mut motions[rank as usize];
+                if motion.moves && !motion.in_island {
+                    motion.in_island = true;
+                    self.bodies.push(rank);
+                }
+            }
         }
-        // An island is known by the rank of that body, and they are in the order of these.
-        for island in islands {
-            let rank = candidates[island.candidates().start].island;
-            in_island[rank as usize] = true;
-            self.bodies.push(rank);
+        if !self.bodies.is_sorted() {
+            self.bodies.sort_unstable();
         }
     }
 
@@ -197,27 +198,6 @@ impl Group {
         self.first_place = next.places.len();
         self.first_hint = next.hints.len();
         self.first_contact = results.contacts.len();
-    }
-
-    /// Lists the moving bodies of these candidates.
-    #[inline(never)]
-    fn find_bodies(&mut self, candidates: &[Pairing], moves: &[bool], in_island: &mut [bool]) {
-        let moves = &moves[..in_island.len()];
-        let (mut last, mut in_order) = (0, true);
-        for Pairing { candidate, .. } in candidates {
-            for rank in [candidate.a, candidate.b] {
-                let place = rank as usize;
-                if moves[place] && !in_island[place] {
-                    in_island[place] = true;
-                    self.bodies.push(rank);
-                    in_order &= last <= rank;
-                    last = rank;
-                }
-            }
-        }
-        if !in_order {
-            self.bodies.sort_unstable();
-        }
     }
 }
 

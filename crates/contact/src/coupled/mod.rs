@@ -21,6 +21,7 @@ pub(crate) mod contact_stage;
 mod direct;
 pub(crate) mod dynamics;
 pub(crate) mod island;
+mod motion;
 mod newton;
 pub(crate) mod peaks;
 pub(crate) mod press_out;
@@ -136,10 +137,10 @@ pub fn advance_in_place(
         return Ok(());
     }
     let input = HostInput { states, loads, step_s, velocities_continue: true };
-    let list_holds = begin(model, memory, work, &input)?;
+    begin(model, memory, work, &input)?;
     // The caller's list is where the step writes its states.
     core::mem::swap(states, &mut work.results.states_after);
-    let outcome = carry_out(model, memory, work, list_holds, step_s);
+    let outcome = carry_out(model, memory, work, step_s);
     core::mem::swap(states, &mut work.results.states_after);
     work.results.states_after.clear();
     if outcome.is_err() {
@@ -161,33 +162,32 @@ fn advance_copy(
     if step_s == 0.0 {
         return pause(model, memory, work, states, Some(loads));
     }
-    let list_holds = begin(model, memory, work, input)?;
+    begin(model, memory, work, input)?;
     // States of settled bodies are those of the last step and are not rewritten.
     if work.results.states_after.len() != states.len() {
         work.results.states_after.clear();
         work.results.states_after.extend_from_slice(states);
     }
-    carry_out(model, memory, work, list_holds, step_s)
+    carry_out(model, memory, work, step_s)
 }
 
-/// 1. Admit: checks the input, places the bodies, and applies their loads. Returns whether the neighbour list is valid.
+/// 1. Admit: checks the input, places the bodies, and applies their loads.
 fn begin(
     model: &Model,
     memory: &Memory,
     work: &mut Workspace,
     input: &HostInput<'_>,
-) -> Result<bool, StepError> {
-    let Workspace { bodies, displaced, dynamics, candidates, results, constraints, .. } = work;
+) -> Result<(), StepError> {
+    let Workspace { bodies, displaced, dynamics, results, constraints, .. } = work;
     let continues = dynamics.layout == Some(model.layout);
-    let list_holds =
-        dynamics.begin(model, memory, input, bodies, displaced, &candidates.neighbours)?;
+    dynamics.begin(model, memory, input, bodies, displaced)?;
     if !continues {
         results.states_after.clear();
         results.displacements.resize(model.bodies().len(), Displacement::default());
         constraints.solver.resize(model.ranked.len());
     }
     results.begin_events(model, &displaced.teleported);
-    Ok(list_holds)
+    Ok(())
 }
 
 /// Stages 2 to 6, after [`begin`]. `Results::states_after` has the states of bodies that do not move already.
@@ -195,7 +195,6 @@ fn carry_out(
     model: &Model,
     memory: &mut Memory,
     work: &mut Workspace,
-    list_holds: bool,
     step_s: f64,
 ) -> Result<(), StepError> {
     let Workspace { bodies, candidates, islands, next_memory, results, .. } = work;
@@ -204,18 +203,22 @@ fn carry_out(
     next_memory.clear();
 
     // 2. Broad phase: candidates, and their islands.
-    broad::pair(model, bodies, list_holds, candidates);
+    broad::pair(model, bodies, candidates);
     islands.split(model, &mut candidates.pairings);
 
     // 3–6. Overlaps, laws, solve and motion, in sub-steps (see `SubSteps::sub_step`).
     let keeps_hints = advance_islands(model, memory, work, step_s);
     let Workspace { bodies, dynamics, islands, next_memory, results, .. } = work;
-    dynamics.drift(model, bodies, step_s, results);
+    let sum = dynamics.drift(model, bodies, step_s, results);
     if !islands.in_order {
         sort_contacts(model, results);
         next_memory.sort();
     }
-    results.check_finite(model, &dynamics.active)?;
+    if !sum.is_finite()
+        && let Some(error) = results.not_finite(model)
+    {
+        return Err(error);
+    }
     results.layout = Some(model.layout);
 
     // The step is done: its memory becomes that of the next.
@@ -223,7 +226,8 @@ fn carry_out(
     core::mem::swap(&mut memory.last_states, &mut bodies.input);
     memory.last_step_s = step_s;
     memory.placed.clear();
-    memory.behind_s.clone_from(&dynamics.velocity_lags_s);
+    memory.behind_s.clear();
+    memory.behind_s.extend(dynamics.motions.iter().map(|motion| motion.velocity_lag_s));
     dynamics.layout = Some(model.layout);
     Ok(())
 }

@@ -209,7 +209,7 @@ mod tests {
     }
 
     #[test]
-    fn newton_acceleration_ends_where_the_sweeps_do() {
+    fn newton_acceleration_reaches_the_solution_of_the_sweeps() {
         let (mut bodies, inverses, mut constraints) = ship_on_fenders();
         let last_mps =
             sweep_until_settled(&mut bodies, &inverses, &mut constraints, &mut Vec::new(), H);
@@ -232,7 +232,7 @@ mod tests {
     /// It gained 0.5 % in one of 100,000 random hits, by a shear spring stiff for the time step while the
     /// other forces changed.
     #[test]
-    fn a_shear_spring_that_is_stiff_for_the_step_gave_back_more_than_it_took() {
+    fn a_stiff_shear_spring_returned_more_energy_than_it_absorbed() {
         let material = Material { shear_stiffness_npm: 1e8, friction_static: 1e30, ..RUBBER };
         let inverses = [InverseMatrix::isotropic(9e5, 6e7), InverseMatrix::default()];
         let mut body: Velocity = (vec2(0.3, 0.0), 0.0);

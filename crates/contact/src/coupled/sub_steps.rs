@@ -109,7 +109,7 @@ impl SubSteps<'_> {
                     self.next_memory.hints.extend_from_slice(past.hints);
                 }
             }
-            self.dynamics.report(model, self.group, self.results);
+            self.dynamics.mark_moved_fixed();
         }
         all_stay
     }
@@ -117,9 +117,7 @@ impl SubSteps<'_> {
     /// Begins a group of islands.
     fn enter(&mut self, islands: &[Island]) {
         let pairings = self.candidates.pairings.as_slice();
-        let Dynamics { moves, in_island, moving_fixed, .. } = &mut *self.dynamics;
-        let one_each = !self.joined && moving_fixed.is_empty();
-        self.group.enter(islands, pairings, one_each, moves, in_island);
+        self.group.enter(islands, pairings, &mut self.dynamics.motions);
         self.group.begin_lists(self.next_memory, self.results);
         let own = &pairings[self.group.candidates.clone()];
         self.dynamics.reset_moving_fixed(self.bodies, own);
@@ -176,7 +174,7 @@ impl SubSteps<'_> {
 
         // v_free = v + κ M⁻¹ W: velocities by the loads alone.
         let joined = self.joined.then_some(islands);
-        dynamics.begin_sub_step(model, group, joined, patches, &bodies.input, sub_step);
+        dynamics.begin_sub_step(model, group, joined, patches, sub_step);
 
         // 4. The laws of the contacts (eq. 2–10) as constraints, from what each inherits.
         let first_patch = next_memory.patches.len();
@@ -191,9 +189,8 @@ impl SubSteps<'_> {
         let mut assembly = Assembly {
             start: Start {
                 scene,
-                moves: &dynamics.moves[..count],
                 inverses: &dynamics.inverses[..count],
-                velocity_lags_s: &dynamics.velocity_lags_s[..count],
+                motions: &dynamics.motions[..count],
                 h: sub_step.h,
             },
             aside: Aside { events: &mut results.events, clip: self.clip },
@@ -236,6 +233,6 @@ impl SubSteps<'_> {
         }
 
         // x⁺ = x + h v⁺.
-        dynamics.advance_positions(model, group, bodies, sub_step);
+        dynamics.advance_positions(model, group, bodies, results, sub_step);
     }
 }

@@ -64,7 +64,7 @@ mod tests {
 
     /// A side 2 m wide penetrates at 0.5 m/s, from a first touch anywhere in the first sub-step.
     #[test]
-    fn the_impulse_is_that_of_the_area_for_any_sub_steps() {
+    fn the_impulse_follows_the_area_for_any_sub_steps() {
         for touched_s in [0.01, 0.05, 0.09] {
             let (mut t, mut before_s, mut impulse_ns) = (touched_s, 0.1, 0.0);
             let mut answered = Answered::Nothing;
@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn a_first_touch_is_no_harder_than_its_speed() {
+    fn the_force_at_first_touch_is_bounded_by_the_speed() {
         for area_m2 in [1e-6, 0.05, 0.1] {
             let answered = Answered::Nothing;
             let growth = Growth { area_m2, chord_m: 2.0, closing_mps: 0.5, answered };

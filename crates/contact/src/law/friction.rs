@@ -127,7 +127,7 @@ pub(crate) struct ShearSpring {
 /// How a contact enters a sub-step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Slide {
-    /// It begins with this sub-step.
+    /// The contact begins with this sub-step.
     #[default]
     Begins,
     /// It sticks.
@@ -311,7 +311,7 @@ mod tests {
     }
 
     #[test]
-    fn slips_beyond_it_and_keeps_the_shear_of_the_dynamic_force() {
+    fn slips_beyond_the_static_limit_with_the_shear_of_the_dynamic_force() {
         for sign in [1.0, -1.0] {
             let slid = friction(&RUBBER, sign * 0.0501, 100.0);
             assert_eq!(slid.force_n, -sign * 40.0);

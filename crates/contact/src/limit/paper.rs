@@ -59,8 +59,8 @@ pub(crate) fn limited_tangential_n(
     }
 }
 
-/// The smaller of a force and the one that changes the velocity by `change_mps`. Most forces are below it: a
-/// product tells, and only the others pay for the division.
+/// The smaller of a force and the one that changes the velocity by `change_mps`. Most forces are smaller; a product
+/// shows that, and only the others need the division.
 #[inline(always)]
 fn within(force_n: f64, change_mps: f64, mps_per_n: f64) -> f64 {
     if force_n * mps_per_n <= change_mps {
