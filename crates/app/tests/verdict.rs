@@ -174,7 +174,7 @@ fn cases() -> Vec<Case> {
             "not_rated",
             "note",
             "verdict: no rating to compare with",
-            "quay and tug touched; no limit of theirs is known",
+            "quay and tug touched; no permissible load is known for them",
         ),
     ]
 }

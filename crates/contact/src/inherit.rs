@@ -1,8 +1,9 @@
 //! Stage 3b, inherit: which patch of this step continues which memory of the last.
 //!
 //! A contact's memory belongs to its pair of bodies and its patch. It is kept while the contact moves from edge to edge
-//! and from piece to piece. A patch that splits leaves each part a share of its memory; patches that merge leave their
-//! mean.
+//! and from piece to piece. When a patch splits, each part keeps the whole shear, and its share by area of areas and
+//! energies. When patches merge, the shear is their mean by area, areas and energies are added, and the reference speed is
+//! the largest.
 
 use alloc::vec::Vec;
 

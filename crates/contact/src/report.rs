@@ -209,9 +209,9 @@ pub enum EventKind {
     ContactBegan,
     /// A contact patch ended.
     ContactEnded,
-    /// One patch split into two or more; each inherits its memory.
+    /// One patch split into two or more. Each keeps the whole shear, and its share by area of areas and energies.
     PatchSplit,
-    /// Two or more patches merged into one, which inherits the mean of their memories.
+    /// Two or more patches merged into one: the mean of their shear by area, the sum of their areas and energies.
     PatchesMerged,
     /// One body lies wholly within the other: the overlap no longer grows with depth.
     Contained,

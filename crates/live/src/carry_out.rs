@@ -14,7 +14,7 @@ use crate::cast::Cast;
 use crate::refusal::Refusal;
 use crate::session::Now;
 
-/// The vessels, tugs and lines under manual control: timed orders of the scenario to them are dropped.
+/// The vessels, tugs and lines under manual control: the scenario's later orders to them are cancelled.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ManualControl(BTreeSet<Target>);
 

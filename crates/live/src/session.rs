@@ -215,7 +215,8 @@ impl Session {
         let dropped = carry_out(&action, &self.cast, &mut self.now)?;
         if dropped {
             let text =
-                "manual control: the timed orders of the scenario to it are dropped".to_owned();
+                "now under manual control: the later orders of the scenario to it are cancelled"
+                    .to_owned();
             self.events.push((self.now.simulation.time_s(), text));
         }
         self.commands += 1;

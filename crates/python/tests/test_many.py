@@ -39,7 +39,7 @@ def test_each_run_equals_a_simulation() -> None:
         assert runs.verdicts["verdict"][index] == simulation.verdict == "not_rated"
         found = simulation.summary()["findings"]["text"].tolist()
         assert runs.findings["text"][runs.findings["run"] == index].tolist() == found
-        assert found == ["ship and tug touched; no limit of theirs is known"]
+        assert found == ["ship and tug touched; no permissible load is known for them"]
 
 
 def test_a_mistake_names_its_run() -> None:

@@ -27,7 +27,7 @@ pub fn event_text(kind: EventKind) -> &'static str {
             "a body was entirely inside another: the overlap no longer grew with depth"
         }
         EventKind::DeepOverlap => {
-            "an overlap was deeper than half the width of the smaller body: the force law is not meaningful \
+            "an overlap covered more than half the area of the smaller body: the force law is not valid \
              there"
         }
         EventKind::Teleported => "a body moved by more than its velocities explain (teleported)",

@@ -1,4 +1,4 @@
-//! Manoeuvring coefficients from main particulars: signs by known ships, routes, ranges, refusals.
+//! Manoeuvring coefficients from main particulars: signs by known ships, methods, ranges, refusals.
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
@@ -34,11 +34,11 @@ fn drift(ship: &Mmg) -> DriftPolynomial {
     }
 }
 
-/// The programs in which the regressions can be read disagree about three signs. Those taken give the published terms
-/// of KCS and KVLCC2; the other ones do not.
+/// The public programs with these regressions disagree about three signs. The chosen signs give the published terms of KCS and
+/// KVLCC2; the other ones do not.
 #[test]
 fn the_signs_of_the_regressions_are_those_of_kcs_and_kvlcc2() {
-    // Over drift, added mass within: those of KVLCC2 are published over v'.
+    // Over drift, with added mass: the terms of KVLCC2 are published over v'.
     let kcs = drift(&library("kcs"));
     let kvlcc2 = library("kvlcc2");
     let Some(Polynomial::Sway(over_sway)) = kvlcc2.hull.under_way else { panic!("over v'") };
@@ -64,13 +64,13 @@ fn the_signs_of_the_regressions_are_those_of_kcs_and_kvlcc2() {
         for (index, ours) in [ours.y_bbb, ours.n_brr, ours.x_br].into_iter().enumerate() {
             let (ours, other) =
                 ((ours - published[index]).abs(), (other_reading[index] - published[index]).abs());
-            // X'βr of KVLCC2 is met by both, within a tenth; every other term by one of the two.
+            // Both signs give X'βr of KVLCC2 within a tenth; only one of them gives each other term.
             assert!(ours < other || ours < 0.1 * published[index].abs().max(0.3), "{index}");
         }
     }
 }
 
-/// Every other term lies beside the published ones, with their sign.
+/// Every other term is near the published ones, with their sign.
 #[test]
 fn linear_terms_are_those_of_kcs_and_kvlcc2_within_a_third() {
     for name in ["kcs", "kvlcc2"] {
@@ -88,11 +88,11 @@ fn linear_terms_are_those_of_kcs_and_kvlcc2_within_a_third() {
 }
 
 #[test]
-fn a_merchant_ship_within_the_range_is_told_to_be_so_and_one_outside_is_told_of() {
+fn ratios_outside_the_validated_range_are_reported() {
     let inside = estimated(&known(hull(175.0, 25.4, 8.5, 0.56))).expect("a ship");
     assert_eq!((inside.method, inside.outside.len()), (Some(EstimateMethod::YoshimuraMasumoto), 0));
 
-    // A fine ferry: her block coefficient alone.
+    // A fine ferry: only her block coefficient is outside.
     let fine = estimated(&known(hull(150.0, 25.0, 8.0, 0.5))).expect("a ship");
     assert_eq!(fine.method, Some(EstimateMethod::YoshimuraMasumoto));
     let [outside] = fine.outside.as_slice() else { panic!("{:?}", fine.outside) };
@@ -101,7 +101,7 @@ fn a_merchant_ship_within_the_range_is_told_to_be_so_and_one_outside_is_told_of(
     assert!(text.starts_with("block_coefficient is 0.500, outside 0.55 to 0.85"), "{text}");
 }
 
-/// A hull of tug's proportions has no merchant ship's polynomial, in which single terms would change their sign.
+/// A hull with the proportions of a tug does not get a merchant ship's polynomial, in which single terms would change sign.
 #[test]
 fn a_tug_is_estimated_by_linear_terms_and_cross_flow() {
     let tug = Known { gear: None, ..known(hull(30.0, 12.0, 4.5, 0.56)) };
@@ -112,16 +112,16 @@ fn a_tug_is_estimated_by_linear_terms_and_cross_flow() {
     assert_eq!(estimated_by(EstimateMethod::Clarke, &tug), Ok(estimate));
 }
 
-/// Nothing is told of a ship whose hull, propeller and rudder are her own.
+/// Nothing is reported of a ship with known hull, propeller and rudder.
 #[test]
-fn a_ship_with_tests_of_her_own_has_no_route() {
+fn a_ship_with_her_own_coefficients_has_no_estimate_method() {
     for name in ["kcs", "kvlcc2", "esso-osaka"] {
         let origin = &VesselLibrary::built_in().vessel(name).expect("built in").origin.clone();
         assert_eq!((origin.estimate_method, origin.outside.len()), (None, 0), "{name}");
     }
 }
 
-/// Every term that damps does so, over all that is taken for a merchant ship.
+/// Every damping term has the sign of damping, for all particulars of merchant ships.
 #[test]
 fn damping_keeps_its_sign_over_all_merchant_ships() {
     for block in [0.4, 0.55, 0.7, 0.85, 0.95] {

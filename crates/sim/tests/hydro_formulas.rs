@@ -51,7 +51,7 @@ fn cross_flow_on_the_container_ship() {
         let velocity = Velocity { surge_mps: 0.0, sway_mps, yaw_radps };
         flow.force(&velocity, ship.length_m, ship.draught_m, Water::SEA)
     };
-    // The brief allows 0.5 %; the printed digits are 0.01 % and 0.1 %.
+    // The printed digits are 0.01 % and 0.1 %.
     printed(-force(1.0, 0.0).sway_n / 1e3, 826.8, 0.1);
     printed(-force(0.0, 0.01).yaw_nm / 1e6, 68.4, 0.1);
     assert_eq!(force(1.0, 0.0).yaw_nm, 0.0);
@@ -96,7 +96,7 @@ proptest! {
         let scale_n = 0.5 * 1025.0 * draught_m * 0.8 * length_m * (v * v + tip * tip);
         prop_assert!((ours.sway_n - sway_n).abs() <= 1e-7 * scale_n);
         prop_assert!((ours.yaw_nm - yaw_nm).abs() <= 1e-7 * scale_n * length_m);
-        // Drag takes energy out, always.
+        // Drag always dissipates energy.
         prop_assert!(ours.sway_n * v + ours.yaw_nm * velocity.yaw_radps <= 0.0);
     }
 }
@@ -193,7 +193,7 @@ fn squat_of_the_container_ship() {
 fn current_abeam_in_shallow_water() {
     let ship = container();
     // With an assumed midship coefficient of 0.98: 228.7, 446.4 and 833.4 kN: within
-    // one unit of the last place, and far within the 1 % that is asked for.
+    // one unit of the last place.
     for (ratio, printed_kn) in [(100.0, 229.0), (2.0, 446.0), (1.2, 834.0)] {
         let force_n = current_abeam_n(&ship, 0.98, ratio * 9.0, 0.5, Water::SEA).expect("afloat");
         printed(force_n / 1e3, printed_kn, 2.0);
@@ -202,11 +202,11 @@ fn current_abeam_in_shallow_water() {
     }
 }
 
-/// What a ship at rest in the simulation feels of a current abeam, beside UFC 4-159-03. The one begins at Hoerner's
-/// coefficient of the midship section (0.60), the other at its own C₀ (0.67): a tenth in deep water, less as
-/// the depth, and with it the part that both share, begins to govern.
+/// The force of a current abeam on a ship at rest in the simulation, compared with UFC 4-159-03. In deep water the simulation
+/// has Hoerner's coefficient of the midship section (0.60) and UFC its own C₀ (0.67), a difference of a tenth. In shallow
+/// water the common term dominates, and the difference is smaller.
 #[test]
-fn a_current_abeam_grows_with_shallow_water_as_ufc_says() {
+fn the_force_of_a_current_abeam_grows_in_shallow_water_as_by_ufc() {
     let ship = container();
     let hull = kvlcc2().ship;
     let deep = hoerner_drag_coefficient(ship.beam_m, ship.draught_m);
@@ -217,7 +217,7 @@ fn a_current_abeam_grows_with_shallow_water_as_ufc_says() {
         let ours_n = 0.5 * 1025.0 * ship.length_m * ship.draught_m * drag * 0.25;
         assert!((ours_n / theirs_n - 1.0).abs() < tolerance, "{ours_n} {theirs_n} at {ratio}");
     }
-    // And it is what the model at this depth has.
+    // The model at this depth has the same value.
     let there = hull.at_depth(1.2 * hull.particulars.draught_m);
     let before = hull.hull.low_speed.cross_flow.drag_coefficient;
     let after = there.hull.low_speed.cross_flow.drag_coefficient;
@@ -253,7 +253,7 @@ fn the_series_propellers_at_bollard() {
     }
 }
 
-/// Where a polynomial was measured it is taken as it is.
+/// In its measured range the polynomial is used unchanged.
 #[test]
 fn the_own_polynomial_holds_in_the_first_quadrant() {
     let propeller = kvlcc2().ship.propulsion.expect("a propeller").propeller;
@@ -266,7 +266,7 @@ fn the_own_polynomial_holds_in_the_first_quadrant() {
     }
 }
 
-/// Force astern on the ship beside the line that Miyauchi has for Esso Osaka, (−0.175 + 0.33 Js) above Js = −0.233
+/// Force astern on the ship, compared with Miyauchi's line for Esso Osaka, (−0.175 + 0.33 Js) above Js = −0.233
 /// and −0.251 below. Equal at bollard by the choice of deduction; elsewhere it is another propeller.
 #[test]
 fn force_astern_beside_esso_osaka() {
@@ -285,9 +285,9 @@ fn force_astern_beside_esso_osaka() {
     }
 }
 
-/// Where the two hull forms hand over they differ by less than half: printed, as no reference exists.
+/// Where the blend begins the two hull forms differ by less than half. The values are printed, as no reference exists.
 #[test]
-fn the_two_hull_forms_of_kvlcc2_are_of_one_size_where_they_meet() {
+fn the_two_hull_forms_of_kvlcc2_are_similar_where_they_meet() {
     let ship = kvlcc2().ship;
     let low: LowSpeedHull = ship.hull.low_speed;
     for drift_deg in [20.0_f64, 35.0, 50.0] {

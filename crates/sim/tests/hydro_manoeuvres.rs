@@ -62,7 +62,7 @@ fn experiment(ours: f64, theirs: f64, allowed: f64) {
 }
 
 #[test]
-fn kvlcc2_turns_as_the_independent_calculation_says() {
+fn kvlcc2_turns_as_in_the_independent_calculation() {
     let [advance, diameter] = diameters(&kvlcc2(), 35.0);
     independent(advance, 3.03, 0.01);
     independent(diameter, 3.01, 0.01);
@@ -72,7 +72,7 @@ fn kvlcc2_turns_as_the_independent_calculation_says() {
 }
 
 #[test]
-fn kvlcc2_overshoots_as_the_independent_calculation_says() {
+fn kvlcc2_overshoots_as_in_the_independent_calculation() {
     let [first, second] = overshoots(&kvlcc2(), 10.0);
     independent(first, 5.4, 0.1);
     independent(second, 14.0, 0.1);
@@ -99,8 +99,8 @@ fn kvlcc2_turns_and_overshoots_near_the_experiment() {
     experiment(overshoots(&kvlcc2(), -20.0)[0], 15.1, 4.0);
 }
 
-/// The paper's own calculation is of the model of 7 m: within 8 % at that scale. (With R'₀ = 0.022 nobody comes
-/// nearer; the ship of 320 m, with her thinner wake, is 6 to 11 % off.) Overshoots within 2°.
+/// The paper's own calculation is for the model of 7 m: within 8 % at that scale. (R'₀ = 0.022 allows no better agreement; the
+/// ship of 320 m, with her smaller wake fraction, differs by 6 to 11 %.) Overshoots within 2°.
 #[test]
 fn kvlcc2_model_turns_and_overshoots_near_the_published_calculation() {
     let vessel = kvlcc2_model();
@@ -142,7 +142,7 @@ fn kvlcc2_is_self_propelled_at_the_published_revolutions() {
 }
 
 #[test]
-fn kcs_turns_and_overshoots_as_the_independent_calculation_says() {
+fn kcs_turns_and_overshoots_as_in_the_independent_calculation() {
     let [advance, diameter] = diameters(&kcs(), 35.0);
     independent(advance, 3.37, 0.01);
     independent(diameter, 3.59, 0.01);
@@ -165,7 +165,7 @@ fn half_the_time_step_moves_no_measure_by_a_thousandth() {
     let fine = turning_circle(&model, &fine, rudder_rad).expect("she turns");
     assert!((coarse.advance_m / fine.advance_m - 1.0).abs() < 1e-3);
     assert!((coarse.tactical_diameter_m / fine.tactical_diameter_m - 1.0).abs() < 1e-3);
-    // A step is also how late an execute can be: 0.08 s at 0.5°/s.
+    // An execute can be late by a step: 0.08 s at 0.5°/s.
     let (ten_rad, fine) =
         (10_f64.to_radians(), Approach { step_s: 0.5 * approach.step_s, ..approach });
     let coarse = zig_zag(&model, &approach, ten_rad, ten_rad).expect("she answers");
@@ -207,7 +207,7 @@ fn a_ships_friction_is_less_than_her_models() {
 /// before the stop over that thrust, C from the time to reverse. By integration A = M/(2kL) and B = ku₀²/T. Ours has
 /// less thrust astern at speed than at rest, by the propeller series, and must come out longer, but by less than a tenth.
 #[test]
-fn crash_stops_are_as_long_as_the_closed_form_of_constant_thrust_says() {
+fn crash_stops_agree_with_the_closed_form_for_constant_thrust() {
     let tested = kvlcc2();
     let own = tested
         .ship
@@ -241,7 +241,7 @@ fn crash_stops_are_as_long_as_the_closed_form_of_constant_thrust_says() {
 
 /// At low speed (Fn 0.07), against `validation/independent/esso_osaka_turning.py`.
 #[test]
-fn esso_osaka_turns_as_the_independent_calculation_says() {
+fn esso_osaka_turns_as_in_the_independent_calculation() {
     for (rudder_deg, theirs) in
         [(35.0, [3.444, 3.988]), (-35.0, [3.343, 3.765]), (20.0, [4.782, 6.349])]
     {
@@ -252,7 +252,7 @@ fn esso_osaka_turns_as_the_independent_calculation_says() {
 }
 
 #[test]
-fn a_rudder_amidships_turns_nobody() {
+fn a_rudder_amidships_does_not_turn_a_ship() {
     let (model, approach) = ready(&kvlcc2());
     let error = turning_circle(&model, &approach, 0.0).expect_err("no turn");
     assert!(matches!(error, ManoeuvreError::NotReached { .. }), "{error}");

@@ -1,4 +1,4 @@
-//! The three-degree-of-freedom ship against laws of mechanics; actuators against closed forms.
+//! The model of three degrees of freedom compared with laws of mechanics; actuators compared with closed forms.
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
@@ -14,7 +14,7 @@ use fenderline_sim::hydro::{
 use proptest::prelude::*;
 use ships::{esso_osaka_model, kcs, kvlcc2};
 
-/// The same ship with everything that has a side taken to the other.
+/// The ship with equal coefficients for both sides.
 fn symmetric(mut ship: Mmg) -> Mmg {
     let propulsion = ship.propulsion.as_mut().expect("a propeller");
     let [negative, positive] = propulsion.rudder.straightening;
@@ -37,7 +37,7 @@ fn mirrored(motion: &Motion) -> Motion {
     }
 }
 
-/// Bit for bit: no term knows a side but γ_R and C₂.
+/// Bit for bit: only γ_R and C₂ differ between the sides.
 #[test]
 fn mirrored_controls_give_the_mirrored_track() {
     for ship in [symmetric(kvlcc2().ship), symmetric(kcs().ship)] {
@@ -48,7 +48,7 @@ fn mirrored_controls_give_the_mirrored_track() {
         };
         let (mut here, mut there) = (start, mirrored(&start));
         for step in 0..4000 {
-            // Ahead, stop, astern, with the rudder about.
+            // Ahead, stop, astern, with changes of the rudder.
             let shaft_rps = [1.5, 0.0, -1.2, 0.4][step / 1000];
             let rudder_rad = if step % 700 < 350 { 0.6 } else { -0.3 };
             let push = Force { surge_n: 0.0, sway_n: 1e5, yaw_nm: -3e6 };
@@ -63,7 +63,7 @@ fn mirrored_controls_give_the_mirrored_track() {
     }
 }
 
-/// A hull without forces and without added mass is a rigid body: momentum and energy stay.
+/// A hull without forces and without added mass is a rigid body: momentum and energy are constant.
 #[test]
 fn a_body_without_water_forces_keeps_momentum_and_energy() {
     let mut ship = Mmg { propulsion: None, ..esso_osaka_model().ship };
@@ -77,7 +77,7 @@ fn a_body_without_water_forces_keeps_momentum_and_energy() {
         velocity: Velocity { surge_mps: 0.5, sway_mps: -0.2, yaw_radps: 0.7 },
         ..Motion::default()
     };
-    // Velocity of the centre of gravity over ground stays.
+    // The velocity of the centre of gravity over ground is constant.
     let centre = |m: &Motion| {
         let (sin, cos) = libm::sincos(m.heading_rad);
         let v = m.velocity;
@@ -97,7 +97,7 @@ fn a_body_without_water_forces_keeps_momentum_and_energy() {
     assert!((energy(&motion) / energy(&start) - 1.0).abs() < 1e-9);
 }
 
-/// Both integrators go to the same motion, in first and fourth order.
+/// Both integrators converge to the same motion, in first and fourth order.
 #[test]
 fn the_integrators_converge_to_one_motion() {
     let model = Model3::new(kvlcc2().ship, Water::SEA);
@@ -127,9 +127,9 @@ fn the_integrators_converge_to_one_motion() {
 proptest! {
     // 20 000 steps a case.
     #![proptest_config(ProptestConfig::with_cases(48))]
-    /// With engine stopped and rudder amidships the water only takes energy from a ship: nothing drives itself.
+    /// With engine stopped and rudder amidships the water only dissipates a ship's energy.
     #[test]
-    fn a_ship_left_alone_comes_to_rest(
+    fn a_ship_without_propulsion_comes_to_rest(
         surge_mps in -2.0_f64..8.0,
         sway_mps in -2.0_f64..2.0,
         tip_mps in -4.0_f64..4.0,
@@ -148,17 +148,17 @@ proptest! {
             greatest_j = greatest_j.max(model.kinetic_j(&motion.velocity));
         }
         let end_j = model.kinetic_j(&motion.velocity);
-        // Resistance by the square leaves 1/u ≥ t R0'/(2 B Cb) however slowly she began: below 0.2 m/s after this
-        // time for each of the three, and no 2 % of what was less.
+        // Quadratic resistance gives 1/u ≥ t R0'/(2 B Cb) for any initial speed: below 0.2 m/s after this time for each of the
+        // three, or below 2 % of a smaller initial speed.
         let slow_j = model.kinetic_j(&Velocity { surge_mps: 0.2, ..Velocity::default() });
         prop_assert!(end_j < (0.02 * start_j).max(slow_j), "{end_j} J left of {start_j} J");
         prop_assert!(greatest_j < 1.02 * start_j.max(1e-12), "{greatest_j} J from {start_j} J");
     }
 }
 
-/// A steady push across ends where it balances the cross-flow drag, Y'v v|u| of the little way ahead that is left,
-/// and the rudder that lies across the flow: ½ρLT(C_D v² + 0.315 v|u|) + 1.312 · ½ρ A_R f_α (0.395 v)². The way ahead
-/// gives that rudder some lift of its own, and the rate of turn that is left some drag: 0.1 % together.
+/// A steady lateral push is balanced by the cross-flow drag, Y'v v|u| at the small remaining speed ahead, and the rudder across
+/// the flow: ½ρLT(C_D v² + 0.315 v|u|) + 1.312 · ½ρ A_R f_α (0.395 v)². The way ahead
+/// gives that rudder some lift, and the remaining rate of turn some drag: 0.1 % together.
 #[test]
 fn crabbing_reaches_the_speed_of_the_cross_flow_balance() {
     let model = Model3::new(kvlcc2().ship, Water::SEA);
@@ -189,7 +189,7 @@ fn bollard_pull_is_kt_at_rest_less_deduction() {
 }
 
 #[test]
-fn the_rudder_works_at_bollard_and_turns_about_astern() {
+fn the_rudder_acts_at_bollard_pull_and_is_reversed_astern() {
     let ship = kvlcc2().ship;
     let yaw_nm = |surge_mps: f64, shaft_rps: f64| {
         let velocity = Velocity { surge_mps, ..Velocity::default() };
@@ -207,7 +207,7 @@ fn the_rudder_works_at_bollard_and_turns_about_astern() {
 }
 
 #[test]
-fn thrusters_push_where_they_stand() {
+fn thrusters_act_at_their_positions() {
     let tunnel = TunnelThruster { bollard_n: 3e5, along_m: 130.0 };
     let push = tunnel.force(-1.0, &Velocity::default());
     assert_eq!([push.surge_n, push.sway_n, push.yaw_nm], [0.0, -3e5, -3e5 * 130.0]);
@@ -238,7 +238,7 @@ fn thrusters_push_where_they_stand() {
 }
 
 #[test]
-fn a_rudder_takes_its_time_and_stops_at_its_stop() {
+fn a_rudder_turns_at_its_rate_up_to_its_stop() {
     let mut rudder = RateLimited::rudder(2.5, 35.0);
     assert_eq!(rudder.step(20_f64.to_radians(), 4.0), Order::Taken);
     assert!((rudder.value.to_degrees() - 10.0).abs() < 1e-12);
@@ -252,7 +252,7 @@ fn a_rudder_takes_its_time_and_stops_at_its_stop() {
 }
 
 #[test]
-fn an_azimuth_turns_by_the_shorter_way() {
+fn an_azimuth_unit_turns_the_shorter_way() {
     let mut unit = Slewing {
         angle_rad: 170_f64.to_radians(),
         rate_radps: 12_f64.to_radians(),
@@ -262,7 +262,7 @@ fn an_azimuth_turns_by_the_shorter_way() {
     assert!((unit.angle_rad.to_degrees() + 178.0).abs() < 1e-9, "{}", unit.angle_rad.to_degrees());
     unit.step((-150_f64).to_radians(), 10.0);
     assert!((unit.angle_rad.to_degrees() + 150.0).abs() < 1e-9);
-    // By 720° more the same.
+    // 720° more give the same direction.
     unit.step((-150_f64 + 720.0).to_radians(), 1.0);
     assert!((unit.angle_rad.to_degrees() + 150.0).abs() < 1e-9);
     let before = unit;
@@ -281,7 +281,7 @@ fn the_telegraph_goes_up_in_steps() {
 proptest! {
     /// Exact for any Δt: two steps that add up end where one does.
     #[test]
-    fn actuators_do_not_care_how_time_is_cut(
+    fn actuators_are_exact_for_any_time_step(
         start in -1.0_f64..1.0,
         order in -2.0_f64..2.0,
         one_s in 0.0_f64..20.0,

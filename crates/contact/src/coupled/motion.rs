@@ -19,7 +19,7 @@ pub(crate) struct Motion {
     pub(crate) in_island: bool,
     /// It is fixed, and a group of islands has moved it through this step.
     pub(crate) has_moved: bool,
-    /// How long before its position its velocity belongs to (s). Negative if the host gave the velocity: then it is taken
+    /// Time by which its velocity is older than its position (s). Negative if the host gave the velocity: then it is taken
     /// to lag by half of this step.
     pub(crate) velocity_lag_s: f64,
     /// All forces but contact.

@@ -127,7 +127,7 @@ pub(crate) struct ShearSpring {
 /// How a contact enters a sub-step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Slide {
-    /// It begins with this sub-step.
+    /// The contact begins with this sub-step.
     #[default]
     Begins,
     /// It sticks.

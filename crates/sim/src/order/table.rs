@@ -20,7 +20,7 @@ pub enum TargetKind {
 /// What the target of an order must have to carry it out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Gear {
-    /// Nothing that every such target does not have.
+    /// No special gear.
     None,
     /// Propeller and rudder.
     PropellerAndRudder,

@@ -115,7 +115,7 @@ pub enum Finding {
         /// The fender.
         fender: usize,
     },
-    /// Two bodies touched, and nothing says what they stand.
+    /// Two bodies touched, and no permissible load is known for them.
     ContactNotRated {
         /// The two bodies.
         bodies: [usize; 2],
@@ -202,14 +202,14 @@ impl Finding {
                 format!("Line {} parted at {at_s:.1} s under {}", names[0], force(tension_n))
             }
             Finding::StartInside { fender: None, depth_m, .. } => format!(
-                "{} starts {} inside {}; the first contact has no meaning",
+                "{} starts {} inside {}; forces of the first contact are not physical: correct the start position",
                 names[0],
                 length(depth_m),
                 names[1]
             ),
             Finding::StartInside { fender: Some(_), depth_m, .. } => format!(
-                "Fender {} is compressed {} by {} and {} at the start, beyond its rating; the first contact has no \
-                 meaning",
+                "Fender {} is compressed {} by {} and {} at the start, beyond its rating; forces of the first contact \
+                 are not physical",
                 names[0],
                 length(depth_m),
                 names[1],
@@ -251,7 +251,10 @@ impl Finding {
                 format!("Fender {} has no rating to compare with", names[0])
             }
             Finding::ContactNotRated { .. } => {
-                format!("{} and {} touched; no limit of theirs is known", names[0], names[1])
+                format!(
+                    "{} and {} touched; no permissible load is known for them",
+                    names[0], names[1]
+                )
             }
             Finding::NoFenderTouched => "No fender was touched".to_owned(),
         }
