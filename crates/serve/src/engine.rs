@@ -2,6 +2,7 @@
 //! publishes the latest frame. It waits for the clock only: a slow client misses frames, a flood of commands is refused.
 
 mod chart_output;
+mod client;
 mod clients;
 mod commands;
 mod event_log;
@@ -20,7 +21,7 @@ use fenderline_live::{AlarmBook, Info, Session, StepError};
 use fenderline_nautical::ChartOrigin;
 
 use self::chart_output::ChartOutput;
-use self::clients::Client;
+use self::client::Client;
 use self::event_log::EventLog;
 use self::predictor::Predictor;
 use super::claims::{Claims, ClientId};

@@ -1,5 +1,6 @@
 //! Plan views: bodies seen from above, north up, one scale both ways.
 
+mod box2;
 mod fenders;
 mod furniture;
 mod harbour;
@@ -10,10 +11,11 @@ use fenderline_contact::Vec2;
 use maud::{Markup, html};
 
 use super::{colour, dash};
+use box2::Box2;
 pub use fenders::{FenderBox, Use, fenders_legend};
 use furniture::{grid, north_arrow, scale_bar};
 pub use harbour::{Harbour, LineDrawn, TugDrawn, Weather, harbour_legend};
-use labels::label_places;
+use labels::{arrow_boxes, label_places};
 use map::{ARROW, BOTTOM, Map, TOP, WIDTH, arrow_text};
 pub use map::{Arrow, Frame, Label, Place};
 
@@ -74,6 +76,15 @@ pub struct Track {
 }
 
 impl Plan {
+    /// What no name may cover.
+    fn obstacles(&self, map: &Map) -> Vec<Box2> {
+        let mut all = furniture::boxes(map);
+        all.extend(harbour::boxes(&self.harbour, map));
+        all.extend(self.arrows.iter().flat_map(|arrow| arrow_boxes(arrow, map)));
+        all.extend(self.fenders.iter().map(|fender| Box2::around(&fender.corners(map), 0.0)));
+        all
+    }
+
     /// The view as a `figure` with its title and note.
     pub fn render(&self) -> Markup {
         let map = Map::of(self.frame);
@@ -96,7 +107,7 @@ impl Plan {
                         @for ends_m in &self.harbour.banks { (harbour::bank(*ends_m, &map)) }
                         @for line in &self.harbour.lines { (harbour::line(line, &map)) }
                         @for tug in &self.harbour.tugs { (harbour::tug(tug, &map)) }
-                        @for (label, at) in self.labels.iter().zip(label_places(self, &map)) {
+                        @for (label, at) in self.labels.iter().zip(label_places(&self.labels, self.obstacles(&map), &map)) {
                             @if let Some((x, y)) = at { (named(label, x, y)) }
                         }
                         @for arrow in &self.arrows { (arrowed(arrow, &map)) }

@@ -9,20 +9,10 @@ use fenderline_live::{COMMAND_LIMITS, Control};
 use tokio::sync::{mpsc, watch};
 
 use super::Engine;
+use super::client::Client;
 use crate::claims::ClientId;
 use crate::hub::Text;
 use crate::permit;
-
-/// A connected client.
-pub(super) struct Client {
-    pub(super) role: Role,
-    /// Its role and number, for notices.
-    pub(super) label: String,
-    /// Holds the latest greeting.
-    hello: watch::Sender<Option<Text>>,
-    /// Queues answers and notices.
-    out: mpsc::Sender<Text>,
-}
 
 impl Engine {
     /// Links of all roles that the scenario has.

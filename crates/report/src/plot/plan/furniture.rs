@@ -4,7 +4,7 @@ use core::fmt::Write as _;
 
 use maud::{Markup, html};
 
-use super::labels::Box2;
+use super::box2::Box2;
 use super::map::{BOTTOM, Map, TOP, WIDTH};
 use crate::plot::axis::nice_step;
 use crate::plot::number::{fixed, order_of};

@@ -4,7 +4,7 @@ use fenderline_contact::Vec2;
 use fenderline_contact::number::greater;
 use maud::{Markup, html};
 
-use super::labels::Box2;
+use super::box2::Box2;
 use super::map::Map;
 
 /// Everything besides hulls and fenders; nothing by default.

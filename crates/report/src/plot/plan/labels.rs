@@ -1,90 +1,26 @@
 //! Where the names stand in a plan view: none covers another text, a fender, an arrow or a tug.
 
 use fenderline_contact::Vec2;
-use fenderline_contact::number::{greater, lesser};
 
-use super::Plan;
-use super::furniture;
-use super::harbour;
-use super::map::{ARROW, Arrow, Map, Place, arrow_text};
+use super::box2::{Box2, HALF_LINE};
+use super::map::{ARROW, Arrow, Label, Map, Place, arrow_text};
 
 /// Distances from the thing that a name belongs to, and between two tries (px).
 const GAP: f64 = 5.0;
 const SHIFT: f64 = 9.0;
-/// Half the height of a text (px).
-const HALF_LINE: f64 = 8.0;
 /// Places along a body, as shares of half its length from the middle.
 const ALONG: [f64; 9] = [0.0, 0.2, -0.2, 0.4, -0.4, 0.6, -0.6, 0.8, -0.8];
 
-/// A rectangle of the drawn area, by its middle and half its size (px).
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Box2 {
-    x: f64,
-    y: f64,
-    pub(super) half_width: f64,
-    half_height: f64,
-}
-
-impl Box2 {
-    /// Of a text with its middle at a point.
-    pub(super) fn of_text(text: &str, x: f64, y: f64) -> Box2 {
-        let count = u32::try_from(text.chars().count()).map_or(0.0, f64::from);
-        Box2 { x, y, half_width: count * 3.6 + 3.0, half_height: HALF_LINE }
-    }
-
-    /// Of a text that begins at a point, or ends there.
-    pub(super) fn of_text_from(text: &str, (x, y): (f64, f64), is_left: bool) -> Box2 {
-        let mut of = Box2::of_text(text, x, y);
-        of.x += if is_left { -of.half_width } else { of.half_width };
-        of
-    }
-
-    /// From the upper left corner to the lower right one.
-    pub(super) fn between((left, top): (f64, f64), (right, bottom): (f64, f64)) -> Box2 {
-        Box2 {
-            x: 0.5 * (left + right),
-            y: 0.5 * (top + bottom),
-            half_width: 0.5 * (right - left),
-            half_height: 0.5 * (bottom - top),
-        }
-    }
-
-    /// Round points, with a margin.
-    pub(super) fn around(points: &[(f64, f64)], margin: f64) -> Box2 {
-        let low = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).fold(f64::INFINITY, lesser);
-        let high =
-            |of: fn(&(f64, f64)) -> f64| points.iter().map(of).fold(f64::NEG_INFINITY, greater);
-        Box2::between(
-            (low(|p| p.0) - margin, low(|p| p.1) - margin),
-            (high(|p| p.0) + margin, high(|p| p.1) + margin),
-        )
-    }
-
-    fn overlaps(&self, other: &Box2) -> bool {
-        (self.x - other.x).abs() < self.half_width + other.half_width
-            && (self.y - other.y).abs() < self.half_height + other.half_height
-    }
-
-    /// Distance of a point; 0 inside (px).
-    fn distance(&self, (x, y): (f64, f64)) -> f64 {
-        let off = |distance: f64, half: f64| greater(distance.abs() - half, 0.0);
-        libm::hypot(off(x - self.x, self.half_width), off(y - self.y, self.half_height))
-    }
-
-    fn lies_within(&self, width: f64, height: f64) -> bool {
-        self.x > self.half_width
-            && self.x < width - self.half_width
-            && self.y > self.half_height
-            && self.y < height - self.half_height
-    }
-}
-
-/// The middle of each label (px). The first labels choose first; `None`: there is no free place.
-pub(super) fn label_places(plan: &Plan, map: &Map) -> Vec<Option<(f64, f64)>> {
-    let mut taken = obstacles(plan, map);
+/// The middle of each label (px), on nothing that is `taken`. The first labels choose first; `None`: there is no free
+/// place.
+pub(super) fn label_places(
+    labels: &[Label],
+    mut taken: Vec<Box2>,
+    map: &Map,
+) -> Vec<Option<(f64, f64)>> {
     let things: Vec<(f64, f64)> =
-        plan.labels.iter().filter_map(|label| thing(&label.place, map)).collect();
-    let places = plan.labels.iter().map(|label| {
+        labels.iter().filter_map(|label| thing(&label.place, map)).collect();
+    let places = labels.iter().map(|label| {
         let own = thing(&label.place, map);
         let free = candidates(&label.text, &label.place, map).into_iter().find_map(|(x, y)| {
             let text = Box2::of_text(&label.text, x, y);
@@ -109,17 +45,8 @@ fn thing(place: &Place, map: &Map) -> Option<(f64, f64)> {
     }
 }
 
-/// What no name may cover.
-fn obstacles(plan: &Plan, map: &Map) -> Vec<Box2> {
-    let mut all = furniture::boxes(map);
-    all.extend(harbour::boxes(&plan.harbour, map));
-    all.extend(plan.arrows.iter().flat_map(|arrow| arrow_boxes(arrow, map)));
-    all.extend(plan.fenders.iter().map(|fender| Box2::around(&fender.corners(map), 0.0)));
-    all
-}
-
 /// The ring at an arrow's beginning, its shaft and its text.
-fn arrow_boxes(arrow: &Arrow, map: &Map) -> Vec<Box2> {
+pub(super) fn arrow_boxes(arrow: &Arrow, map: &Map) -> Vec<Box2> {
     let (x, y) = map.px(arrow.from_m);
     let mut all = vec![Box2::around(&[(x, y)], 8.0)];
     if arrow.direction != Vec2::ZERO {
@@ -194,7 +121,7 @@ fn around((x, y): (f64, f64), reach: f64, half_width: f64, map: &Map) -> Vec<(f6
 mod tests {
     use fenderline_contact::vec2;
 
-    use super::super::{FenderBox, Frame, Harbour, Label, Use};
+    use super::super::{FenderBox, Frame, Harbour, Plan, Use};
     use super::*;
 
     /// A quay 20 m wide along the view with eight fenders, whose names stand on it.
@@ -226,7 +153,7 @@ mod tests {
             note: String::new(),
         };
         let map = Map::of(plan.frame);
-        let placed = label_places(&plan, &map);
+        let placed = label_places(&plan.labels, plan.obstacles(&map), &map);
         let boxes: Vec<Box2> = placed
             .iter()
             .zip(&plan.labels)
@@ -234,7 +161,7 @@ mod tests {
                 let (x, y) = at.unwrap_or_else(|| panic!("no place for {}", label.text));
                 Box2::of_text(&label.text, x, y)
             })
-            .chain(obstacles(&plan, &map))
+            .chain(plan.obstacles(&map))
             .collect();
         for (k, one) in boxes.iter().enumerate().take(plan.labels.len()) {
             let clear = boxes[k + 1..].iter().all(|other| !one.overlaps(other));

@@ -1,0 +1,17 @@
+//! A connected client.
+
+use fenderline_live::message::Role;
+use tokio::sync::{mpsc, watch};
+
+use crate::hub::Text;
+
+/// A connected client.
+pub(super) struct Client {
+    pub(super) role: Role,
+    /// Its role and number, for notices.
+    pub(super) label: String,
+    /// Holds the latest greeting.
+    pub(super) hello: watch::Sender<Option<Text>>,
+    /// Queues answers and notices.
+    pub(super) out: mpsc::Sender<Text>,
+}
