@@ -103,7 +103,7 @@ fn a_link_or_a_pipe_where_one_file_is_written_is_left_alone() {
             assert_eq!(place.shell(&line).code, 0);
             let told = run(&place, "fender fit curve.csv --out fitted.toml --height 1");
             assert_eq!(told.code, 2, "{line}: {}", told.stderr);
-            contains_all(&told.stderr, &[name, "which fenderline did not write"]);
+            contains_all(&told.stderr, &[name, "which fenderline does not replace"]);
             assert_eq!(place.text("precious.txt"), "precious", "{line}");
             assert_eq!(place.shell(&format!("rm {name}")).code, 0);
         }

@@ -445,7 +445,11 @@ fn a_page_that_reads_slowly_gets_the_latest_frame_and_all_events() {
         let paused = instructor.next("frame").await["tick"].as_u64().expect("a tick");
         let frame = slow.frame_after(paused).await;
         assert_eq!(frame["tick"], paused);
-        assert!(slow.events.iter().any(|text| text.contains("timed orders")), "{:?}", slow.events);
+        assert!(
+            slow.events.iter().any(|text| text.contains("under manual control")),
+            "{:?}",
+            slow.events
+        );
         server.stop_and_check();
     });
 }

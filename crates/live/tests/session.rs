@@ -268,7 +268,7 @@ fn a_manual_order_drops_the_timed_orders_of_the_scenario_to_that_control() {
     assert!(vessel.pilots.station.is_none() && vessel.pilots.course.is_none());
     assert_eq!((vessel.orders.rudder_rad, vessel.orders.shaft), (0.0, 0.1));
     let texts: Vec<String> = session.take_events().into_iter().map(|(_, text)| text).collect();
-    assert!(texts.iter().any(|text| text.contains("timed orders")), "{texts:?}");
+    assert!(texts.iter().any(|text| text.contains("under manual control")), "{texts:?}");
 }
 
 #[test]
