@@ -12,7 +12,7 @@ export default defineConfig({
         test: {
           name: "e2e",
           include: ["e2e/**/*.e2e.ts"],
-          testTimeout: 300_000,
+          testTimeout: 450_000,
           hookTimeout: 60_000,
           fileParallelism: false,
         },

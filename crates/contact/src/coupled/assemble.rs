@@ -63,9 +63,9 @@ impl Start<'_> {
         }
     }
 
-    /// As [`Start::seen`] for two moving bodies, one of which may be fixed; and whether each floats.
+    /// As [`Start::response`] for two moving bodies, one of which may be fixed; and whether each floats.
     #[inline(never)]
-    fn seen_of_both(
+    fn response_of_both(
         &self,
         [a, b]: [u32; 2],
         n: Vec2,
@@ -134,7 +134,7 @@ pub(crate) fn assemble(
         Movers::A => constraint.set_masses(start.response(a, normal, levers_a), [true, false]),
         Movers::B => constraint.set_masses(start.response(b, normal, levers_b), [false, true]),
         Movers::Both => {
-            let (seen, floats) = start.seen_of_both([a, b], normal, levers_a, levers_b);
+            let (seen, floats) = start.response_of_both([a, b], normal, levers_a, levers_b);
             constraint.set_masses(seen, floats);
         }
     }
