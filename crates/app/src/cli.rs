@@ -13,8 +13,8 @@ use crate::output::Format;
 
 /// Ship, fender, quay and tug contact: run, check and validate scenarios.
 ///
-/// Exit codes: 0 done, 1 the case failed, 2 bad input, 130 the run was interrupted by Ctrl-C; its results up to then are
-/// written.
+/// Exit codes: 0 done, 1 the case failed (or its verdict is a failure: see `run --allow-failures`), 2 bad input, 130 the
+/// run was interrupted by Ctrl-C; its results up to then are written.
 #[derive(Debug, Parser)]
 #[command(name = "fenderline", version, propagate_version = true)]
 pub(crate) struct Cli {
