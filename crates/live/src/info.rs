@@ -14,9 +14,8 @@ use crate::message::{
 };
 use crate::order_info::order_infos;
 
-/// Working load of a line over its breaking load: that of synthetic ropes in public summaries of OCIMF's MEG4, which have
-/// 55 % for wire.
-pub(crate) const WORKING_SHARE: f64 = 0.5;
+/// The working load of a cable over its breaking load; our choice, as the guideline for ropes has none for cables.
+const CABLE_WORKING_SHARE: f64 = 0.5;
 /// Rate of a manual order to a winch that can go as fast (m/s): a usual speed for warping under load.
 const MANUAL_WINCH_MPS: f64 = 0.15;
 
@@ -155,7 +154,7 @@ fn line_info(line: &MooringSetup) -> LineInfo {
             LineEnd::OnBody { body, at_m, .. } => LineEndInfo::OnBody { body, at_m: pair(at_m) },
         },
         breaking_n,
-        working_n: WORKING_SHARE * breaking_n,
+        working_n: line.line.kind.working_load_n().unwrap_or(CABLE_WORKING_SHARE * breaking_n),
         winch_mps: match line.line.inboard_end {
             InboardEnd::Winch(winch) => Some(lesser(MANUAL_WINCH_MPS, winch.rate_mps)),
             InboardEnd::Bitts => None,

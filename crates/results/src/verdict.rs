@@ -1,6 +1,6 @@
 //! The verdict of a run on a fender.
 
-use fenderline_sim::{FenderSetup, FenderSummary};
+use fenderline_sim::{FenderSetup, FenderSummary, Finding};
 
 /// The verdict on a touched fender, from best to worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -20,17 +20,12 @@ pub enum FenderVerdict {
 impl FenderVerdict {
     /// The verdict on a fender after a run.
     pub fn of(setup: &FenderSetup, summary: &FenderSummary) -> FenderVerdict {
-        let is_over = |share: Option<f64>| share.is_some_and(|share| share > 1.0);
-        if summary.failed {
-            FenderVerdict::Failed
-        } else if is_over(summary.governing().map(|(_, share)| share)) {
-            FenderVerdict::OverRated
-        } else if is_over(summary.share_of_hull_pressure) {
-            FenderVerdict::HullPressure
-        } else if setup.rated.is_none() {
-            FenderVerdict::NotRated
-        } else {
-            FenderVerdict::Ok
+        match summary.finding(setup) {
+            Some(Finding::FenderFailed { .. }) => FenderVerdict::Failed,
+            Some(Finding::FenderOverRated { .. }) => FenderVerdict::OverRated,
+            Some(Finding::HullPressure { .. }) => FenderVerdict::HullPressure,
+            Some(_) => FenderVerdict::NotRated,
+            None => FenderVerdict::Ok,
         }
     }
 

@@ -12,8 +12,8 @@ use fenderline_results::{FenderVerdict, worst_first};
 /// Most fenders in the table.
 const FENDERS: usize = 12;
 
-/// One line per fender, the most used first: its peaks, and the largest of its shares of rated deflection,
-/// reaction and energy. Findings that need attention follow. Empty if the scenario has no fenders.
+/// One line per fender, the most used first: its peaks, and the quantity that governs with its share of the rated one.
+/// Empty if the scenario has no fenders.
 pub(super) fn table(outcome: &Outcome<'_>) -> String {
     let mut text = String::new();
     if outcome.setup.fenders.is_empty() {

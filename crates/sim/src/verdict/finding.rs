@@ -37,7 +37,8 @@ pub enum Finding {
         /// The tension at which it parted (N).
         tension_n: f64,
     },
-    /// Two bodies started inside each other, or a fender started beyond its rated deflection.
+    /// Two bodies started inside each other, or a fender started beyond its rated deflection (without a rating, beyond
+    /// half its projection).
     StartInside {
         /// The two bodies.
         bodies: [usize; 2],
@@ -208,8 +209,8 @@ impl Finding {
                 names[1]
             ),
             Finding::StartInside { fender: Some(_), depth_m, .. } => format!(
-                "Fender {} is compressed {} by {} and {} at the start, beyond its rating; forces of the first contact \
-                 are not physical",
+                "Fender {} starts compressed {} between {} and {}, more than any berthing explains; forces of the first \
+                 contact are not physical",
                 names[0],
                 length(depth_m),
                 names[1],

@@ -6,9 +6,11 @@
 //! | file | content |
 //! |---|---|
 //! | `verdict/finding.rs` | what can be found, and its sentence |
+//! | `verdict/fender.rs` | what is found on a fender |
 //! | `verdict/watch.rs` | the totals that a run keeps for it, step by step |
 //! | `verdict/start.rs` | bodies that start inside each other |
 
+mod fender;
 mod finding;
 mod start;
 mod watch;

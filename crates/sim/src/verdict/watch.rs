@@ -9,7 +9,7 @@ use crate::record::StepRecord;
 use crate::setup::Setup;
 use crate::world::{Mooring, WorldEventKind};
 
-/// When something was first so, and in how many steps.
+/// The first time of a condition, and the number of steps in which it held.
 #[derive(Clone, Copy, Debug, Default)]
 struct Lasting {
     first_s: Option<f64>,
@@ -61,7 +61,7 @@ pub(crate) struct Watch {
 }
 
 /// The bodies that fenders protect: those that carry fenders, and all fixed bodies where a fixed body carries some.
-pub(crate) fn protected(setup: &Setup) -> Vec<bool> {
+fn protected(setup: &Setup) -> Vec<bool> {
     let mut all = vec![false; setup.bodies.len()];
     for fender in &setup.fenders {
         all[fender.body] = true;
@@ -157,7 +157,7 @@ impl Watch {
         let mut any_touched = false;
         for summary in fenders {
             any_touched = true;
-            all.extend(fender_finding(setup, summary));
+            all.extend(summary.finding(&setup.fenders[summary.fender]));
         }
         if !any_touched && !setup.fenders.is_empty() {
             all.push(Finding::NoFenderTouched);
@@ -192,24 +192,6 @@ impl Watch {
             _ => Finding::ContactNotRated { bodies },
         }
     }
-}
-
-/// The worst of a touched fender, if there is anything.
-fn fender_finding(setup: &Setup, summary: &FenderSummary) -> Option<Finding> {
-    let fender = summary.fender;
-    let governing = summary.governing();
-    Some(if summary.failed {
-        let (at_s, deflection_m) = (summary.peak_deflection_at_s, summary.peak_deflection_m);
-        Finding::FenderFailed { fender, at_s, deflection_m }
-    } else if let Some((quantity, share)) = governing.filter(|(_, share)| *share > 1.0) {
-        Finding::FenderOverRated { fender, quantity, share }
-    } else if let Some(share) = summary.share_of_hull_pressure.filter(|share| *share > 1.0) {
-        Finding::HullPressure { fender, share }
-    } else if setup.fenders[fender].rated.is_none() {
-        Finding::FenderNotRated { fender }
-    } else {
-        return None;
-    })
 }
 
 impl LineWatch {
