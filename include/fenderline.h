@@ -15,8 +15,9 @@
  * its type, count or length requires; the library cannot check that. For arrays with one element per body, `count` must
  * be the number of bodies.
  *
- * Structures that begin with `size` are refused if it is not their sizeof: set it, and zero the rest. fl_state and
- * fl_wrench have no size member; a change of their layout would change FL_ABI_VERSION.
+ * Structures that begin with `size` are refused if it is not their sizeof: fl_settings_init(), fl_body_init() and the like at
+ * the end of this file set it, and zero the rest. fl_state, fl_wrench and fl_fender_view have no size member; a change of
+ * their layout would change FL_ABI_VERSION.
  *
  * Texts passed in are UTF-8 with a length in bytes; the length FL_NUL means that the text is NUL-terminated. Texts
  * returned are copied to a buffer of `capacity` bytes and NUL-terminated; `*length` gets their length without the NUL. A
@@ -35,6 +36,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 /**
  * Length of a text that is NUL-terminated.
@@ -211,7 +213,7 @@ typedef enum {
      */
     FL_STATUS_BAD_ARGUMENT = 5,
     /**
-     * A file cannot be read, or a scenario has an error: the message names file, line and key.
+     * A file cannot be read, or a scenario or the keys of a fender have an error: the message names file, line and key.
      */
     FL_STATUS_BAD_SCENARIO = 6,
     /**
@@ -236,7 +238,7 @@ typedef enum {
      */
     FL_STATUS_NOT_AVAILABLE = 11,
     /**
-     * The bytes are not a saved engine: truncated, changed or of another version.
+     * The bytes are not a saved engine or not a dump: truncated, changed or of another version.
      */
     FL_STATUS_BAD_BYTES = 12,
     /**
@@ -623,6 +625,78 @@ typedef struct {
     uint32_t fender;
 } fl_event;
 
+/**
+ * A fender as it is drawn, in the frame of the body that carries it (forward, starboard of its centre of gravity): draw it as a
+ * child of that body. Ends 1 are left and ends 2 right as seen when looking out from the body.
+ */
+typedef struct {
+    /**
+     * The body that carries it.
+     */
+    uint32_t body;
+    /**
+     * The body that presses it, of several the one that presses deepest; FL_NONE: it is not pressed.
+     */
+    uint32_t hull;
+    /**
+     * End of the line where it is mounted (m).
+     */
+    double mount_1_forward_m;
+    /**
+     * End of the line where it is mounted (m).
+     */
+    double mount_1_starboard_m;
+    /**
+     * Its other end (m).
+     */
+    double mount_2_forward_m;
+    /**
+     * Its other end (m).
+     */
+    double mount_2_starboard_m;
+    /**
+     * End of the face, compressed and turned as it is now (m).
+     */
+    double face_1_forward_m;
+    /**
+     * End of the face (m).
+     */
+    double face_1_starboard_m;
+    /**
+     * Its other end (m).
+     */
+    double face_2_forward_m;
+    /**
+     * Its other end (m).
+     */
+    double face_2_starboard_m;
+    /**
+     * Deflection in the last step (m); 0 if it is not pressed.
+     */
+    double deflection_m;
+    /**
+     * Rated deflection (m).
+     */
+    double rated_deflection_m;
+    /**
+     * Normal force in the last step, a mean over it, of all that press it (N): for an instrument.
+     */
+    double normal_force_n;
+    /**
+     * Largest normal force of one body within the last step (N): for an alarm.
+     */
+    double peak_normal_force_n;
+    /**
+     * Largest deflection within the last step (m).
+     */
+    double peak_deflection_m;
+    /**
+     * Turn of a panel on several cones about the vertical (rad), positive where the right end as seen by one who looks at the
+     * face is deflected more; 0 for other fenders.
+     */
+    double panel_turn_rad;
+} fl_fender_view;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -650,6 +724,40 @@ const char *fl_status_text(int32_t status);
 fl_status fl_last_error(char *buffer,
                         size_t capacity,
                         size_t *length);
+
+/**
+ * Copies the convex hull of points, such as all vertices of a ship's mesh seen from above: pairs of x (forward) and y (to
+ * starboard) (m). `capacity` counts vertices; `*vertices` gets their number, at most `points`. NULL and a capacity of 0
+ * query it.
+ */
+fl_status fl_outline_hull(const double *points_m,
+                          size_t points,
+                          double *outline_m,
+                          size_t capacity,
+                          size_t *vertices);
+
+/**
+ * Copies the outline of a ship from the points of her starboard side, from bow to stern or the other way: the same points and
+ * their mirror images. Points within `tolerance_m` of the centreline (y = 0) count as on it, and are not repeated. At most
+ * twice `points` vertices. For the rest see fl_outline_hull().
+ */
+fl_status fl_outline_mirror(const double *side_m,
+                            size_t points,
+                            double tolerance_m,
+                            double *outline_m,
+                            size_t capacity,
+                            size_t *vertices);
+
+/**
+ * Copies an outline with fewer vertices, from which no vertex of the given one is farther than `tolerance_m`. For the rest see
+ * fl_outline_hull().
+ */
+fl_status fl_outline_simplify(const double *points_m,
+                              size_t points,
+                              double tolerance_m,
+                              double *outline_m,
+                              size_t capacity,
+                              size_t *vertices);
 
 /**
  * Makes an empty builder at `*builder`, to be destroyed by fl_builder_destroy().
@@ -705,6 +813,44 @@ fl_status fl_builder_add_fender(fl_builder *builder,
                                 const double *curve,
                                 size_t points,
                                 uint32_t *index);
+
+/**
+ * Adds a fender under a unique name by the keys of a scenario file's `[fender.NAME]`, one KEY=VALUE per line: a fender of the
+ * catalogue by type and size, its temperature, several cones behind one panel, chains. Values carry units. `on` names its
+ * body and `material` its material, both added before; the rest is in the key reference of scenario files. Example:
+ * "on=quay\nmaterial=rubber\ntype=cone\nsize=1050 F1.1\nposition=[0, 12]\nwidth=2 m\ntemperature=40 degC". Its index, counted
+ * from 0, is stored to `index` unless that is NULL.
+ */
+fl_status fl_builder_add_fender_by_keys(fl_builder *builder,
+                                        const char *name,
+                                        size_t name_length,
+                                        const char *keys,
+                                        size_t keys_length,
+                                        uint32_t *index);
+
+/**
+ * Finds a material of a builder by its name.
+ */
+fl_status fl_builder_find_material(const fl_builder *builder,
+                                   const char *name,
+                                   size_t name_length,
+                                   uint32_t *material);
+
+/**
+ * Finds a body of a builder by its name.
+ */
+fl_status fl_builder_find_body(const fl_builder *builder,
+                               const char *name,
+                               size_t name_length,
+                               uint32_t *body);
+
+/**
+ * Finds a fender of a builder by its name.
+ */
+fl_status fl_builder_find_fender(const fl_builder *builder,
+                                 const char *name,
+                                 size_t name_length,
+                                 uint32_t *fender);
 
 /**
  * Enables contact between two bodies, with a material.
@@ -935,6 +1081,17 @@ fl_status fl_engine_contact(const fl_engine *engine,
                             fl_contact *contact);
 
 /**
+ * Copies all contacts of the last step, in their fixed order. `element_size` is sizeof(fl_contact); the members `size` need not
+ * be set. `*count` gets their number. NULL and a capacity of 0 query it alone; if the capacity is too small, nothing is copied,
+ * and the status is FL_STATUS_BUFFER_TOO_SMALL.
+ */
+fl_status fl_engine_contacts(const fl_engine *engine,
+                             fl_contact *contacts,
+                             size_t element_size,
+                             size_t capacity,
+                             size_t *count);
+
+/**
  * Number of events of the last step.
  */
 fl_status fl_engine_event_count(const fl_engine *engine, size_t *count);
@@ -943,6 +1100,16 @@ fl_status fl_engine_event_count(const fl_engine *engine, size_t *count);
  * Copies an event of the last step, counted from 0 in a fixed order. The caller sets `event->size`.
  */
 fl_status fl_engine_event(const fl_engine *engine, uint32_t index, fl_event *event);
+
+/**
+ * Copies all events of the last step, in their fixed order. `element_size` is sizeof(fl_event). For the rest see
+ * fl_engine_contacts().
+ */
+fl_status fl_engine_events(const fl_engine *engine,
+                           fl_event *events,
+                           size_t element_size,
+                           size_t capacity,
+                           size_t *count);
 
 /**
  * Saves the mutable state of the engine as bytes, results included. The bytes have a version and a checksum, and are the
@@ -961,8 +1128,102 @@ fl_status fl_engine_restore(fl_engine *engine,
                             const uint8_t *saved,
                             size_t length);
 
+/**
+ * Copies the outline of a body: `vertices` pairs of x (forward) and y (to starboard) from the centre of gravity (m), in the
+ * sense that is positive from x to y. `capacity` counts vertices; `*vertices` gets their number. NULL and a capacity of 0
+ * query the number alone; if the capacity is too small, nothing is copied, and the status is
+ * FL_STATUS_BUFFER_TOO_SMALL. Outlines do not change: read them once.
+ */
+fl_status fl_engine_outline(const fl_engine *engine,
+                            uint32_t body,
+                            double *outline_m,
+                            size_t capacity,
+                            size_t *vertices);
+
+/**
+ * Copies all fenders as they are drawn, after the last step; uncompressed before the first and where nothing presses them.
+ * `count` is the number of fenders.
+ */
+fl_status fl_engine_fender_views(const fl_engine *engine,
+                                 fl_fender_view *views,
+                                 size_t count);
+
+/**
+ * Records the steps from now on, and keeps at least the last `steps`; 0 ends it. At most 1 000 000. fl_engine_dump() makes a
+ * file of them. A recorded step takes longer.
+ */
+fl_status fl_engine_record(fl_engine *engine,
+                           size_t steps);
+
+/**
+ * Copies the recorded steps with all that is needed to replay them: model, settings, the engine before the first of them. It
+ * works after a failed step too, also after FL_STATUS_PANICKED. Write the bytes to a file and send it with your report:
+ * `fenderline replay FILE` takes the same steps. NULL and a capacity of 0 query `*length` alone.
+ */
+fl_status fl_engine_dump(const fl_engine *engine,
+                         uint8_t *buffer,
+                         size_t capacity,
+                         size_t *length);
+
+/**
+ * Replays a dump: makes an engine, takes its steps and stores the engine after the last of them to `*engine`, unless that is
+ * NULL. `*different` gets the number of steps that did not end as recorded, bit for bit: 0 with the same version of the
+ * library. `*steps` gets the number of all. Both may be NULL. Any bytes may be passed.
+ */
+fl_status fl_replay_dump(const uint8_t *dump,
+                         size_t length,
+                         size_t *steps,
+                         size_t *different,
+                         fl_engine **engine);
+
 #ifdef __cplusplus
 }  // extern "C"
 #endif  // __cplusplus
 
 #endif  /* FENDERLINE_H */
+
+/*
+ * Structures with `size` set and all else 0, ready to be filled in: C99 and C++11.
+ */
+static inline fl_settings fl_settings_init(void)
+{
+    fl_settings made;
+    memset(&made, 0, sizeof made);
+    made.size = sizeof made;
+    return made;
+}
+static inline fl_material fl_material_init(void)
+{
+    fl_material made;
+    memset(&made, 0, sizeof made);
+    made.size = sizeof made;
+    return made;
+}
+static inline fl_body fl_body_init(void)
+{
+    fl_body made;
+    memset(&made, 0, sizeof made);
+    made.size = sizeof made;
+    return made;
+}
+static inline fl_fender fl_fender_init(void)
+{
+    fl_fender made;
+    memset(&made, 0, sizeof made);
+    made.size = sizeof made;
+    return made;
+}
+static inline fl_contact fl_contact_init(void)
+{
+    fl_contact made;
+    memset(&made, 0, sizeof made);
+    made.size = sizeof made;
+    return made;
+}
+static inline fl_event fl_event_init(void)
+{
+    fl_event made;
+    memset(&made, 0, sizeof made);
+    made.size = sizeof made;
+    return made;
+}

@@ -8,7 +8,7 @@ use fenderline_contact::{
     ReactionFactors, Vec2, Workspace, Wrench, advance_in_place, step, vec2,
 };
 
-use crate::scenes::{FENDER_M, Mass, Part, Plan};
+use crate::scenes::{Mass, Part, Plan};
 use crate::world::World;
 
 /// Which of the two methods.
@@ -127,7 +127,7 @@ fn pace(mass: Mass, step_s: f64) -> (f64, f64) {
 fn on_one_quay(plan: &Plan) -> (Vec<Part>, Vec<Fender>) {
     let (fixed, mut parts): (Vec<Part>, Vec<Part>) =
         plan.parts.iter().cloned().partition(|part| part.mass.is_none());
-    let (width_m, projection_m) = FENDER_M;
+    let (width_m, projection_m) = plan.fender_m;
     let fenders = fixed.iter().zip(0..).map(|(part, key)| Fender {
         name: format!("fender {key}"),
         key,
@@ -142,6 +142,7 @@ fn on_one_quay(plan: &Plan) -> (Vec<Part>, Vec<Fender>) {
         rated_deflection_m: 0.6,
         stop: None,
         factors: ReactionFactors::default(),
+        panel: None,
     });
     let fenders: Vec<Fender> = fenders.collect();
     let east_m = fenders.first().map_or(0.0, |fender| fender.position_m.y);

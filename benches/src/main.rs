@@ -7,6 +7,10 @@
 //! cargo run --release -p fenderline-bench -- accuracy [--markdown] [--out FILE]
 //! cargo run --release -p fenderline-bench -- mmg [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- berth [--markdown] [--rounds N]
+//! cargo run --release -p fenderline-bench -- fenders [--markdown] [--rounds N]
+//! cargo run --release -p fenderline-bench -- islands [--markdown] [--rounds N]
+//! cargo run --release -p fenderline-bench -- many [--markdown] [--rounds N]
+//! cargo run --release -p fenderline-bench -- runs METHOD anew|restart N
 //! cargo run --release -p fenderline-bench -- instructions SCENE METHOD N
 //! cargo run --release -p fenderline-bench -- callgrind
 //! ```
@@ -17,6 +21,9 @@ mod berth;
 mod callgrind;
 mod clip;
 mod engine;
+mod fenders;
+mod islands;
+mod many;
 mod mmg;
 mod ours;
 mod paths;
@@ -42,9 +49,17 @@ usage: fenderline-bench clip [--markdown] [--rounds N]   the overlap of two conv
                                                          forces, depths and speeds at five time steps
        fenderline-bench mmg [--markdown] [--rounds N]    steps a second of a ship in three degrees of freedom
        fenderline-bench berth [--markdown] [--rounds N]  a whole berthing beside real time
+       fenderline-bench fenders [--markdown] [--rounds N]
+                                                         one ship along 100, 300 and 1,000 fenders
+       fenderline-bench islands [--markdown] [--rounds N]
+                                                         chains of tugs and rafts of barges
+       fenderline-bench many [--markdown] [--rounds N]   many runs of one scenario with other numbers
+       fenderline-bench runs METHOD SET_UP N             N such runs, to be counted by a profiler; SET_UP is
+                                                         anew or restart
        fenderline-bench instructions SCENE METHOD N      N warm steps, to be counted by a profiler
        fenderline-bench callgrind                        instructions a warm step, by valgrind
-SCENE is tug, ship, faces, pairs-1000 or pairs-10000; METHOD is coupled, paper, either
+SCENE is tug, ship, faces, fenders-100, fenders-300, fenders-1000, blocks-100, blocks-1000, pairs-1000,
+pairs-10000, chain-N or raft-N; METHOD is coupled, paper, either
 with -brief, or rapier2d;
 --out writes the figures as JSON too";
 
@@ -81,6 +96,19 @@ fn run(arguments: &[&str]) -> Result<(), String> {
             let (style, rounds) = options_of(options)?;
             println!("{}", berth::bench(rounds).printed(style));
         }
+        ["many", options @ ..] => {
+            let (style, rounds) = options_of(options)?;
+            println!("{}", many::bench(rounds).printed(style));
+        }
+        ["islands", options @ ..] => {
+            let (style, rounds) = options_of(options)?;
+            println!("{}", islands::bench(rounds).printed(style));
+        }
+        ["fenders", options @ ..] => {
+            let (style, rounds) = options_of(options)?;
+            println!("{}", fenders::bench(rounds).printed(style));
+        }
+        ["runs", method, set_up, count] => many::runs(method, set_up, count_of(count)?)?,
         ["accuracy", options @ ..] => accuracy_table(options)?,
         ["instructions", scene, method, steps] => {
             let scene =

@@ -41,6 +41,11 @@ pub(crate) fn nanoseconds_a_call(contenders: &mut [Contender<'_>], rounds: usize
     times
 }
 
+/// The least of the values: on a machine with other work, the time without it, if a round is short.
+pub(crate) fn least(values: &[f64]) -> f64 {
+    values.iter().copied().fold(f64::INFINITY, f64::min)
+}
+
 pub(crate) fn median(values: &[f64]) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);

@@ -28,9 +28,17 @@ pub(crate) enum Scene {
     Ship,
     /// The same, the fenders being faces of one quay where the engine has such.
     Faces,
+    /// The same ship alongside so many narrow fenders, faces of one quay where the engine has such.
+    Fenders(usize),
+    /// The same, with each fender a body of its own.
+    Blocks(usize),
     /// So many tugs, each against a fender of its own, in a square of them; any body may touch any
     /// other.
     Pairs(usize),
+    /// So many tugs in a line, each pressed on the one before it, the first on a quay.
+    Chain(usize),
+    /// A square of barges, so many a side, pressed into the corner of two quays.
+    Raft(usize),
 }
 
 impl Scene {
@@ -39,9 +47,18 @@ impl Scene {
             "tug" => Some(Scene::Tug),
             "ship" => Some(Scene::Ship),
             "faces" => Some(Scene::Faces),
+            "fenders-100" => Some(Scene::Fenders(100)),
+            "fenders-300" => Some(Scene::Fenders(300)),
+            "fenders-1000" => Some(Scene::Fenders(1_000)),
+            "blocks-100" => Some(Scene::Blocks(100)),
+            "blocks-1000" => Some(Scene::Blocks(1_000)),
             "pairs-1000" => Some(Scene::Pairs(1_000)),
             "pairs-10000" => Some(Scene::Pairs(10_000)),
-            _ => None,
+            _ => match name.split_once('-')? {
+                ("chain", count) => count.parse().ok().map(Scene::Chain),
+                ("raft", side) => side.parse().ok().map(Scene::Raft),
+                _ => None,
+            },
         }
     }
 
@@ -55,7 +72,14 @@ impl Scene {
                 plan.ship_at_fenders();
                 plan.faces = true;
             }
+            Scene::Fenders(count) => {
+                plan.ship_at_many_fenders(count);
+                plan.faces = true;
+            }
+            Scene::Blocks(count) => plan.ship_at_many_fenders(count),
             Scene::Pairs(count) => plan.square_of_tugs(count),
+            Scene::Chain(count) => plan.chain_of_tugs(count),
+            Scene::Raft(side) => plan.raft_of_barges(side),
         }
         plan
     }
@@ -90,11 +114,13 @@ pub(crate) struct Plan {
     pub(crate) anyone: bool,
     /// What is fixed is a row of blocks along an east quay: our engine plays them as faces of one body.
     pub(crate) faces: bool,
+    /// Size of each such block along the quay and across it (m).
+    pub(crate) fender_m: (f64, f64),
 }
 
 impl Plan {
     pub(crate) fn new(material: Material) -> Plan {
-        Plan { parts: Vec::new(), material, anyone: false, faces: false }
+        Plan { parts: Vec::new(), material, anyone: false, faces: false, fender_m: FENDER_M }
     }
 
     pub(crate) fn fixed(&mut self, outline_m: Vec<Vec2>, position_m: Vec2, heading_rad: f64) {
@@ -131,6 +157,19 @@ impl Plan {
         }
     }
 
+    /// The same ship, with so many fenders side by side along her parallel middle body, gaps of a fifth between them.
+    fn ship_at_many_fenders(&mut self, count: usize) {
+        const ALONG_M: f64 = 240.0;
+        let mass = Mass { mass_kg: 9.06e7, yaw_inertia_kgm2: 4.9e11 };
+        self.floating(corners(&SHIP), mass, coming(vec2(0.0, 0.0), 1e-6), vec2(0.0, 16e6));
+        let apart_m = ALONG_M / count as f64;
+        self.fender_m = (0.8 * apart_m, 1.0);
+        for k in 0..count {
+            let place = vec2(-145.0 + apart_m * (k as f64 + 0.5), 23.0 + 0.5 - DEPTH_M);
+            self.fixed(block(self.fender_m.0, self.fender_m.1), place, 0.0);
+        }
+    }
+
     fn square_of_tugs(&mut self, count: usize) {
         const APART_M: f64 = 60.0;
         let side = (1..).find(|side| side * side >= count).unwrap_or(1);
@@ -141,7 +180,39 @@ impl Plan {
         }
         self.anyone = true;
     }
+
+    /// Each tug presses on by 30 kN: statically the contact k from the end carries k times that.
+    fn chain_of_tugs(&mut self, count: usize) {
+        let mass = Mass { mass_kg: 1.01e6, yaw_inertia_kgm2: 6.0e7 };
+        for k in 0..count {
+            let at_m = vec2(0.0, -(32.0 - DEPTH_M) * k as f64);
+            self.floating(corners(&TUG), mass, coming(at_m, 0.25 * TAU), vec2(0.0, 30e3));
+        }
+        self.fixed(block(200.0, 10.0), vec2(0.0, 16.0 + 5.0 - DEPTH_M), 0.0);
+        self.anyone = true;
+    }
+
+    /// Each barge is pressed by 30 kN on the east quay and by 10 kN on the north one.
+    fn raft_of_barges(&mut self, side: usize) {
+        let (length_m, width_m) = BARGE_M;
+        let mass = Mass { mass_kg: 1.0e6, yaw_inertia_kgm2: 1.4e8 };
+        for k in 0..side * side {
+            let (row, column) = ((k / side) as f64, (k % side) as f64);
+            let at_m = vec2(-(length_m - DEPTH_M) * row, -(width_m - DEPTH_M) * column);
+            let outline_m = barge(length_m, width_m);
+            self.floating(outline_m, mass, coming(at_m, 0.0), vec2(10e3, 30e3));
+        }
+        let of_raft_m = 2.0 * (length_m + width_m) * (side + 2) as f64;
+        let north_m = vec2(0.5 * length_m + 5.0 - DEPTH_M, 0.0);
+        let east_m = vec2(0.0, 0.5 * width_m + 5.0 - DEPTH_M);
+        self.fixed(block(10.0, of_raft_m), north_m, 0.0);
+        self.fixed(block(of_raft_m, 10.0), east_m, 0.0);
+        self.anyone = true;
+    }
 }
+
+/// Length and width of a raft's barges (m).
+const BARGE_M: (f64, f64) = (40.0, 11.0);
 
 /// 32 × 13 m with a flat bow of 10 m.
 const TUG: [(f64, f64); 8] = [
@@ -163,12 +234,29 @@ const SHIP: [(f64, f64); 6] =
 const FENDER: [(f64, f64); 4] = [(-2.0, -0.5), (2.0, -0.5), (2.0, 0.5), (-2.0, 0.5)];
 
 /// Size of a fender's block along the quay and across it (m).
-pub(crate) const FENDER_M: (f64, f64) = (4.0, 1.0);
+const FENDER_M: (f64, f64) = (4.0, 1.0);
 
 /// A block about the origin, its length along x.
 pub(crate) fn block(length_m: f64, width_m: f64) -> Vec<Vec2> {
     let (x, y) = (0.5 * length_m, 0.5 * width_m);
     corners(&[(-x, -y), (x, -y), (x, y), (-x, y)])
+}
+
+/// A block with its corners cut off, so that barges of a raft do not touch across a corner.
+fn barge(length_m: f64, width_m: f64) -> Vec<Vec2> {
+    const CUT_M: f64 = 1.0;
+    let (x, y) = (0.5 * length_m, 0.5 * width_m);
+    let (inner_x, inner_y) = (x - CUT_M, y - CUT_M);
+    corners(&[
+        (-inner_x, -y),
+        (inner_x, -y),
+        (x, -inner_y),
+        (x, inner_y),
+        (inner_x, y),
+        (-inner_x, y),
+        (-x, inner_y),
+        (-x, -inner_y),
+    ])
 }
 
 fn corners(corners: &[(f64, f64)]) -> Vec<Vec2> {

@@ -7,11 +7,11 @@ use crate::scenes::Scene;
 use crate::table::Table;
 use crate::world::{Engine, World};
 
-const STEP_S: f64 = 0.1;
+pub(crate) const STEP_S: f64 = 0.1;
 
 /// Steps on the clock after each restart: the bodies come on and are pressed in, and every contact
 /// lives through all of them.
-const BURST: usize = 16;
+pub(crate) const BURST: usize = 16;
 
 /// A scene and what to reach in it.
 struct Case {
@@ -139,7 +139,7 @@ impl Case {
 }
 
 /// One restart, off the clock, and the steps on it.
-fn burst(world: &mut dyn World) -> Duration {
+pub(crate) fn burst(world: &mut dyn World) -> Duration {
     world.restart();
     let start = Instant::now();
     for _ in 0..BURST {

@@ -15,8 +15,9 @@
  * its type, count or length requires; the library cannot check that. For arrays with one element per body, `count` must
  * be the number of bodies.
  *
- * Structures that begin with `size` are refused if it is not their sizeof: set it, and zero the rest. fl_state and
- * fl_wrench have no size member; a change of their layout would change FL_ABI_VERSION.
+ * Structures that begin with `size` are refused if it is not their sizeof: fl_settings_init(), fl_body_init() and the like at
+ * the end of this file set it, and zero the rest. fl_state, fl_wrench and fl_fender_view have no size member; a change of
+ * their layout would change FL_ABI_VERSION.
  *
  * Texts passed in are UTF-8 with a length in bytes; the length FL_NUL means that the text is NUL-terminated. Texts
  * returned are copied to a buffer of `capacity` bytes and NUL-terminated; `*length` gets their length without the NUL. A

@@ -1,7 +1,9 @@
 """Tests the Python package as a user gets it: `pip install .` into a clean virtual environment, then pytest with all
 doctests, the guide's snippets and the example, stubtest, and mypy on tests and examples.
 
-    python3 crates/python/test.py
+    python3 crates/python/test.py            # what continuous integration runs
+    python3 crates/python/test.py --heavy    # with Ray and Stable-Baselines3 (PyTorch, 5 GB): their tests run too
+    python3 crates/python/test.py --wheel WHEEL PYTHON...   # a wheel, in a clean environment of each interpreter
 
 Standard library only. `cargo xtask test` calls it; it needs Rust, Python 3.11 or later, and PyPI.
 """
@@ -13,6 +15,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tempfile
 import venv
 from pathlib import Path
 
@@ -20,13 +23,13 @@ ROOT = Path(__file__).resolve().parents[2]
 OWN = ROOT / "crates" / "python"
 
 
-def run(*command: str | Path, **environment: str) -> None:
+def run(*command: str | Path, cwd: Path = ROOT, **environment: str) -> None:
     print("$", *command, flush=True)
     # No packages of the user, no questions by pip, no __pycache__ in the source tree.
     clean = {"PYTHONNOUSERSITE": "1", "PYTHONDONTWRITEBYTECODE": "1", "PIP_NO_INPUT": "1"}
     subprocess.run(
         [str(part) for part in command],
-        cwd=ROOT,
+        cwd=cwd,
         env=os.environ | clean | environment,
         check=True,
         stdin=subprocess.DEVNULL,
@@ -44,7 +47,31 @@ def target_folder() -> Path:
     return Path(json.loads(metadata.stdout)["target_directory"])
 
 
+def test_wheel(wheel: Path, pythons: list[str]) -> None:
+    """Installs a wheel into a clean environment of each interpreter, and runs the tests from a folder outside the checkout.
+
+    Without the program, the tests that compare with it are skipped.
+    """
+    for interpreter in pythons:
+        with tempfile.TemporaryDirectory() as text:
+            folder = Path(text)
+            run(interpreter, "-m", "venv", folder / "venv")
+            python = folder / "venv" / ("Scripts" if os.name == "nt" else "bin") / "python"
+            pip = [python, "-m", "pip", "--disable-pip-version-check", "install", "--quiet"]
+            run(*pip, "-r", OWN / "requirements-test.txt")
+            run(*pip, wheel.resolve())
+            # The tests read scenarios and documents beside them; no source of the package is copied.
+            beside = ["scenarios", "docs", "examples", "crates/app/tests/verdict"]
+            for name in ["crates/python/tests", *beside]:
+                shutil.copytree(ROOT / name, folder / "outside" / name)
+            shutil.copy(ROOT / "pyproject.toml", folder / "outside")
+            run(python, "--version")
+            run(python, "-m", "pytest", cwd=folder / "outside")
+
+
 def main() -> None:
+    if sys.argv[1:2] == ["--wheel"]:
+        return test_wheel(Path(sys.argv[2]), sys.argv[3:])
     target = target_folder()
     folder = target / "python-package"
     if folder.exists():
@@ -53,6 +80,8 @@ def main() -> None:
     python = folder / ("Scripts" if os.name == "nt" else "bin") / "python"
     pip = [python, "-m", "pip", "--disable-pip-version-check", "install", "--quiet"]
     run(*pip, "-r", OWN / "requirements-test.txt")
+    if "--heavy" in sys.argv[1:]:
+        run(*pip, "-r", OWN / "requirements-heavy.txt")
     run(*pip, ".", CARGO_TARGET_DIR=str(target))
     # The program with which the package's numbers are compared.
     run(os.environ.get("CARGO", "cargo"), "build", "--release", "--package", "fenderline")

@@ -9,10 +9,13 @@ const LISTS: [(&str, &str); 2] = [("fenders", "FENDER_FILES"), ("vessels", "VESS
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let own = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut lists = String::new();
     for (folder, name) in LISTS {
-        let folder = root.join(folder);
+        // In a package the folders are the crate's own. In a checkout they are links to those at the top; a checkout
+        // on Windows may have text files in place of links.
+        let linked = own.join(folder);
+        let folder = if linked.is_dir() { linked } else { own.join("../..").join(folder) };
         println!("cargo::rerun-if-changed={}", folder.display());
         let files = data_files(&folder);
         writeln!(lists, "pub(crate) static {name}: [(&str, &str); {}] = [", files.len())

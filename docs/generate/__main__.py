@@ -16,6 +16,7 @@ import figures
 import keys
 import pages
 import validation
+import worked
 
 FOLDER = Path(__file__).resolve().parent.parent / "_generated"
 
@@ -31,6 +32,7 @@ def main() -> None:
         "reference/columns.md": columns.page(columns_json),
         "reference/commands.md": commands.page(program),
         "validation.md": validation.page(validation_json),
+        "worked_examples.md": worked.page(validation_json),
         **pages.from_repository(),
     }.items():
         path = FOLDER / name

@@ -12,6 +12,9 @@ def page(columns_json: str) -> str:
         "`fenderline run` writes these tables, as csv or, with `--format parquet`, as Parquet. Tables of fenders, vessels, "
         "thrusters, azimuth units, tugs and lines exist only where the scenario has any. `summary.json` and `report.html` "
         "stand beside them.\n",
+        "A row stands for one output interval: one time step, or as many as `[output] interval` of the scenario says (in runs of "
+        "more than 10 000 steps several by default). States are those at its start, forces are means over it, columns that begin "
+        "with `peak_` hold the largest of any step, works are sums.\n",
         "This page is made from what `fenderline columns --json` prints. A unit of `1` is a pure "
         "number; `-` is a text or a truth value.\n",
     ]

@@ -61,7 +61,7 @@ def draw_all(program: str, folder: Path) -> None:
     with tempfile.TemporaryDirectory() as runs:
         runner = Program(program, Path(runs))
         for draw in [contact_geometry, shear_spring, stick_and_slip, steps_and_peaks, leaning, half_steps,
-                     rubber_loop, split_contact]:
+                     rubber_loop, split_contact, learning]:
             figure = draw(runner)
             figure.savefig(folder / f"{draw.__name__}.svg", metadata={"Date": None})
             plt.close(figure)
@@ -259,4 +259,21 @@ def split_contact(_):
         ax.text(-7.8, -2.8, "quay", color=BLUE)
         ax.set(title=title, xlim=(-8, 8), ylim=(-3, 3.4), aspect="equal")
         ax.axis("off")
+    return figure
+
+
+def learning(_):
+    """Share of unseen starts that a learning policy berths, and how long it takes, over processor time."""
+    folder = ROOT / "examples" / "python" / "learning"
+    figure, (shares, lengths) = plt.subplots(2, 1, sharex=True, figsize=(7.0, 4.8))
+    for name, label, color in [("cloned", "cloning, then practice", BLUE), ("from_nothing", "practice alone", ORANGE)]:
+        with open(folder / f"{name}.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        minutes = [float(row["processor_s"]) / 60.0 for row in rows]
+        shares.plot(minutes, [100.0 * float(row["berthed"]) for row in rows], color=color, label=label, marker=".")
+        lengths.plot(minutes, [float(row["mean_s"]) for row in rows], color=color, marker=".")
+    shares.axhline(80.0, color=GREY, linestyle=":", linewidth=1.0)
+    shares.set(ylabel="berthed [%]", ylim=(-4.0, 104.0))
+    shares.legend()
+    lengths.set(ylabel="mean length [s]", xlabel="processor time, one core [min]")
     return figure

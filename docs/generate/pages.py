@@ -19,6 +19,8 @@ PAGES = [
     "validation/README.md",
     "validation/independent/README.md",
     "examples/c/README.md",
+    "examples/cpp/README.md",
+    "examples/csharp/README.md",
 ]
 LINK = re.compile(r"(?<!`)\]\((?!https?:|mailto:|#)([^)\s]+)\)")
 

@@ -18,7 +18,7 @@ def page(validation_json: str) -> str:
         "[How the cases are described](validation/README.md) explains the standing of a reference, its uncertainty and the "
         "tolerance.\n",
     ]
-    subjects = list(dict.fromkeys(row["subject"] for row in found["numbers"] + found["said"]))
+    subjects = list(dict.fromkeys(row["subject"] for row in found["numbers"] + found["statement_rows"]))
     for subject in subjects:
         parts.append(f"## {subject}\n")
         numbers = [row for row in found["numbers"] if row["subject"] == subject]
@@ -27,11 +27,11 @@ def page(validation_json: str) -> str:
                 ["case", "standing", "reference", "ours", "unit", "error", "tolerance", "within", "note"],
                 [[r["case"], r["standing"], short(r["published"]), short(r["ours"]), r["unit"], error(r), tolerance(r), yes(r), r["note"] or ""] for r in numbers],
             ))
-        statements = [row for row in found["said"] if row["subject"] == subject]
+        statements = [row for row in found["statement_rows"] if row["subject"] == subject]
         if statements:
             parts.append(without_empty_notes(
                 ["case", "the source says", "holds if", "ours", "unit", "holds", "note"],
-                [[r["case"], r["says"], r["holds_if"], short(r["ours"]), r["unit"], yes(r), r["note"] or ""] for r in statements],
+                [[r["case"], r["statement"], r["holds_if"], short(r["ours"]), r["unit"], yes(r), r["note"] or ""] for r in statements],
             ))
         sources = list(dict.fromkeys(row["source"] for row in numbers + statements))
         parts.append("Sources: " + "; ".join(sources) + ".\n")

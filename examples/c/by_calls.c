@@ -28,19 +28,25 @@ static fl_engine *tug_at_a_quay(uint32_t *tug)
     const double hull[] = {-16, -6.5, 16, -6.5, 16, 6.5, -16, 6.5};
     const double wall[] = {-5, -50, 5, -50, 5, 50, -5, 50};
     const double curve[] = {0, 0, 1, STIFFNESS_NPM};
-    const fl_material rubber = {
-        .size = sizeof rubber, .stiffness_npm2 = 50e6, .shear_stiffness_npm = 3e6,
-        .friction_static = 0.5, .friction_dynamic = 0.5, .restitution = 0.1,
-    };
-    const fl_body floating = {.size = sizeof floating, .mass_kg = MASS_KG, .yaw_inertia_kgm2 = 6.4e7};
-    const fl_body fixed = {.size = sizeof fixed, .north_m = 22};
-    fl_fender fender = {
-        .size = sizeof fender, .forward_m = -5, .facing_rad = 3.14159265358979, .width_m = 10,
-        .projection_m = 1,
-    };
-    const fl_settings late = {.size = sizeof late, .host = FL_HOST_COSIMULATION, .delay_steps = 1};
+    fl_material rubber = fl_material_init();
+    fl_body floating = fl_body_init(), fixed = fl_body_init();
+    fl_fender fender = fl_fender_init();
+    fl_settings late = fl_settings_init();
     fl_builder *builder;
     fl_engine *engine;
+    rubber.stiffness_npm2 = 50e6;
+    rubber.shear_stiffness_npm = 3e6;
+    rubber.friction_static = rubber.friction_dynamic = 0.5;
+    rubber.restitution = 0.1;
+    floating.mass_kg = MASS_KG;
+    floating.yaw_inertia_kgm2 = 6.4e7;
+    fixed.north_m = 22;
+    fender.forward_m = -5;
+    fender.facing_rad = 3.14159265358979;
+    fender.width_m = 10;
+    fender.projection_m = 1;
+    late.host = FL_HOST_COSIMULATION;
+    late.delay_steps = 1;
     must(fl_builder_new(&builder));
     must(fl_builder_add_material(builder, "rubber", FL_NUL, &rubber, &fender.material));
     must(fl_builder_add_body(builder, "tug", FL_NUL, &floating, hull, 4, tug));
@@ -56,8 +62,8 @@ int main(void)
 {
     uint32_t tug;
     fl_engine *engine = tug_at_a_quay(&tug);
-    fl_state now = {0}, previous = now;
-    fl_contact contact = {.size = sizeof contact};
+    fl_state now = {0, 0, 0, 0, 0, 0}, previous = now;
+    fl_contact contact = fl_contact_init();
     for (int step = 0; step < 6000; step++) {
         fl_wrench wrenches[2];
         must(fl_engine_set_state(engine, tug, &previous));

@@ -152,6 +152,7 @@ fn fender(input: &mut Input<'_>, key: u32, bodies: u32) -> Fender {
             by_compression_time: vec![[1.0, 1.0 + share(input)], [10.0, 1.0]],
             by_angle: vec![[0.0, 1.0], [0.3, share(input)]],
         },
+        panel: None,
     }
 }
 

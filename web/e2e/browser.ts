@@ -31,21 +31,27 @@ const SCENARIO = new URL("../../scenarios/live/berthing.toml", import.meta.url).
 const DIST = new URL("../dist/", import.meta.url).pathname;
 const STARTS_MS = 30_000;
 
-/**
- * Starts the program that `FENDERLINE_BIN` names on a free port, with the pages of `dist` and recordings in a new folder,
- * and reads the links that it prints. The tugmaster's link is that of the first tug. `set`: keys of the scenario to
- * override.
- */
-export async function serve(set: string[] = []): Promise<Served> {
+/** The program that `FENDERLINE_BIN` names. */
+export function underTest(): string {
   const program = process.env.FENDERLINE_BIN;
   if (!program)
     throw new Error(
       "FENDERLINE_BIN names no program to test; `cargo xtask pages` builds and names it",
     );
+  return program;
+}
+
+/**
+ * Starts the program that `FENDERLINE_BIN` names on a free port, with the pages of `dist` and recordings in a new folder,
+ * and reads the links that it prints. The tugmaster's link is that of the first tug. `set`: keys of the scenario to
+ * override.
+ */
+export async function serve(set: string[] = [], scenario = SCENARIO): Promise<Served> {
+  const program = underTest();
   const sessions = mkdtempSync(join(tmpdir(), "fenderline-sessions-"));
   const server = spawn(program, [
     "serve",
-    SCENARIO,
+    scenario,
     ...set.flatMap((key) => ["--set", key]),
     "--port",
     "0",

@@ -13,7 +13,7 @@ const SIZES = {
   landscape: { width: 1024, height: 768 },
   portrait: { width: 768, height: 1024 },
 };
-const TABS = ["Docking", "Conning", "Fenders", "Lines", "Charts", "Alarms"];
+const TABS = ["Docking", "Conning", "Fenders", "Lines", "Charts", "Alarms", "Verdict"];
 const errors: string[] = [];
 let served: Served;
 

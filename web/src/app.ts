@@ -12,7 +12,7 @@ import { Live, structure } from "./live";
 import { ON_PAGE, isOrder, unknownOrders } from "./orders";
 import type { Page } from "./page";
 import { PALETTE_NAMES, type PaletteName, applyPalette } from "./palette";
-import type { Action, Alarm, FromServer, Hello, Role } from "./protocol";
+import type { Action, Alarm, FromServer, Hello, Role, VerdictNow } from "./protocol";
 import { button, h, setAttribute, setClass, setText } from "./ui/dom";
 import { clock, fixed, spoken } from "./units";
 import { Alarms } from "./views/alarms";
@@ -24,6 +24,7 @@ import { Lines } from "./views/lines";
 import { Plan } from "./views/plan";
 import { Session } from "./views/session";
 import { Strips } from "./views/strips";
+import { Verdict, setGravity } from "./views/verdict";
 import type { View } from "./views/view";
 
 const SAID_MS = 6000;
@@ -73,6 +74,10 @@ export class App implements Page {
     class: "alarm-button",
     name: "Alarms",
   });
+  private readonly verdictButton = button("–", () => this.show("Verdict"), {
+    class: "verdict-button",
+    name: "Verdict",
+  });
   private readonly paletteButton = button("Day", () => this.nextPalette(), { name: "Palette (B)" });
   private readonly banner = h("div", { class: "banner hidden", role: "alert" });
   private readonly said = h("div", { class: "said", role: "status", "aria-live": "polite" });
@@ -90,6 +95,7 @@ export class App implements Page {
       this.held,
       h("span", { class: "space" }),
       this.link,
+      this.verdictButton,
       this.alarmButton,
       this.paletteButton,
       button("?", () => this.help.open(this.keys()), { name: "Help and keys (?)" }),
@@ -157,7 +163,8 @@ export class App implements Page {
         break;
       case "frame":
         this.live.tick(message, performance.now());
-        if (this.live.hello) this.history.add(message, this.live.hello, this.live.ship());
+        if (this.live.hello)
+          this.history.add(message, this.live.hello, this.live.ship(), this.live.body());
         this.tick();
         break;
       case "prediction":
@@ -228,6 +235,7 @@ export class App implements Page {
       ["Lines", "w", new Lines(this, hello)],
       ["Charts", "g", new Strips(this.history)],
       ["Alarms", "a", new Alarms(this, (open, worst) => this.alarmed(open, worst))],
+      ["Verdict", "r", new Verdict()],
     ];
     if (hello.role.name === "instructor")
       views.unshift(
@@ -363,6 +371,13 @@ export class App implements Page {
     setClass(this.alarmButton, "caution", worst === "caution");
   }
 
+  private judged({ text, gravity, findings }: VerdictNow): void {
+    setText(this.verdictButton, text);
+    setAttribute(this.verdictButton, "aria-label", `Verdict: ${text}`);
+    this.verdictButton.title = findings.map((finding) => `${finding.text}.`).join("\n");
+    setGravity(this.verdictButton, gravity);
+  }
+
   // ------------------------------------------------------------------------------------------------ ticks and drawing
 
   private tick(): void {
@@ -381,6 +396,7 @@ export class App implements Page {
           : `${fixed(frame.run.pace, frame.run.pace % 1 === 0 ? 0 : 2)}×`,
     );
     setClass(this.run, "caution", rewound || frame.run.paused);
+    this.judged(frame.verdict);
     this.plan?.tick(frame);
     for (const group of this.groups) group.tick(frame, hello);
     for (const { name, view } of this.tabs) {

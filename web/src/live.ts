@@ -40,10 +40,13 @@ export class Live {
   private received_ms = 0;
   private interval_ms = 100;
   private undrawn = false;
+  /** The body that is followed where there is no vessel. */
+  private moving: number | null = null;
 
   welcome(hello: Hello): void {
     if (this.hello?.file !== hello.file) {
       this.frame = this.previous = this.prediction = null;
+      this.moving = null;
     }
     this.hello = hello;
   }
@@ -60,6 +63,7 @@ export class Live {
       this.interval_ms += 0.2 * (Math.min(250, Math.max(16, since)) - this.interval_ms);
     }
     this.frame = frame;
+    this.moving ??= fastest(this.hello, frame);
     this.received_ms = now_ms;
     this.undrawn = true;
   }
@@ -111,6 +115,11 @@ export class Live {
     return Math.max(0, own);
   }
 
+  /** Index of the body that the page is about: the pilot's ship, else the floating body that moved first; -1 if none floats. */
+  body(): number {
+    return this.hello?.vessels[this.ship()]?.body ?? this.moving ?? -1;
+  }
+
   vessel(index: number): VesselInfo | null {
     return this.hello?.vessels[index] ?? null;
   }
@@ -122,6 +131,17 @@ export class Live {
   holder(control: Control): { holder: string | null; connected: boolean } | null {
     return this.hello?.claims.find((claim) => same(claim.control, control)) ?? null;
   }
+}
+
+/** The fastest floating body. */
+function fastest(hello: Hello | null, { bodies }: Frame): number | null {
+  let [found, most]: [number | null, number] = [null, -1];
+  hello?.bodies.forEach(({ fixed }, i) => {
+    const [, , , north, east] = bodies[i] ?? [0, 0, 0, 0, 0];
+    const speed = Math.hypot(north, east);
+    if (!fixed && speed > most) [found, most] = [i, speed];
+  });
+  return found;
 }
 
 export function same(a: Control, b: Control): boolean {

@@ -32,6 +32,8 @@ export interface Hello {
   tugs: TugInfo[];
   /** The table of orders: words, units and limits. */
   orders: OrderInfo[];
+  /** The engine telegraph, from full astern to navigation full. */
+  telegraph: TelegraphInfo[];
   /** The limits of other commands. */
   limits: CommandLimits;
   /** Places at the side of the pilot's ship where a tug may work. */
@@ -67,6 +69,13 @@ export interface OrderInfo {
   needs: string | null;
   meaning: string;
   arguments: ArgumentInfo[];
+}
+
+export interface TelegraphInfo {
+  /** The word in scenario files, such as `dead slow ahead`. */
+  word: string;
+  /** Revolutions over full revolutions, negative astern. */
+  share: number;
 }
 
 export interface ArgumentInfo {
@@ -182,6 +191,8 @@ export interface Frame {
   /** The speed limit at the fenders, of docking board and alarms [m/s]. */
   approach_mps: number;
   alarms: Alarm[];
+  /** On the run from its start to this tick. */
+  verdict: VerdictNow;
   /** Since the last frame. */
   events: { t_s: number; text: string }[];
 }
@@ -339,6 +350,18 @@ export interface Alarm {
   /** Its cause is present. Otherwise it only waits to be acknowledged. */
   stands: boolean;
   acknowledged: boolean;
+}
+
+/** How grave a verdict or a finding is; `failed`: something broke or was struck. */
+export type Gravity = "ok" | "note" | "attention" | "failed";
+
+/** The worst that was found in the run, in the words of the terminal and the report. */
+export interface VerdictNow {
+  key: string;
+  text: string;
+  gravity: Gravity;
+  /** The worst first. */
+  findings: { key: string; gravity: Gravity; text: string }[];
 }
 
 /** Once a second: the predicted path of the pilot's ship without further orders. */

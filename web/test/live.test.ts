@@ -34,6 +34,7 @@ function frame(tick: number, north: number, paused = false): Frame {
     waves: null,
     approach_mps: 0.15,
     alarms: [],
+    verdict: { key: "all_well", text: "All well", gravity: "ok", findings: [] },
     events: [],
   };
 }

@@ -6,7 +6,18 @@ use std::process::ExitCode;
 use crate::command::{cargo, run};
 use crate::tools;
 
-const BENCHES: [&str; 7] = ["clip", "step", "border", "accuracy", "mmg", "berth", "callgrind"];
+const BENCHES: [&str; 10] = [
+    "clip",
+    "step",
+    "islands",
+    "fenders",
+    "border",
+    "accuracy",
+    "mmg",
+    "berth",
+    "many",
+    "callgrind",
+];
 
 /// Runs the named benches; all if none is named.
 pub(crate) fn bench(names: &[&str]) -> ExitCode {

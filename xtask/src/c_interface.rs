@@ -9,6 +9,7 @@ use crate::command::{cargo, run, run_quietly};
 use crate::guide;
 use crate::step::Done;
 use crate::tools;
+use crate::wrappers;
 
 /// Default number of random sequences of calls.
 pub(crate) const SEQUENCES: u64 = 100_000;
@@ -16,17 +17,19 @@ pub(crate) const SEQUENCES: u64 = 100_000;
 const SANITIZED_SHARE: u64 = 4;
 const VALGRIND_SHARE: u64 = 1000;
 
-const WARNINGS: [&str; 4] = ["-Wall", "-Wextra", "-Werror", "-pedantic"];
-const SANITIZERS: [&str; 2] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+pub(crate) const WARNINGS: [&str; 4] = ["-Wall", "-Wextra", "-Werror", "-pedantic"];
+pub(crate) const SANITIZERS: [&str; 2] =
+    ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
 /// System libraries that the static library needs.
-const SYSTEM: [&str; 3] = ["-lpthread", "-ldl", "-lm"];
+pub(crate) const SYSTEM: [&str; 3] = ["-lpthread", "-ldl", "-lm"];
 
 /// The scenario whose run the first example repeats, and its steps.
 const SCENARIO: (&str, &str) = ("scenarios/paper/experiment_2_4kn.toml", "200");
 
 /// `cargo xtask c`.
 pub(crate) fn c_command(sequences: u64) -> ExitCode {
-    let parts: [&dyn Fn() -> Result<Done, String>; 2] = [&examples, &|| random_calls(sequences)];
+    let parts: [&dyn Fn() -> Result<Done, String>; 4] =
+        [&examples, &wrappers::cpp, &wrappers::csharp, &|| random_calls(sequences)];
     for part in parts {
         match part() {
             Ok(Done::Good) => {}
@@ -58,6 +61,9 @@ fn examples_in(build: &Build) -> Result<(), String> {
     let mut cpp = Command::new("c++");
     cpp.args(["-x", "c++", "-std=c++11", "-fsyntax-only"]).args(WARNINGS);
     run_quietly(cpp.arg("include/fenderline.h"))?;
+    for example in ["examples/c/ship.c", "examples/c/by_calls.c"] {
+        is_also_cpp(Path::new(example))?;
+    }
     let ship = build.compile("ship", Path::new("examples/c/ship.c"), &SANITIZERS)?;
     let printed = run_quietly(Command::new(&ship).arg(SCENARIO.0).arg(SCENARIO.1))?;
     let out = build.folder.join("run");
@@ -89,6 +95,7 @@ fn examples_in(build: &Build) -> Result<(), String> {
     let guide = guide::Guide::read(&text, "c")?;
     let source = build.folder.join("guide.c");
     std::fs::write(&source, &guide.program).map_err(|e| format!("{}: {e}", source.display()))?;
+    is_also_cpp(&source)?;
     // Both ways of linking in the guide.
     for (name, linking) in [("static", &SANITIZERS[..]), ("shared", &[])] {
         let program = build.compile(name, &source, linking)?;
@@ -98,6 +105,13 @@ fn examples_in(build: &Build) -> Result<(), String> {
     }
     println!("docs/guides/c.md: prints the stated output, with the static and the shared library");
     build.exports()
+}
+
+/// C++11 accepts the program too.
+fn is_also_cpp(source: &Path) -> Result<(), String> {
+    let mut cpp = Command::new("c++");
+    cpp.args(["-x", "c++", "-std=c++11", "-fsyntax-only", "-Iinclude"]).args(WARNINGS);
+    run_quietly(cpp.arg(source)).map(|_| ())
 }
 
 /// Checks that every force in the table of the example is that of the run's table, bit for bit. Returns their number.
@@ -192,14 +206,14 @@ fn end(child: Child) -> Result<String, String> {
 }
 
 /// The library, built, and a folder for programs.
-struct Build {
-    folder: PathBuf,
-    library: PathBuf,
+pub(crate) struct Build {
+    pub(crate) folder: PathBuf,
+    pub(crate) library: PathBuf,
 }
 
 impl Build {
     /// Builds the library, optimised.
-    fn new(what: &str) -> Result<Build, String> {
+    pub(crate) fn new(what: &str) -> Result<Build, String> {
         const PACKAGE: [&str; 4] = ["build", "--release", "--package", "fenderline-capi"];
         run(&mut cargo(PACKAGE))?;
         // The second call only reports where the library is.
@@ -238,7 +252,9 @@ impl Build {
         let header = std::fs::read_to_string("include/fenderline.h")
             .map_err(|e| format!("include/fenderline.h: {e}"))?;
         // A declaration begins a line; comments do not.
-        let declared = header.lines().filter(|line| line.starts_with(|c: char| c.is_alphabetic()));
+        let declared = header.lines().filter(|line| {
+            line.starts_with(|c: char| c.is_alphabetic()) && !line.starts_with("static inline")
+        });
         let name =
             |line: &'_ str| Some(line.split_once('(')?.0.rsplit([' ', '*']).next()?.to_owned());
         let mut declared: Vec<String> =
@@ -251,7 +267,7 @@ impl Build {
         Ok(())
     }
 
-    fn remove(&self) -> Result<(), String> {
+    pub(crate) fn remove(&self) -> Result<(), String> {
         std::fs::remove_dir_all(&self.folder).map_err(|e| format!("{}: {e}", self.folder.display()))
     }
 }

@@ -3,14 +3,17 @@
 //! `test` is what a change must pass, and what continuous integration runs. The crate has no dependencies, so that it
 //! builds in seconds on a machine that has only Rust.
 
+mod alone;
 mod attack;
 mod bench;
 mod book;
+mod browser;
 mod c_interface;
 mod circles;
 mod citations;
 mod command;
 mod compare;
+mod dist;
 mod finite_elements;
 mod fuzz;
 mod guide;
@@ -19,35 +22,51 @@ mod live_load;
 mod nautical;
 mod pages;
 mod passivity;
+mod program;
+mod same_bits;
 mod scenarios;
 mod state_hashes;
 mod step;
 mod test;
 mod tools;
 mod virtual_environment;
+mod windows;
+mod wine;
+mod wrappers;
 
 use std::process::ExitCode;
 
 const USAGE: &str = "\
 usage: cargo xtask test                   everything that a change must pass
+       cargo xtask program [PROFILE]      the program for this machine as one file that needs nothing else
+       cargo xtask alone [dev]            that program in an empty folder, with the sources, cargo and Node hidden
        cargo xtask attack [together] [SECONDS] [SEED] [PART]...
                                           all hostile checks, or the named ones: one after the other in SECONDS
                                           (default: 600), or together, each for SECONDS
        cargo xtask fuzz [SECONDS]         each fuzz target for SECONDS (default: 20)
-       cargo xtask bench [clip|step|border|accuracy|mmg|berth|callgrind]...
+       cargo xtask bench [clip|step|islands|fenders|border|accuracy|mmg|berth|many|callgrind]...
                                           times and results compared with peers, and
-                                          instructions per step (default: all seven)
+                                          instructions per step (default: all)
        cargo xtask book                   the book of docs/, into target/book
-       cargo xtask c [SEQUENCES]          the C examples and guide, and random calls (default: 100000 sequences)
+       cargo xtask c [SEQUENCES]          the C, C++ and C# examples and guides, and random calls (default: 100000
+                                          sequences)
        cargo xtask circles                fails where files of a crate use each other in a circle
        cargo xtask finite-elements        fenders by finite elements: studies, comparison, tables, data files
+       cargo xtask dist [cheap]           everything that a release hands out, into target/dist; cheap: what the tests run
+       cargo xtask dist c PREFIX          the C library for this machine, with headers, pkg-config and CMake files, into PREFIX
        cargo xtask hosts                  FMUs in FMPy, libcosim and ecos, which come from PyPI
        cargo xtask passivity [EPISODES]   random impacts on fenders: none may gain energy (default: 100000)
        cargo xtask live-load [SECONDS]    the live server with 8 clients and 50 hostile ones (default: 20 s)
        cargo xtask pages                  the live server's pages: checked, built, driven in a browser
+       cargo xtask npm                    the npm package: built, made small, tested under Node, timed
+       cargo xtask page                   that, and the page without a server, in target/page, driven in a browser
        cargo xtask nautical               sentences for chart programs, each read by two parsers
+       cargo xtask same-bits-everywhere [PROFILE]
+                                          hashes of the results of scenarios on Linux (glibc, musl), Windows, WebAssembly
+                                          and 64-bit Arm, by emulators (default: release)
        cargo xtask state-hashes [REVISION]
-                                          a hash of all numbers that each scenario writes, compared with a revision";
+                                          a hash of all numbers that each scenario writes, compared with a revision
+       cargo xtask windows [PROFILE]      program, FMU and C library for Windows under Wine, compared with Linux's";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -58,6 +77,10 @@ fn main() -> ExitCode {
     }
     match arguments.as_slice() {
         ["test"] => test::test(),
+        ["program"] => program::program_command("release"),
+        ["program", profile] => program::program_command(profile),
+        ["alone"] => alone::alone_command("release"),
+        ["alone", "dev"] => alone::alone_command("dev"),
         ["attack", arguments @ ..] => attack::attack_command(arguments),
         ["fuzz"] => fuzz::fuzz_command(fuzz::SECONDS),
         ["fuzz", seconds] => match seconds.parse() {
@@ -75,8 +98,13 @@ fn main() -> ExitCode {
             Err(_) => usage(),
         },
         ["finite-elements"] => finite_elements::finite_elements_command(),
+        ["dist"] => dist::dist_command(),
+        ["dist", "cheap"] => dist::cheap_command(),
+        ["dist", "c", prefix] => dist::install_c_command(prefix),
         ["hosts"] => hosts::hosts_command(),
         ["pages"] => step::run_all(&pages::STEPS),
+        ["npm"] => browser::npm_command(),
+        ["page"] => browser::page_command(),
         ["book"] => step::run_all(&[book::STEP]),
         ["circles"] => step::run_all(&[circles::STEP]),
         ["nautical"] => step::run_all(&[nautical::STEP]),
@@ -85,8 +113,12 @@ fn main() -> ExitCode {
             Ok(seconds) => live_load::live_load_command(seconds),
             Err(_) => usage(),
         },
+        ["same-bits-everywhere"] => same_bits::same_bits_command("release"),
+        ["same-bits-everywhere", profile] => same_bits::same_bits_command(profile),
         ["state-hashes"] => state_hashes::state_hashes_command(None),
         ["state-hashes", revision] => state_hashes::state_hashes_command(Some(revision)),
+        ["windows"] => windows::windows_command("release"),
+        ["windows", profile] => windows::windows_command(profile),
         ["bench", benches @ ..] => bench::bench(benches),
         _ => usage(),
     }

@@ -37,17 +37,26 @@ fn in_a_browser() -> Result<Done, String> {
     run(&mut cargo(["build", "--release", "--package", "fenderline"]))?;
     let program = target_folder()?.join("release").join("fenderline");
     run(npm(&["run", "e2e"]).env("FENDERLINE_BIN", program))?;
+    // The report, which the same browser prints.
+    let documents =
+        ["test", "--package", "fenderline", "--test", "documents", "--", "--ignored", "chromium"];
+    run(&mut cargo(documents))?;
     Ok(Done::Good)
 }
 
 fn npm(arguments: &[&str]) -> Command {
+    npm_in(FOLDER, arguments)
+}
+
+/// npm in a folder.
+pub(crate) fn npm_in(folder: &str, arguments: &[&str]) -> Command {
     let mut command = Command::new("npm");
-    command.args(arguments).current_dir(FOLDER);
+    command.args(arguments).current_dir(folder);
     command
 }
 
 /// The target folder, as cargo reports it.
-fn target_folder() -> Result<PathBuf, String> {
+pub(crate) fn target_folder() -> Result<PathBuf, String> {
     const KEY: &str = "\"target_directory\":\"";
     let metadata = run_quietly(&mut cargo(["metadata", "--format-version", "1", "--no-deps"]))?;
     metadata

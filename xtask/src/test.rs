@@ -3,12 +3,15 @@
 use std::path::Path;
 use std::process::{Command, ExitCode};
 
+use crate::alone;
 use crate::attack;
 use crate::book;
+use crate::browser;
 use crate::c_interface;
 use crate::circles;
 use crate::command::{cargo, run, run_quietly};
 use crate::compare::{same_bytes, same_numbers};
+use crate::dist;
 use crate::finite_elements;
 use crate::fuzz;
 use crate::hosts;
@@ -18,6 +21,7 @@ use crate::passivity;
 use crate::scenarios;
 use crate::step::{Done, Step, run_all};
 use crate::tools;
+use crate::wrappers;
 
 /// Runs all steps.
 pub(crate) fn test() -> ExitCode {
@@ -40,10 +44,16 @@ pub(crate) fn test() -> ExitCode {
         Step { name: "licences and sources of dependencies", run: licences },
         Step { name: "contacts make no energy", run: passive },
         Step { name: "C: examples and guide", run: c_interface::examples },
+        Step { name: "C++: example, guide of game loops", run: wrappers::cpp },
+        Step { name: "C#: example", run: wrappers::csharp },
         Step { name: "C: random calls", run: || c_interface::random_calls(c_interface::SEQUENCES) },
+        dist::CHEAP,
         Step { name: "FMI: FMPy, libcosim, ecos and the guide", run: hosts::hosts },
         pages::CHECKED,
         pages::DRIVEN,
+        browser::PACKAGE_TESTED,
+        browser::PAGE_DRIVEN,
+        alone::STEP,
         Step { name: "attacks", run: || attack::attack(attack::SECONDS, attack::SEED, &[]) },
     ])
 }

@@ -66,6 +66,24 @@ pub(crate) fn c_compiler() -> Result<(), Missing> {
     })
 }
 
+/// CMake and pkg-config, which find the C package.
+pub(crate) fn cmake() -> Result<(), Missing> {
+    let both = answers(Command::new("cmake").arg("--version"))
+        && answers(Command::new("pkg-config").arg("--version"));
+    both.then_some(()).ok_or(Missing {
+        tool: "CMake or pkg-config",
+        install: "cmake and pkg-config of your distribution",
+    })
+}
+
+/// Mono, with its C# compiler.
+pub(crate) fn mono() -> Result<(), Missing> {
+    let both = answers(Command::new("mcs").arg("--version"))
+        && answers(Command::new("mono").arg("--version"));
+    both.then_some(())
+        .ok_or(Missing { tool: "Mono", install: "mono-mcs and mono-runtime of your distribution" })
+}
+
 /// valgrind, which counts instructions.
 pub(crate) fn valgrind() -> Result<(), Missing> {
     answers(Command::new("valgrind").arg("--version"))
@@ -91,15 +109,28 @@ pub(crate) fn chromium() -> Result<(), Missing> {
         .ok_or(Missing { tool: "Chromium", install: "from your distribution" })
 }
 
+/// Rust's library for WebAssembly in browsers.
+pub(crate) fn wasm_target() -> Result<(), Missing> {
+    const TARGET: &str = "wasm32-unknown-unknown";
+    is_installed(TARGET).then_some(()).ok_or(Missing {
+        tool: "the target wasm32-unknown-unknown",
+        install: "rustup target add wasm32-unknown-unknown",
+    })
+}
+
 /// An installed target without an operating system, if any.
 pub(crate) fn bare_target() -> Option<&'static str> {
-    ["wasm32v1-none", "thumbv7em-none-eabi", "thumbv7em-none-eabihf"].into_iter().find(|target| {
-        let asked =
-            Command::new("rustc").args(["--print", "target-libdir", "--target", target]).output();
-        asked.is_ok_and(|output| {
-            output.status.success()
-                && std::path::Path::new(String::from_utf8_lossy(&output.stdout).trim()).is_dir()
-        })
+    ["wasm32v1-none", "thumbv7em-none-eabi", "thumbv7em-none-eabihf"]
+        .into_iter()
+        .find(|target| is_installed(target))
+}
+
+fn is_installed(target: &str) -> bool {
+    let asked =
+        Command::new("rustc").args(["--print", "target-libdir", "--target", target]).output();
+    asked.is_ok_and(|output| {
+        output.status.success()
+            && std::path::Path::new(String::from_utf8_lossy(&output.stdout).trim()).is_dir()
     })
 }
 

@@ -1,13 +1,17 @@
 //! The command line.
 
+use core::num::NonZero;
 use core::str::FromStr;
 use std::net::{IpAddr, SocketAddr};
 use std::path::PathBuf;
 
-use clap::builder::PossibleValue;
+use clap::builder::{PathBufValueParser, PossibleValue, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use fenderline_fmu::Platform;
 use fenderline_nautical::{ChartOrigin, GeoPoint};
-use fenderline_scenario::{Override, ScenarioError};
+use fenderline_scenario::{
+    LengthOrShare, Override, ScenarioError, force_n, length_m, length_or_share, percent,
+};
 
 use crate::output::Format;
 
@@ -18,6 +22,9 @@ use crate::output::Format;
 #[derive(Debug, Parser)]
 #[command(name = "fenderline", version, propagate_version = true)]
 pub(crate) struct Cli {
+    /// Print errors only: no summary, no notices, no progress; files, JSON and lists stay the same
+    #[arg(short, long, global = true)]
+    pub(crate) quiet: bool,
     #[command(subcommand)]
     pub(crate) command: Command,
 }
@@ -26,6 +33,12 @@ pub(crate) struct Cli {
 pub(crate) enum Command {
     /// Run a scenario: print a summary; write tables, summary.json and report.html
     Run(RunArgs),
+    /// Print an example scenario, or write it to a new file
+    Init(InitArgs),
+    /// Run a scenario and write only documents: the report as a page or PDF, an Excel workbook
+    Report(ReportArgs),
+    /// Run every combination of some values of a scenario's keys: a table with a row a case, and a figure
+    Campaign(CampaignArgs),
     /// Recompute published cases and compare them with the published numbers; exit code 1 if one is out of
     /// tolerance
     Validate(ValidateArgs),
@@ -33,6 +46,8 @@ pub(crate) enum Command {
     Manoeuvre(ManoeuvreArgs),
     /// List the built-in vessels, or print every number of one vessel with its source
     Vessels(VesselsArgs),
+    /// List the built-in fenders, or print every number of one family or size with its source
+    Fenders(FendersArgs),
     /// Make a fender file from measured, computed or catalogue curves
     #[command(subcommand)]
     Fender(FenderCommand),
@@ -47,8 +62,108 @@ pub(crate) enum Command {
     Check(CheckArgs),
     /// Run a scenario in real time, steered from browsers
     Serve(ServeArgs),
-    /// Replay a session that `serve` recorded; exit code 1 if the result differs in any bit
+    /// Replay a session that `serve` recorded, or a dump of an engine's steps; exit code 1 if the result differs in any bit
     Replay(ReplayArgs),
+    /// Print the completions for a shell, such as `fenderline completions bash`
+    Completions(CompletionsArgs),
+    /// Print the manual page of the program or of a command, or write all of them into a folder
+    Man(ManArgs),
+}
+
+/// Example scenarios to begin with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Example {
+    Berthing,
+    Dolphins,
+    ShipToShip,
+    Tugs,
+    Moored,
+    Flare,
+}
+
+impl Example {
+    /// In the order of the list.
+    pub(crate) const ALL: [Example; 6] = [
+        Example::Berthing,
+        Example::Dolphins,
+        Example::ShipToShip,
+        Example::Tugs,
+        Example::Moored,
+        Example::Flare,
+    ];
+}
+
+impl ValueEnum for Example {
+    fn value_variants<'a>() -> &'a [Example] {
+        &Example::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let [name, what, _] = self.parts();
+        Some(PossibleValue::new(name).help(what))
+    }
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct InitArgs {
+    /// Example
+    #[arg(value_enum, value_name = "EXAMPLE", default_value_t = Example::Berthing)]
+    pub(crate) example: Example,
+    /// New file to write; one that is there is not replaced [default: print the example]
+    #[arg(short, long, value_name = "SCENARIO.toml", value_parser = output_file())]
+    pub(crate) out: Option<PathBuf>,
+    /// List the examples
+    #[arg(long, conflicts_with = "out")]
+    pub(crate) list: bool,
+    /// Print the list as JSON
+    #[arg(long, requires = "list")]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CompletionsArgs {
+    /// Shell
+    #[arg(value_enum, value_name = "SHELL")]
+    pub(crate) shell: clap_complete::Shell,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ManArgs {
+    /// Command, such as `run` or `fender fit` [default: the program]
+    #[arg(value_name = "COMMAND")]
+    pub(crate) command: Vec<String>,
+    /// Folder to write all pages into, such as ~/.local/share/man/man1
+    #[arg(long, value_name = "DIR", conflicts_with = "command", value_parser = output_folder())]
+    pub(crate) out: Option<PathBuf>,
+}
+
+/// A file to write, which standard output cannot be.
+fn output_file() -> impl TypedValueParser<Value = PathBuf> {
+    let file = |path: PathBuf| match path.as_os_str() == "-" {
+        true => Err("this file is not written to standard output; a file of that name is ./-"),
+        false => Ok(path),
+    };
+    PathBufValueParser::new().try_map(file)
+}
+
+/// A folder for several files.
+fn output_folder() -> impl TypedValueParser<Value = PathBuf> {
+    let folder = |path: PathBuf| match path.as_os_str() == "-" {
+        true => Err(
+            "several files are written, which takes a folder and not standard output; a folder of that name is ./-",
+        ),
+        false => Ok(path),
+    };
+    PathBufValueParser::new().try_map(folder)
+}
+
+/// A file to read, which standard input cannot be.
+fn input_file() -> impl TypedValueParser<Value = PathBuf> {
+    let file = |path: PathBuf| match path.as_os_str() == "-" {
+        true => Err("this command reads no standard input; a file of that name is ./-"),
+        false => Ok(path),
+    };
+    PathBufValueParser::new().try_map(file)
 }
 
 #[derive(Debug, Subcommand)]
@@ -59,27 +174,30 @@ pub(crate) enum FenderCommand {
 
 #[derive(Debug, Args)]
 pub(crate) struct FitArgs {
-    /// csv file with the columns deflection_m or deflection_mm, reaction_n or reaction_kn, and optionally
-    /// unloading (0 or 1), speed_mps, temperature_c
-    #[arg(value_name = "CURVES.csv")]
+    /// csv file with the columns deflection_m, deflection_mm or deflection_percent (of the height), reaction_n, reaction_kn
+    /// or reaction_percent (of --rated-reaction), and optionally unloading (0 or 1), speed_mps, temperature_c
+    #[arg(value_name = "CURVES.csv", value_parser = input_file())]
     pub(crate) curves: PathBuf,
     /// Fender file to write
-    #[arg(short, long, value_name = "FENDER.toml")]
+    #[arg(short, long, value_name = "FENDER.toml", value_parser = output_file())]
     pub(crate) out: PathBuf,
-    /// Extent in the direction of compression, uncompressed (m)
-    #[arg(long, value_name = "METRES", allow_hyphen_values = true)]
+    /// Extent in the direction of compression, uncompressed, such as "1.2 m"; a plain number is in metres
+    #[arg(long, value_name = "LENGTH", value_parser = length_m, allow_hyphen_values = true)]
     pub(crate) height: f64,
-    /// Length along the berth (m)
-    #[arg(long, value_name = "METRES", allow_hyphen_values = true)]
+    /// Length along the berth, such as "2 m"
+    #[arg(long, value_name = "LENGTH", value_parser = length_m, allow_hyphen_values = true)]
     pub(crate) length: Option<f64>,
-    /// Rated deflection (m) [default: the end of the loading curve]
-    #[arg(long, value_name = "METRES", allow_hyphen_values = true)]
-    pub(crate) rated_deflection: Option<f64>,
-    /// Energy returned on unloading, for a file without an unloading curve (% of the absorbed energy)
-    #[arg(long, value_name = "PERCENT", allow_hyphen_values = true)]
+    /// Rated deflection, such as "864 mm" or "72 %" of the height [default: the end of the loading curve]
+    #[arg(long, value_name = "LENGTH", value_parser = length_or_share, allow_hyphen_values = true)]
+    pub(crate) rated_deflection: Option<LengthOrShare>,
+    /// Rated reaction of the catalogue, such as "585 kN" [default: that of the curve at the rated deflection]
+    #[arg(long, value_name = "FORCE", value_parser = force_n, allow_hyphen_values = true)]
+    pub(crate) rated_reaction: Option<f64>,
+    /// Energy returned on unloading, such as "60 %", for a file without an unloading curve; a plain number is in per cent
+    #[arg(long, value_name = "PERCENT", value_parser = percent, allow_hyphen_values = true)]
     pub(crate) returned_energy: Option<f64>,
-    /// Largest permitted difference between fit and rows (% of the rated reaction)
-    #[arg(long, value_name = "PERCENT", default_value_t = 0.5, allow_hyphen_values = true)]
+    /// Largest permitted difference between fit and rows, in per cent of the rated reaction
+    #[arg(long, value_name = "PERCENT", default_value = "0.5 %", value_parser = percent, allow_hyphen_values = true)]
     pub(crate) tolerance: f64,
     /// Name of the family [default: the name of the file]
     #[arg(long, value_name = "NAME")]
@@ -94,7 +212,7 @@ pub(crate) struct FitArgs {
     #[arg(long, value_enum, default_value_t = FitStanding::Derived)]
     pub(crate) standing: FitStanding,
     /// Page to write, with the fit and the rows
-    #[arg(long, value_name = "PAGE.html")]
+    #[arg(long, value_name = "PAGE.html", value_parser = output_file())]
     pub(crate) plot: Option<PathBuf>,
 }
 
@@ -112,7 +230,7 @@ pub(crate) enum FitStanding {
 #[derive(Debug, Args)]
 pub(crate) struct ServeArgs {
     /// Scenario file, or a recorded session to continue
-    #[arg(value_name = "SCENARIO.toml")]
+    #[arg(value_name = "SCENARIO.toml", value_parser = input_file())]
     pub(crate) scenario: PathBuf,
     /// Port; 0 takes a free one
     #[arg(long, value_name = "N", default_value_t = 8090)]
@@ -126,14 +244,14 @@ pub(crate) struct ServeArgs {
     /// Host name by which other machines reach this one; repeatable
     #[arg(long, value_name = "NAME")]
     pub(crate) host: Vec<String>,
-    /// Folder with a built page [default: the repository's, built if needed]
+    /// Folder with built pages [default: those that the program carries in itself]
     #[arg(long, value_name = "DIR")]
     pub(crate) page: Option<PathBuf>,
     /// Folder with scenarios to open from the page [default: the folder of the scenario]
     #[arg(long, value_name = "DIR")]
     pub(crate) gallery: Option<PathBuf>,
     /// Folder that sessions are recorded to
-    #[arg(long, value_name = "DIR", default_value = "out/sessions")]
+    #[arg(long, value_name = "DIR", default_value = "out/sessions", value_parser = output_folder())]
     pub(crate) sessions: PathBuf,
     /// Start paused [default: start when the first page connects]
     #[arg(long)]
@@ -154,18 +272,18 @@ pub(crate) struct ServeArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ReplayArgs {
-    /// Recorded session
-    #[arg(value_name = "SESSION")]
+    /// Recorded session, or a dump that `fl_engine_dump()` of the C interface wrote
+    #[arg(value_name = "SESSION", value_parser = input_file())]
     pub(crate) session: PathBuf,
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct RunArgs {
-    /// Scenario file
+    /// Scenario file; `-` reads it from standard input
     #[arg(value_name = "SCENARIO.toml")]
     pub(crate) scenario: PathBuf,
     /// Folder for the results [default: `out/` and the name of the scenario file]
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", value_parser = output_folder())]
     pub(crate) out: Option<PathBuf>,
     /// Format of the tables of bodies, contacts, fenders and energy
     #[arg(long, value_enum, default_value_t = Format::Csv)]
@@ -173,15 +291,123 @@ pub(crate) struct RunArgs {
     /// Exit code 0 even where a structure was struck, a fender failed or a line parted
     #[arg(long)]
     pub(crate) allow_failures: bool,
+    /// Refuse a scenario with notices, such as one of a ship that starts inside a fender: exit code 2, and no run
+    #[arg(long)]
+    pub(crate) strict: bool,
+    /// Print summary.json instead of the summary in words
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Time that one row of a table stands for, such as 1 or "1 s"; 0: every step; short for --set output.interval=S
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    pub(crate) interval: Option<String>,
+    /// Tables to write, such as fenders,lines; short for --set output.tables=[…]
+    #[arg(long, value_name = "NAMES")]
+    pub(crate) tables: Option<String>,
+    #[command(flatten)]
+    pub(crate) documents: Documents,
     #[command(flatten)]
     pub(crate) changes: Changes,
+    #[command(flatten)]
+    pub(crate) title_page: TitlePage,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ReportArgs {
+    /// Scenario file; `-` reads it from standard input
+    #[arg(value_name = "SCENARIO.toml")]
+    pub(crate) scenario: PathBuf,
+    /// Page to write [default, if no other document is asked for: the scenario's name with `.html`]
+    #[arg(long, value_name = "FILE.html", value_parser = output_file())]
+    pub(crate) html: Option<PathBuf>,
+    /// Time that one row of a sheet stands for, such as 1 or "1 s"; 0: every step; short for --set output.interval=S
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    pub(crate) interval: Option<String>,
+    /// Exit code 0 even where a structure was struck, a fender failed or a line parted
+    #[arg(long)]
+    pub(crate) allow_failures: bool,
+    #[command(flatten)]
+    pub(crate) documents: Documents,
+    #[command(flatten)]
+    pub(crate) changes: Changes,
+    #[command(flatten)]
+    pub(crate) title_page: TitlePage,
+}
+
+impl RunArgs {
+    /// The changes of the scenario, the shorthands for its output first.
+    ///
+    /// # Errors
+    /// A text that is not `KEY=VALUE`, or an empty one.
+    pub(crate) fn overrides(&self) -> Result<Vec<Override>, ScenarioError> {
+        let mut all = Vec::new();
+        if let Some(interval) = &self.interval {
+            all.push(Override::new(
+                &format!("--interval {interval}"),
+                "output.interval",
+                interval,
+            )?);
+        }
+        if let Some(tables) = &self.tables {
+            let names = tables.split(',').map(|name| format!("{:?}", name.trim()));
+            let list = format!("[{}]", names.collect::<Vec<_>>().join(", "));
+            all.push(Override::new(&format!("--tables {tables}"), "output.tables", &list)?);
+        }
+        all.extend(self.changes.overrides()?);
+        all.extend(self.title_page.overrides()?);
+        Ok(all)
+    }
+}
+
+impl ReportArgs {
+    /// All changes of the scenario.
+    ///
+    /// # Errors
+    /// A text that is not `KEY=VALUE`, or an empty one.
+    pub(crate) fn overrides(&self) -> Result<Vec<Override>, ScenarioError> {
+        let mut all = Vec::new();
+        if let Some(interval) = &self.interval {
+            let option = format!("--interval {interval}");
+            all.push(Override::new(&option, "output.interval", interval)?);
+        }
+        all.extend(self.changes.overrides()?);
+        all.extend(self.title_page.overrides()?);
+        Ok(all)
+    }
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CampaignArgs {
+    /// Campaign file: a scenario and the values of its variables
+    #[arg(value_name = "CAMPAIGN.toml", value_parser = input_file())]
+    pub(crate) campaign: PathBuf,
+    /// Folder for cases.csv and figure.html [default: `out/` and the name of the campaign file]
+    #[arg(long, value_name = "DIR", value_parser = output_folder())]
+    pub(crate) out: Option<PathBuf>,
+    /// Write the table as an Excel workbook too
+    #[arg(long, value_name = "FILE.xlsx", value_parser = output_file())]
+    pub(crate) xlsx: Option<PathBuf>,
+    /// Variable on the horizontal axis of the figure [default: the first one whose values are numbers]
+    #[arg(long, value_name = "NAME")]
+    pub(crate) x: Option<String>,
+    /// Variable that makes the lines of the figure [default: the first of the others]
+    #[arg(long, value_name = "NAME")]
+    pub(crate) lines: Option<String>,
+    /// Threads; the results do not depend on their number [default: all of the machine]
+    #[arg(long, value_name = "N")]
+    pub(crate) threads: Option<NonZero<usize>>,
+    /// Run nothing; print the command that runs this case by itself, with its report
+    #[arg(long, value_name = "CASE")]
+    pub(crate) command: Option<usize>,
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct ValidateArgs {
     /// Folder for validation.html, validation.csv and validation.json [default: none]
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", value_parser = output_folder())]
     pub(crate) out: Option<PathBuf>,
+    /// Print JSON instead of tables
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 #[derive(Debug, Args)]
@@ -193,7 +419,7 @@ pub(crate) struct ManoeuvreArgs {
     #[arg(value_enum, value_name = "MANOEUVRE", default_value_t = ManoeuvreChoice::All)]
     pub(crate) manoeuvre: ManoeuvreChoice,
     /// File with your own vessels; repeatable
-    #[arg(long, value_name = "VESSELS.toml")]
+    #[arg(long, value_name = "VESSELS.toml", value_parser = input_file())]
     pub(crate) file: Vec<PathBuf>,
     /// Rudder angle of turning circle and zig-zag in degrees [default: hard over; 10 and 20]
     #[arg(long, value_name = "DEG", value_parser = positive, allow_hyphen_values = true)]
@@ -212,7 +438,7 @@ pub(crate) struct ManoeuvreArgs {
     #[arg(long)]
     pub(crate) json: bool,
     /// Folder for the tracks, one csv file per run [default: none]
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", value_parser = output_folder())]
     pub(crate) out: Option<PathBuf>,
 }
 
@@ -222,7 +448,23 @@ pub(crate) struct VesselsArgs {
     #[arg(value_name = "VESSEL")]
     pub(crate) vessel: Option<String>,
     /// File with your own vessels; repeatable
-    #[arg(long, value_name = "VESSELS.toml")]
+    #[arg(long, value_name = "VESSELS.toml", value_parser = input_file())]
+    pub(crate) file: Vec<PathBuf>,
+    /// Print JSON instead of text
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct FendersArgs {
+    /// Family, such as cone [default: list all]
+    #[arg(value_name = "FAMILY")]
+    pub(crate) family: Option<String>,
+    /// Size of the family, such as "3300x6500 50kPa" [default: all]
+    #[arg(value_name = "SIZE")]
+    pub(crate) size: Option<String>,
+    /// File with your own fenders; repeatable
+    #[arg(long, value_name = "FENDERS.toml", value_parser = input_file())]
     pub(crate) file: Vec<PathBuf>,
     /// Print JSON instead of text
     #[arg(long)]
@@ -231,7 +473,7 @@ pub(crate) struct VesselsArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct FmuArgs {
-    /// Scenario file
+    /// Scenario file; `-` reads it from standard input
     #[arg(value_name = "SCENARIO.toml")]
     pub(crate) scenario: PathBuf,
     /// Kind of FMU
@@ -242,11 +484,15 @@ pub(crate) struct FmuArgs {
     pub(crate) fmi: FmiVersion,
     /// File to write; its name without extension is the name of the model. A description for the Open Simulation
     /// Platform is written beside it
-    #[arg(short, long, value_name = "X.fmu")]
+    #[arg(short, long, value_name = "X.fmu", value_parser = output_file())]
     pub(crate) out: PathBuf,
-    /// Shared library of the FMU [default: the one beside this program]
-    #[arg(long, value_name = "PATH")]
-    pub(crate) library: Option<PathBuf>,
+    /// Platforms that the FMU runs on, by the names of FMI 3.0: x86_64-linux, aarch64-linux, x86_64-windows
+    /// [default: all that this program has a library for]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = platform)]
+    pub(crate) platforms: Vec<Platform>,
+    /// Shared library of the FMU in place of the program's own; once for each platform
+    #[arg(long, value_name = "PATH", conflicts_with = "platforms")]
+    pub(crate) library: Vec<PathBuf>,
     #[command(flatten)]
     pub(crate) changes: Changes,
 }
@@ -294,6 +540,8 @@ pub(crate) enum SchemaOf {
     Fenders,
     /// Vessel data
     Vessels,
+    /// Campaigns
+    Campaign,
 }
 
 /// A manoeuvre, or all that the vessel can do.
@@ -380,6 +628,13 @@ fn origin(text: &str) -> Result<ChartOrigin, String> {
     ChartOrigin::new(GeoPoint { latitude_deg, longitude_deg }).map_err(|e| e.to_string())
 }
 
+fn platform(text: &str) -> Result<Platform, String> {
+    Platform::of_name(text).ok_or_else(|| {
+        let names: Vec<&str> = Platform::ALL.into_iter().map(Platform::name).collect();
+        format!("expected one of {}", names.join(", "))
+    })
+}
+
 /// A number above zero and below a million; no rudder, ship or tug needs more.
 fn positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
@@ -391,11 +646,102 @@ fn positive(text: &str) -> Result<f64, String> {
 
 #[derive(Debug, Args)]
 pub(crate) struct CheckArgs {
-    /// Scenario file
+    /// Scenario file; `-` reads it from standard input
     #[arg(value_name = "SCENARIO.toml")]
     pub(crate) scenario: PathBuf,
+    /// Exit code 2 where there are notices, such as that of a ship that starts inside a fender
+    #[arg(long)]
+    pub(crate) strict: bool,
+    /// Print the mistake or the notices as JSON, each with file, line, column and key
+    #[arg(long)]
+    pub(crate) json: bool,
     #[command(flatten)]
     pub(crate) changes: Changes,
+}
+
+/// The documents of a run for people, beside the tables.
+#[derive(Debug, Default, Args)]
+pub(crate) struct Documents {
+    /// Write the report as PDF too; needs a browser (Chromium, Chrome or Edge)
+    #[arg(long, value_name = "FILE.pdf", value_parser = output_file())]
+    pub(crate) pdf: Option<PathBuf>,
+    /// Write the results as an Excel workbook too
+    #[arg(long, value_name = "FILE.xlsx", value_parser = output_file())]
+    pub(crate) xlsx: Option<PathBuf>,
+    /// Tables to add to the workbook, a sheet each with its time series, such as fenders,lines [default: none]
+    #[arg(long, value_name = "NAMES", requires = "xlsx")]
+    pub(crate) sheets: Option<String>,
+}
+
+/// Lines of the report's title page; each is short for `--set report.KEY=TEXT`.
+#[derive(Debug, Default, Args)]
+#[command(next_help_heading = "Title page of the report")]
+pub(crate) struct TitlePage {
+    /// Project
+    #[arg(long, value_name = "TEXT")]
+    project: Option<String>,
+    /// Client
+    #[arg(long, value_name = "TEXT")]
+    client: Option<String>,
+    /// Number of the document
+    #[arg(long, value_name = "TEXT")]
+    number: Option<String>,
+    /// Revision of the document
+    #[arg(long, value_name = "TEXT")]
+    revision: Option<String>,
+    /// Status of the document, such as "for review"
+    #[arg(long, value_name = "TEXT")]
+    status: Option<String>,
+    /// Date of the document, as it is to be printed
+    #[arg(long, value_name = "TEXT")]
+    date: Option<String>,
+    /// Author of the document
+    #[arg(long, value_name = "TEXT")]
+    author: Option<String>,
+    /// Who checked the document
+    #[arg(long, value_name = "TEXT")]
+    checked_by: Option<String>,
+}
+
+impl TitlePage {
+    /// The lines that are given, as overrides of the scenario.
+    ///
+    /// # Errors
+    /// An empty text.
+    pub(crate) fn overrides(&self) -> Result<Vec<Override>, ScenarioError> {
+        let lines = [
+            ("project", &self.project),
+            ("client", &self.client),
+            ("number", &self.number),
+            ("revision", &self.revision),
+            ("status", &self.status),
+            ("date", &self.date),
+            ("author", &self.author),
+            ("checked_by", &self.checked_by),
+        ];
+        let given = lines.into_iter().filter_map(|(key, text)| Some((key, text.as_ref()?)));
+        let change = |(key, text): (&str, &String)| {
+            let option = format!("--{} {text}", key.replace('_', "-"));
+            // As a TOML string: a revision of `2` is a text, not a number.
+            let value = toml_text(text);
+            Override::new(&option, &format!("report.{key}"), &value)
+        };
+        given.map(change).collect()
+    }
+}
+
+/// A text as a basic string of TOML.
+fn toml_text(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => quoted.extend(['\\', c]),
+            c if c.is_control() => quoted.push_str(&format!("\\u{:04X}", u32::from(c))),
+            c => quoted.push(c),
+        }
+    }
+    quoted.push('"');
+    quoted
 }
 
 /// Keys of the scenario that the command line overrides.
@@ -410,7 +756,8 @@ pub(crate) struct Changes {
     /// Contact method; short for --set contact.method=METHOD
     #[arg(long, value_name = "METHOD")]
     method: Option<String>,
-    /// Override one key of the scenario, such as body.tug.velocity.surge="2 kn"; repeatable
+    /// Override one key of the scenario, such as body.tug.velocity.surge="2 kn"; `*` in a name means all that fit, such as
+    /// fender.*.temperature="40 degC"; repeatable
     #[arg(long = "set", value_name = "KEY=VALUE")]
     set: Vec<String>,
 }
@@ -448,6 +795,19 @@ impl Changes {
         shorthands
             .into_iter()
             .filter_map(|(option, key, value)| value.as_ref().map(|value| (option, key, value)))
+    }
+}
+
+impl Cli {
+    /// Whether standard output is JSON, so that nothing else may be in it.
+    pub(crate) fn has_json(&self) -> bool {
+        match &self.command {
+            Command::Run(args) => args.json,
+            Command::Check(args) => args.json,
+            Command::Validate(args) => args.json,
+            Command::Manoeuvre(args) => args.json,
+            _ => false,
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 
 use crate::cli::ColumnsArgs;
 use crate::failure::Failure;
-use crate::terminal::{say, say_json};
+use crate::terminal::{answer, say_json};
 
 /// Prints every column with unit and meaning, as Markdown or JSON.
 ///
@@ -15,11 +15,19 @@ use crate::terminal::{say, say_json};
 /// Standard output that cannot be written.
 pub(crate) fn columns(args: &ColumnsArgs) -> Result<(), Failure> {
     let tables = reference();
-    if args.json { say_json(&format!("{:#}\n", as_json(&tables))) } else { say(&markdown(&tables)) }
+    if args.json {
+        say_json(&format!("{:#}\n", as_json(&tables)))
+    } else {
+        answer(&markdown(&tables))
+    }
 }
 
 fn markdown(tables: &[TableReference]) -> String {
-    let mut text = String::new();
+    let mut text = String::from(
+        "A row stands for one output interval: one time step, or as many as `[output] interval` of the scenario says. States \
+         are those at its start, forces are means over it, columns that begin with `peak_` hold the largest of any step, works \
+         are sums.\n\n",
+    );
     for table in tables {
         let _ = writeln!(
             text,

@@ -4,14 +4,15 @@ use core::fmt::Write as _;
 
 use fenderline_contact::number::greater;
 use fenderline_scenario::{
-    FenderCurves, FenderLibrary, FitOptions, FittedFender, LoadingCurve, Standing, read_text,
+    CatalogueScale, FenderCurves, FenderLibrary, FitOptions, FittedFender, LengthOrShare,
+    LoadingCurve, Standing, read_text,
 };
 use maud::html;
 
 use crate::cli::{FenderCommand, FitArgs, FitStanding};
 use crate::failure::Failure;
 use crate::output::write_whole;
-use crate::terminal::say;
+use crate::terminal::{notice, say};
 use fenderline_report::plot::{Axis, Chart, Point, Series, fixed, page};
 
 /// Rows of the printed table.
@@ -32,7 +33,9 @@ fn fit(args: &FitArgs) -> Result<(), Failure> {
     let file = args.curves.display().to_string();
     let text = read_text(&args.curves)
         .map_err(|why| Failure::input(format_args!("error: cannot read {why}")))?;
-    let curves = FenderCurves::parse(&text, &file).map_err(Failure::input)?;
+    let scale =
+        CatalogueScale { height_m: Some(args.height), rated_reaction_n: args.rated_reaction };
+    let curves = FenderCurves::parse(&text, &file, scale).map_err(Failure::input)?;
     let fitted = FittedFender::fit(&curves, &options(args))
         .map_err(|why| Failure::input(format_args!("error: {file}: {why}")))?;
     let toml = fitted.to_toml();
@@ -42,7 +45,14 @@ fn fit(args: &FitArgs) -> Result<(), Failure> {
     if let Some(path) = &args.plot {
         write_whole(path, plotted(&fitted, args).as_bytes())?;
     }
-    say(&printed(&fitted, &out))
+    if let Some(oddity) = fitted.oddity() {
+        notice(oddity);
+    }
+    let mut text = printed(&fitted, &out);
+    if args.rated_deflection.is_none() {
+        text += "the rated deflection is the end of the curve: --rated-deflection gives another\n";
+    }
+    say(&text)
 }
 
 fn options(args: &FitArgs) -> FitOptions {
@@ -56,9 +66,13 @@ fn options(args: &FitArgs) -> FitOptions {
         designation: args.designation.clone().unwrap_or_else(name),
         height_m: args.height,
         length_m: args.length,
-        rated_deflection_m: args.rated_deflection,
-        returned_energy: args.returned_energy.map(|percent| percent / 100.0),
-        tolerance: args.tolerance / 100.0,
+        rated_deflection_m: args.rated_deflection.map(|given| match given {
+            LengthOrShare::Metres(metres) => metres,
+            LengthOrShare::Share(of_height) => of_height * args.height,
+        }),
+        rated_reaction_n: args.rated_reaction,
+        returned_energy: args.returned_energy,
+        tolerance: args.tolerance,
         source,
         standing: match args.standing {
             FitStanding::Found => Standing::Found,

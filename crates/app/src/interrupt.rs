@@ -43,12 +43,57 @@ impl Interrupt {
         if !unix::is_ignored() {
             unix::listen(&asked);
         }
+        #[cfg(windows)]
+        windows::listen(&asked);
         Interrupt(asked)
     }
 
     /// Whether the run shall end.
     pub(crate) fn is_asked(&self) -> bool {
         self.0.load(Ordering::Relaxed)
+    }
+}
+
+/// What the first Ctrl-C prints.
+#[cfg(any(unix, windows))]
+const TOLD: &str = "interrupted: the results so far are written; a second Ctrl-C ends the program at once, without them";
+
+#[cfg(windows)]
+mod windows {
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicBool, Ordering};
+    use std::sync::mpsc::channel;
+
+    use tokio::signal::windows::ctrl_c;
+
+    use super::TOLD;
+    use crate::failure::INTERRUPTED;
+    use crate::terminal::tell;
+
+    /// Starts the thread that listens, and waits until it does. Without a console Ctrl-C does not reach the program.
+    pub(super) fn listen(asked: &Arc<AtomicBool>) {
+        let asked = Arc::clone(asked);
+        let (listening, is_listening) = channel::<()>();
+        let thread = std::thread::Builder::new().name("interrupt".into());
+        let hear = move || {
+            let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+            let Ok(runtime) = runtime else { return };
+            runtime.block_on(async {
+                let Ok(mut interrupt) = ctrl_c() else { return };
+                drop(listening);
+                while interrupt.recv().await.is_some() {
+                    if asked.swap(true, Ordering::Relaxed) {
+                        // Files keep their `.part` names, and the next run removes them.
+                        std::process::exit(i32::from(INTERRUPTED));
+                    }
+                    tell(TOLD);
+                }
+            });
+        };
+        if thread.spawn(hear).is_ok() {
+            // An error means that it listens, or has ended.
+            let _ = is_listening.recv();
+        }
     }
 }
 
@@ -62,6 +107,7 @@ mod unix {
     use fenderline_scenario::read_text_of;
     use tokio::signal::unix::{SignalKind, signal};
 
+    use super::TOLD;
     use crate::failure::INTERRUPTED;
     use crate::provider::end_all;
     use crate::terminal::tell;
@@ -93,7 +139,7 @@ mod unix {
                         if asked.swap(true, Ordering::Relaxed) {
                             end(i32::from(INTERRUPTED));
                         }
-                        tell("interrupted: the results so far are written; a second Ctrl-C ends the program at once, without them");
+                        tell(TOLD);
                     }
                     _ = terminate.recv() => end(TERMINATED),
                 }

@@ -1,18 +1,78 @@
-//! From a scenario file and the command line's changes to a checked scenario.
+//! From a scenario file, or standard input, and the command line's changes to a checked scenario.
 
-use std::path::Path;
+use std::ffi::OsStr;
+use std::io::{self, IsTerminal as _};
+use std::path::{Path, PathBuf};
 
-use fenderline_scenario::Scenario;
+use fenderline_scenario::{LoadError, Override, Scenario, read_stream, read_text};
 
-use crate::cli::Changes;
 use crate::failure::Failure;
+use crate::terminal::remark;
 
-/// Reads and checks the scenario at `path`.
+/// The path that stands for standard input.
+const STANDARD_INPUT: &str = "-";
+/// The name of a scenario from standard input, in messages and of its results.
+const NAME: &str = "stdin";
+
+/// The text of a scenario, and where it comes from.
+#[derive(Clone, Debug)]
+pub(crate) struct Source {
+    pub(crate) text: String,
+    /// The path as the user gave it, for messages.
+    pub(crate) shown: String,
+    /// Where the files lie that it names: beside the file; in the current folder for standard input.
+    pub(crate) folder: PathBuf,
+}
+
+impl Source {
+    /// Reads the file at `path`; standard input, to its end, for `-`.
+    ///
+    /// # Errors
+    /// A file that cannot be read, is too large, or is not UTF-8 text.
+    pub(crate) fn read(path: &Path) -> Result<Source, LoadError> {
+        if path != STANDARD_INPUT {
+            let text = read_text(path).map_err(LoadError::Unreadable)?;
+            let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+            return Ok(Source { text, shown: path.display().to_string(), folder });
+        }
+        let input = io::stdin();
+        if input.is_terminal() {
+            remark("reading a scenario from standard input; Ctrl-D on a line of its own ends it");
+        }
+        let text = read_stream(input.lock(), NAME).map_err(LoadError::Unreadable)?;
+        Ok(Source { text, shown: NAME.to_owned(), folder: PathBuf::new() })
+    }
+
+    /// The scenario with some keys replaced.
+    ///
+    /// # Errors
+    /// The scenario reader refuses it.
+    pub(crate) fn scenario(&self, overrides: &[Override]) -> Result<Scenario, LoadError> {
+        Scenario::parse_beside(&self.text, &self.shown, overrides, &self.folder)
+            .map_err(LoadError::Refused)
+    }
+}
+
+/// Reads and checks the scenario at `path`; the one on standard input for `-`.
 ///
 /// # Errors
 /// [`Failure::Input`] for a file that cannot be read, is too large, is not UTF-8 text, or that the
 /// scenario reader refuses.
-pub(crate) fn load(path: &Path, changes: &Changes) -> Result<Scenario, Failure> {
-    let overrides = changes.overrides().map_err(Failure::input)?;
-    Scenario::load(path, &overrides).map_err(Failure::input)
+pub(crate) fn load(path: &Path, overrides: &[Override]) -> Result<Scenario, Failure> {
+    let source = Source::read(path).map_err(Failure::input)?;
+    source.scenario(overrides).map_err(Failure::input)
+}
+
+/// The name of a scenario's file.
+pub(crate) fn file_name(path: &Path) -> &OsStr {
+    named(path).file_name().unwrap_or_default()
+}
+
+/// That name without its extension, for the names of results.
+pub(crate) fn stem(path: &Path) -> &OsStr {
+    named(path).file_stem().unwrap_or_default()
+}
+
+fn named(path: &Path) -> &Path {
+    if path == STANDARD_INPUT { Path::new(NAME) } else { path }
 }

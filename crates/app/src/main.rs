@@ -1,21 +1,29 @@
 //! fenderline: contact of ships, fenders, quays and tugs from a scenario file.
 //!
-//! `cli` is the command line; `run`, `check`, `validate`, `manoeuvre`, `vessels`, `fender` and `fmu` are the commands;
-//! `load` reads a scenario; `interrupt` handles Ctrl-C;
-//! `output` writes the result files; `provider` exchanges data with other programs that apply forces to bodies.
+//! `cli` is the command line; `run`, `report`, `campaign`, `check`, `validate`, `manoeuvre`, `vessels`, `fenders`, `fender`, `init` and `fmu` are the
+//! commands; `man` makes completions and manual pages; `load` reads a scenario; `interrupt` handles Ctrl-C;
+//! `output` writes the result files, `documents` PDF and workbook; `provider` exchanges data with other programs that apply forces to bodies.
 
+mod campaign;
 mod check;
 mod cli;
 mod columns;
+mod documents;
+mod engine_dump;
 mod failure;
 mod fender;
+mod fenders;
 mod fmu;
+mod init;
 mod interrupt;
 mod load;
+mod man;
 mod manoeuvre;
 mod output;
+mod played;
 mod progress;
 mod provider;
+mod report;
 mod run;
 mod serve;
 mod terminal;
@@ -46,17 +54,29 @@ fn main() -> ExitCode {
             return ExitCode::from(u8::try_from(e.exit_code()).unwrap_or(2));
         }
     };
+    if cli.quiet {
+        terminal::be_quiet();
+    }
+    if cli.has_json() {
+        terminal::answer_only();
+    }
     let done = match &cli.command {
         Command::Run(args) => run::run(args),
+        Command::Init(args) => init::init(args),
+        Command::Report(args) => report::report(args),
         Command::Check(args) => check::check(args),
+        Command::Campaign(args) => campaign::campaign(args),
         Command::Validate(args) => validate::validate(args),
         Command::Manoeuvre(args) => manoeuvre::manoeuvre(args),
         Command::Vessels(args) => vessels::vessels(args),
+        Command::Fenders(args) => fenders::fenders(args),
         Command::Fender(command) => fender::fender(command),
         Command::Fmu(args) => fmu::fmu(args),
         Command::Serve(args) => serve::serve(args),
         Command::Replay(args) => serve::replay(args),
         Command::Columns(args) => columns::columns(args),
+        Command::Completions(args) => man::completions(args),
+        Command::Man(args) => man::man(args),
         Command::Schema(args) => check::schema(args.of),
     };
     match done {

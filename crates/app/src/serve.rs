@@ -3,10 +3,11 @@
 use fenderline_serve::{Options, Replayed, ServeError, Server};
 
 use crate::cli::{ReplayArgs, ServeArgs};
+use crate::engine_dump;
 use crate::failure::Failure;
 use crate::interrupt::stop_on_interrupt;
 use crate::progress::Progress;
-use crate::terminal::{say, tell};
+use crate::terminal::{notice, remark, say};
 
 /// Serves until it is interrupted.
 ///
@@ -27,7 +28,7 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
         nmea_tcp: args.nmea_tcp,
         nmea_udp: args.nmea_udp,
         origin: args.origin,
-        notify: tell,
+        notify: remark,
     };
     let server = with_progress(|progress| Server::start(&options, progress))?;
     let interrupted = stop_on_interrupt()
@@ -37,17 +38,20 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
     say(&format!("recorded: {}\n", recording.display()))
 }
 
-/// Replays a recorded session and compares every recorded state.
+/// Replays a recorded session and compares every recorded state; or a dump of an engine.
 ///
 /// # Errors
 /// A file that is not a recording or is damaged; a session whose replay differs in any bit.
 pub(crate) fn replay(args: &ReplayArgs) -> Result<(), Failure> {
+    if engine_dump::is_one(&args.session) {
+        return engine_dump::replay(&args.session);
+    }
     let replayed = with_progress(|progress| fenderline_serve::replay(&args.session, progress))?;
     let Replayed { title, branches, ticks, equal_states, incomplete } = replayed;
     let whole = match incomplete {
         None => "whole",
         Some(what) => {
-            tell(&format!("notice: {}: {what}", args.session.display()));
+            notice(format_args!("{}: {what}", args.session.display()));
             "without its end"
         }
     };

@@ -1,21 +1,53 @@
 //! Output to the terminal. Writing never panics: a reader that closed the pipe ends the command quietly. Control characters
 //! in users' names and titles are removed here.
 
+mod colour;
+
 use std::io::{self, Write as _};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use fenderline_scenario::{escaped_json, printable_text};
 
 use crate::failure::Failure;
 
-/// Prints `text` to standard output.
+/// Whether the user wants errors and answers only.
+static IS_QUIET: AtomicBool = AtomicBool::new(false);
+
+/// Whether standard output is for answers only.
+static IS_ANSWER_ONLY: AtomicBool = AtomicBool::new(false);
+
+/// From now on nothing but errors and answers is printed.
+pub(crate) fn be_quiet() {
+    IS_QUIET.store(true, Ordering::Relaxed);
+}
+
+/// Whether nothing but errors and answers is printed.
+pub(crate) fn is_quiet() -> bool {
+    IS_QUIET.load(Ordering::Relaxed)
+}
+
+/// From now on standard output takes nothing but answers, so that it is JSON as a whole.
+pub(crate) fn answer_only() {
+    IS_ANSWER_ONLY.store(true, Ordering::Relaxed);
+}
+
+/// Prints `text`, which tells what a command has done, to standard output; not with `--quiet` or `--json`.
 ///
 /// # Errors
 /// [`Failure::ReaderGone`] if the pipe is closed; a failed case if it cannot be written, as on a full disk.
 pub(crate) fn say(text: &str) -> Result<(), Failure> {
+    if is_quiet() || IS_ANSWER_ONLY.load(Ordering::Relaxed) { Ok(()) } else { answer(text) }
+}
+
+/// Prints `text`, which the user asked for, to standard output; with `--quiet` too.
+///
+/// # Errors
+/// As [`say`].
+pub(crate) fn answer(text: &str) -> Result<(), Failure> {
     put(&printable_text(text))
 }
 
-/// Prints JSON to standard output. Control characters are escaped, so that no value changes.
+/// Prints JSON to standard output; with `--quiet` too. Control characters are escaped, so that no value changes.
 ///
 /// # Errors
 /// As [`say`].
@@ -31,7 +63,21 @@ fn put(text: &str) -> Result<(), Failure> {
     })
 }
 
-/// Prints a line to standard error. A failure is ignored.
-pub(crate) fn tell(line: &str) {
-    let _ = writeln!(io::stderr().lock(), "{}", printable_text(line.trim_end()));
+/// Prints an error to standard error; in colour on a terminal, unless `NO_COLOR` is set. A failure is ignored.
+pub(crate) fn tell(text: &str) {
+    let text = printable_text(text.trim_end());
+    // Takes the colours out where they are not wanted.
+    let _ = writeln!(anstream::stderr().lock(), "{}", colour::painted(&text));
+}
+
+/// As [`tell`], but not with `--quiet`.
+pub(crate) fn remark(text: &str) {
+    if !is_quiet() {
+        tell(text);
+    }
+}
+
+/// Prints what looks unintended to standard error; not with `--quiet`.
+pub(crate) fn notice(text: impl core::fmt::Display) {
+    remark(&format!("notice: {text}"));
 }

@@ -5,7 +5,7 @@ use fenderline_validate::Validation;
 use crate::cli::ValidateArgs;
 use crate::failure::Failure;
 use crate::output::{make_folder, write_whole};
-use crate::terminal::say;
+use crate::terminal::{say, say_json};
 
 /// Runs all cases, prints the table and writes the report if `args` asks for one.
 ///
@@ -14,10 +14,15 @@ use crate::terminal::say;
 /// or a file that cannot be written. The table is printed and written all the same.
 pub(crate) fn validate(args: &ValidateArgs) -> Result<(), Failure> {
     let validation = Validation::run().map_err(Failure::Case)?;
-    say(&validation.table())?;
+    let files = validation.files();
+    if args.json {
+        let json = files.iter().find(|(name, _)| *name == "validation.json");
+        say_json(json.map_or("", |(_, text)| text))?;
+    } else {
+        say(&validation.table())?;
+    }
     if let Some(folder) = &args.out {
         make_folder(folder)?;
-        let files = validation.files();
         for (name, content) in &files {
             write_whole(&folder.join(name), content.as_bytes())?;
         }

@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 
 use crate::cli::VesselsArgs;
 use crate::failure::Failure;
-use crate::terminal::{say, say_json};
+use crate::terminal::{answer, say_json};
 use fenderline_report::plot::{fixed, plain};
 use fenderline_validate::errors_of;
 
@@ -30,11 +30,11 @@ pub(crate) fn vessels(args: &VesselsArgs) -> Result<(), Failure> {
             let all: Vec<Value> = all.iter().map(vessel_json).collect();
             return say_json(&format!("{:#}\n", json!(all)));
         }
-        return say(&all.iter().map(line).collect::<String>());
+        return answer(&all.iter().map(line).collect::<String>());
     };
     let vessel = found(&library, name)?;
     if !args.json {
-        return say(&sheet(vessel));
+        return answer(&sheet(vessel));
     }
     let mut json = vessel_json(vessel);
     json["wave_drift"] = drift_json(&drift(vessel));

@@ -50,6 +50,37 @@ fn a_fitted_fender_is_taken_by_a_scenario() {
     assert_eq!(run.code, 0, "{}", run.stderr);
 }
 
+/// The generic curve of a catalogue, in per cent of height and rated reaction, and the table's rated reaction.
+#[test]
+fn a_catalogue_s_percentages_become_a_fender_and_options_take_units() {
+    let place = Workplace::new("fender_fit_percent");
+    let rows = "deflection_percent,reaction_percent\n5,20\n10,39\n20,76\n35,100\n55,88\n65,90\n72,100\n75,110\n";
+    place.write("page.csv", rows.as_bytes());
+    let start = ["fender", "fit", "page.csv", "-o", "our.toml", "--height", "1.2 m"];
+    let fit = |more: &[&str]| place.run(&[&start, more].concat());
+    let good = ["--rated-reaction", "585 kN", "--rated-deflection", "72 %", "--tolerance", "0.1 %"];
+    let run = fit(&good);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    contains_all(&run.stdout, &["rated: 864.0 mm, 585.00 kN"]);
+    contains_all(&place.text("our.toml"), &["rated_deflection = 0.72", "reaction = \"585000 N\""]);
+    let refused = |more: &[&str], fragments: &[&str]| {
+        let run = fit(more);
+        assert_eq!(run.code, 2, "{}", run.stdout);
+        contains_all(&run.stderr, fragments);
+    };
+    refused(
+        &["--rated-reaction", "585 kN"],
+        &["at the end of the curve, 900 mm", "110 %", "--rated-deflection \"864 mm\""],
+    );
+    refused(&[], &["page.csv:1", "`reaction_percent`", "--rated-reaction \"585 kN\""]);
+    refused(&["--rated-reaction", "60 t"], &["a mass [kg], but must be a force [N]"]);
+    let newtons = fit(&["--rated-reaction", "585", "--rated-deflection", "72 %"]);
+    contains_all(
+        &newtons.stderr,
+        &["0.585 kN at a height of 1.2 m", "\"585 kN\" in place of 585 N?"],
+    );
+}
+
 #[test]
 fn bad_curves_and_options_are_errors_and_write_nothing() {
     let place = Workplace::new("fender_fit_bad");
@@ -70,7 +101,7 @@ fn bad_curves_and_options_are_errors_and_write_nothing() {
         &["bench.csv", "ends at 0.6 m", "0.5 m high"],
     );
     contains_all(
-        &fit("bench.csv", &["--height", "1", "--returned-energy", "120"]),
+        &fit("bench.csv", &["--height", "1", "--returned-energy", "120 %"]),
         &["the returned energy is 1.2", "between 0.05 and 1"],
     );
     contains_all(

@@ -4,22 +4,16 @@ mod support;
 
 use support::{Workplace, contains_all};
 
-/// Without a library to be found: its bytes are of no matter here.
-fn with_library(name: &str) -> Workplace {
-    let place = Workplace::new(name);
-    place.write("library.so", b"some library");
-    place
-}
-
+/// With the library that cargo puts beside the program.
 fn fmu(place: &Workplace, more: &[&str]) -> support::Run {
-    let mut arguments = vec!["fmu", "tug.toml", "--library", "library.so"];
+    let mut arguments = vec!["fmu", "tug.toml"];
     arguments.extend_from_slice(more);
     place.run(&arguments)
 }
 
 #[test]
 fn the_same_scenario_gives_the_same_bytes() {
-    let place = with_library("fmu_bytes");
+    let place = Workplace::new("fmu_bytes");
     for kind in ["engine", "simulation"] {
         let first = fmu(&place, &["--kind", kind, "-o", "a/x.fmu"]);
         assert_eq!(first.code, 2, "there is no folder `a`");
@@ -29,7 +23,7 @@ fn the_same_scenario_gives_the_same_bytes() {
         for folder in ["a", "b"] {
             let done = fmu(&place, &["--kind", kind, "-o", &format!("{folder}/x.fmu")]);
             assert_eq!(done.code, 0, "{}", done.stderr);
-            contains_all(&done.stdout, &[kind, "A tug at a quay", "FMI 2.0"]);
+            contains_all(&done.stdout, &[kind, "A tug at a quay", "FMI 2.0", "platforms: "]);
         }
         assert_eq!(place.files("a"), ["here", "x.fmu", "x_OspModelDescription.xml"]);
         assert_eq!(place.read("a/x.fmu"), place.read("b/x.fmu"));
@@ -42,7 +36,7 @@ fn the_same_scenario_gives_the_same_bytes() {
 
 #[test]
 fn changes_of_the_command_line_go_into_the_fmu() {
-    let place = with_library("fmu_changes");
+    let place = Workplace::new("fmu_changes");
     let plain = fmu(&place, &["--kind", "engine", "-o", "x.fmu"]);
     assert_eq!(plain.code, 0, "{}", plain.stderr);
     let before = place.read("x.fmu");
@@ -56,7 +50,7 @@ fn changes_of_the_command_line_go_into_the_fmu() {
 
 #[test]
 fn inputs_that_are_refused_for_an_fmu() {
-    let place = with_library("fmu_refused");
+    let place = Workplace::new("fmu_refused");
     let text = format!(
         "{}\n[[provider]]\nbody = \"tug\"\ncommand = [\"python3\", \"drag.py\"]\n",
         support::TUG.replace("method = \"paper\"", "method = \"coupled\"")
@@ -81,7 +75,50 @@ fn a_program_without_its_library_says_what_builds_it() {
     let copied =
         place.shell("cp \"$FENDERLINE\" . && ./fenderline fmu tug.toml --kind engine -o x.fmu");
     assert_eq!(copied.code, 1);
-    let words = ["fenderline_fmu", "cargo build", "--package fenderline-fmu", "--library PATH"];
+    let words = ["fenderline_fmu", "not beside it", "cargo xtask program", "--library PATH"];
     contains_all(&copied.stderr, &words);
+    assert!(!place.exists("x.fmu"));
+}
+
+#[test]
+fn a_library_that_makes_no_instance_is_not_packed() {
+    let place = Workplace::new("fmu_libraries");
+    let refused = |library: &str, words: &[&str]| {
+        let options = ["--kind", "engine", "-o", "x.fmu", "--library", library];
+        let refused = fmu(&place, &options);
+        assert_eq!(refused.code, 1, "{}", refused.stderr);
+        contains_all(&refused.stderr, &[library]);
+        contains_all(&refused.stderr, words);
+        assert!(!place.exists("x.fmu") && !place.exists("x_OspModelDescription.xml"));
+    };
+    place.write("text.so", b"some library");
+    refused("text.so", &["not a shared library"]);
+    // A library of another machine, and not of this version.
+    let mut windows = b"MZ".to_vec();
+    windows.resize(0x3c, 0);
+    windows.extend(b"\x40\0\0\0PE\0\0\x64\x86");
+    place.write("other.dll", &windows);
+    refused("other.dll", &["not the FMU's library of this version"]);
+    // The beginning of a file of this machine, without the library.
+    let own = std::fs::read(support::PROGRAM).expect("the program");
+    place.write("header.so", &own[..4096]);
+    refused("header.so", &["not the FMU's library of this version"]);
+    // A program is a file of the same form, and has the version in it.
+    if cfg!(target_os = "linux") {
+        place.write("program.so", &own);
+        refused("program.so", &["cannot be loaded"]);
+    }
+}
+
+#[test]
+fn platforms_that_a_program_has_no_library_for_are_refused() {
+    let place = Workplace::new("fmu_platforms");
+    let missing =
+        fmu(&place, &["--kind", "engine", "-o", "x.fmu", "--platforms", "aarch64-darwin"]);
+    assert_eq!(missing.code, 2);
+    contains_all(&missing.stderr, &["no library for aarch64-darwin", "it has ", "--library PATH"]);
+    let unknown = fmu(&place, &["--kind", "engine", "-o", "x.fmu", "--platforms", "win64"]);
+    assert_eq!(unknown.code, 2);
+    contains_all(&unknown.stderr, &["x86_64-windows"]);
     assert!(!place.exists("x.fmu"));
 }

@@ -131,3 +131,71 @@ fn a_folder_for_results_that_cannot_be_one_is_bad_input() {
     }
     assert_eq!(place.text("occupied"), "a file where the results should go");
 }
+
+/// Runs a script in a mount namespace of its own, with `small` a file system in memory with these options; `None` where
+/// that is not permitted.
+#[cfg(target_os = "linux")]
+fn with_small_disk(place: &Workplace, options: &str, script: &str) -> Option<support::Run> {
+    let map = if place.shell("id -u").stdout.trim() == "0" { "" } else { "--user --map-root-user" };
+    let namespace = format!("unshare {map} --mount");
+    if place.shell(&format!("{namespace} mount -t tmpfs none .")).code != 0 {
+        println!("skipped: mount namespaces are not permitted here");
+        return None;
+    }
+    let mount = format!("mkdir -p small && mount -t tmpfs -o {options} none small");
+    Some(place.shell(&format!("{namespace} bash -c '{mount} && {script}'")))
+}
+
+/// Commands that write, by what they write into `small`.
+#[cfg(target_os = "linux")]
+const WRITERS: [&str; 9] = [
+    "run tug.toml --out small/run",
+    "run tug.toml --out small/run --format parquet",
+    "report tug.toml --html small/r.html",
+    "report tug.toml --xlsx small/r.xlsx",
+    "campaign many.toml --out small/study",
+    "fmu tug.toml --kind engine -o small/x.fmu",
+    "init tugs -o small/x.toml",
+    "man --out small/man",
+    "manoeuvre kcs turning --out small/tracks",
+];
+
+#[cfg(target_os = "linux")]
+fn with_study(name: &str) -> Workplace {
+    let place = Workplace::new(name);
+    let study =
+        "scenario = \"tug.toml\"\n[variable.step]\nkey = \"time.step\"\nvalues = [0.1, 0.2]\n";
+    place.write("many.toml", study.as_bytes());
+    place
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_leaves_no_file_under_its_final_name() {
+    let place = with_study("full_disk");
+    for command in WRITERS {
+        // One page of 4 KiB: folders fit, and no larger file as a whole.
+        let script = format!(
+            "\"$FENDERLINE\" {command}; code=$?; find small -type f ! -size 0 ! -name \"*.part\"; exit $code"
+        );
+        let Some(run) = with_small_disk(&place, "size=4k", &script) else { return };
+        assert_eq!(run.code, 1, "{command}: {}{}", run.stdout, run.stderr);
+        contains_all(&run.stderr, &["error: cannot write", "No space left on device"]);
+        // Small files of several: those that fitted are whole.
+        let whole = |name: &str| name.ends_with(".1") || name.ends_with("cases.csv");
+        let left: Vec<&str> = run.stdout.lines().filter(|name| !whole(name)).collect();
+        assert!(!left.iter().any(|name| name.starts_with("small/")), "{command}: {left:?}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_read_only_folder_is_refused_before_the_run() {
+    let place = with_study("read_only");
+    for command in WRITERS {
+        let script = format!("mount -o remount,ro small && \"$FENDERLINE\" {command}");
+        let Some(run) = with_small_disk(&place, "size=1m", &script) else { return };
+        assert_eq!(run.code, 2, "{command}: {}{}", run.stdout, run.stderr);
+        contains_all(&run.stderr, &["error: cannot write small/", "Read-only file system"]);
+    }
+}

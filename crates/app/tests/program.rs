@@ -6,6 +6,8 @@ mod support;
 
 use std::fs;
 
+use fenderline_embed::{Engine, Settings};
+use fenderline_scenario::{Override, Scenario};
 use support::{Workplace, contains_all};
 
 #[test]
@@ -82,7 +84,8 @@ fn the_columns_are_those_that_others_rely_on() {
     };
     assert_eq!(
         header("bodies"),
-        "t_s,body,x_m,y_m,heading_rad,u_mps,v_mps,r_radps,force_x_n,force_y_n,moment_z_nm"
+        "t_s,body,x_m,y_m,heading_rad,u_mps,v_mps,r_radps,force_x_n,force_y_n,moment_z_nm,\
+         peak_force_n"
     );
     assert_eq!(
         header("contacts"),
@@ -94,9 +97,34 @@ fn the_columns_are_those_that_others_rely_on() {
         header("energy"),
         "t_s,kinetic_j,load_work_j,hull_work_j,propeller_work_j,rudder_work_j,thrusters_work_j,\
          wind_work_j,waves_work_j,banks_work_j,bottom_work_j,current_work_j,tugs_work_j,lines_work_j,\
-         other_work_j,stored_j,shear_stored_j,hysteresis_j,damping_j,restitution_j,\
+         piles_work_j,other_work_j,stored_j,shear_stored_j,hysteresis_j,damping_j,restitution_j,\
          friction_j,contact_residual_j,residual_j"
     );
+}
+
+/// Options named like the keys of `[output]`; summary and report are those of every step.
+#[test]
+fn an_output_interval_and_a_choice_of_tables() {
+    let place = Workplace::new("output");
+    assert_eq!(place.run(&["run", "tug.toml", "--out", "all"]).code, 0);
+    let few = ["run", "tug.toml", "--out", "few", "--interval", "2 s", "--tables", "bodies,energy"];
+    let told = place.run(&few);
+    assert_eq!(told.code, 0, "{}", told.stderr);
+    assert_eq!(place.files("few"), ["bodies.csv", "energy.csv", "report.html", "summary.json"]);
+    assert_eq!(place.text("few/bodies.csv").lines().count(), 1 + 2 * 5);
+    assert_eq!(place.text("few/energy.csv").lines().count(), 1 + 1 + 5);
+    let mut summaries = ["all", "few"].map(|folder| place.json(&format!("{folder}/summary.json")));
+    let files = summaries.each_mut().map(|summary| summary["files"].take());
+    assert_eq!(summaries[0], summaries[1]);
+    assert_ne!(files[0], files[1]);
+    assert_eq!(place.text("all/report.html").len(), place.text("few/report.html").len());
+
+    let refused = place.run(&["run", "tug.toml", "--interval", "0.25"]);
+    assert_eq!(refused.code, 2);
+    assert!(refused.stderr.contains("--interval 0.25"), "{}", refused.stderr);
+    let refused = place.run(&["run", "tug.toml", "--tables", "bodies,forces"]);
+    assert_eq!(refused.code, 2);
+    assert!(refused.stderr.contains("there is no result table \"forces\""), "{}", refused.stderr);
 }
 
 #[test]
@@ -313,4 +341,31 @@ fn an_endless_file_is_refused() {
     assert_eq!(run.code, 2);
     contains_all(&run.stderr, &["big.toml", "MiB"]);
     fs::remove_file(place.path("big.toml")).expect("it is there");
+}
+
+/// Steps of an engine that a simulator recorded and sent.
+#[test]
+fn a_dump_of_an_engine_is_replayed_to_the_same_bits() {
+    let place = Workplace::new("dump");
+    let path = place.path("tug.toml");
+    let overrides = [Override::parse("contact.method=coupled").expect("a key")];
+    let scenario = Scenario::load(&path, &overrides).expect("a good scenario");
+    let mut engine = Engine::from_scenario(scenario, &Settings::default()).expect("good settings");
+    engine.record(50).expect("not too many");
+    let mut states = engine.initial_states().to_vec();
+    for _ in 0..60 {
+        engine.advance(&states, None, 0.1).expect("good states");
+        states.copy_from_slice(engine.results().expect("stepped").states_after);
+    }
+    engine.step(-1.0).expect_err("a step back");
+    let dump = engine.dump().expect("recorded");
+    place.write("steps.dump", &dump);
+    let run = place.run(&["replay", "steps.dump"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    contains_all(&run.stdout, &["61 steps", "1 refused", "the same bits in all steps"]);
+    contains_all(&run.stderr, &["step 61 of 61, of -1 s, is refused"]);
+    place.write("cut.dump", &dump[..dump.len() / 2]);
+    let run = place.run(&["replay", "cut.dump"]);
+    assert_eq!(run.code, 2);
+    contains_all(&run.stderr, &["cut.dump", "checksum"]);
 }

@@ -63,7 +63,7 @@ fn a_full_disk_ends_the_recording_with_a_notice_and_the_session_goes_on() {
             assert!(number < 2000, "it is never told");
             let answer = pilot.ask(rudder(0.1 + 1e-4 * f64::from(number))).await;
             assert!(answer["type"] == "ack" || answer["reason"].as_str().is_some(), "{answer}");
-            told = pilot.was_told("NO LONGER RECORDED");
+            told = pilot.has_heard("NO LONGER RECORDED");
             tokio::time::sleep(Duration::from_millis(20)).await;
         }
         let tick = pilot.next("frame").await["tick"].as_u64().expect("a tick");

@@ -249,6 +249,19 @@ static void build(void)
     size_t count;
     void *given, *list;
     a_name(name);
+    if (below(40) == 0) {
+        /* A fender by keys, with a changed byte now and then. */
+        char keys[] = "on=tug\nmaterial=rubber\ntype=cone\nsize=1050 F1.1\nposition=[10, 0]\nwidth=2 m";
+        if (below(2))
+            keys[below(sizeof keys - 1)] = (char)draw();
+        checked(fl_builder_add_fender_by_keys(b, name, FL_NUL, keys, below(3) ? FL_NUL : (size_t)below(sizeof keys), where));
+        return;
+    }
+    if (below(20) == 0) {
+        checked((below(2) ? fl_builder_find_body : below(2) ? fl_builder_find_fender : fl_builder_find_material)(
+            b, name, FL_NUL, where));
+        return;
+    }
     switch (below(9)) {
     case 0: {
         size_t place = (size_t)below(HELD);
@@ -388,6 +401,84 @@ static void ask(fl_engine *e)
     free(block_2);
 }
 
+/* Reads everything of a kind in one call each. */
+static void ask_for_all(fl_engine *e)
+{
+    uint8_t *block = NULL;
+    size_t count = 0, capacity = (size_t)below(12);
+    void *into;
+    switch (below(5)) {
+    case 0:
+        into = room(2 * capacity, sizeof(double), &block);
+        if (checked(fl_engine_outline(e, (uint32_t)below(3), into, capacity, &count)) == FL_STATUS_OK)
+            finite(into, into ? 2 * count : 0);
+        break;
+    case 1: {
+        fl_engine_fender_count(e, &count);
+        fl_fender_view *views = room(count, sizeof *views, &block);
+        if (checked(fl_engine_fender_views(e, views, below(20) ? count : capacity)) == FL_STATUS_OK)
+            for (size_t i = 0; i < count; i++)
+                finite(&views[i].mount_1_forward_m, 14);
+        break;
+    }
+    case 2: {
+        fl_contact *all = room(capacity, sizeof *all, &block);
+        size_t size = below(20) ? sizeof *all : (size_t)below(300);
+        if (checked(fl_engine_contacts(e, all, size, capacity, &count)) == FL_STATUS_OK)
+            for (size_t i = 0; i < count && all; i++)
+                finite(&all[i].area_m2, 21);
+        break;
+    }
+    case 3: {
+        fl_event *all = room(capacity, sizeof *all, &block);
+        if (checked(fl_engine_events(e, all, sizeof *all, capacity, &count)) == FL_STATUS_OK && all)
+            note(all, count * sizeof *all);
+        break;
+    }
+    default: {
+        double *points = malloc(2 * capacity * sizeof *points + 1);
+        for (size_t i = 0; i < 2 * capacity; i++)
+            points[i] = number(-30, 30);
+        into = room(4 * capacity, sizeof(double), &block);
+        if (below(3) == 0)
+            checked(fl_outline_hull(points, capacity, into, 2 * capacity, &count));
+        else if (below(2))
+            checked(fl_outline_mirror(points, capacity, number(0, 30), into, 2 * capacity, &count));
+        else
+            checked(fl_outline_simplify(points, capacity, number(0, 3), into, 2 * capacity, &count));
+        free(points);
+    }
+    }
+    note(&count, sizeof count);
+    free(block);
+}
+
+/* Records, or replays what was recorded: whole, with the same bits; or cut or changed, which is refused. */
+static void record_or_replay(fl_engine *e)
+{
+    size_t length = 0, steps = 0, different = 0;
+    if (below(3) == 0) {
+        checked(fl_engine_record(e, (size_t)below(5)));
+        return;
+    }
+    if (checked(fl_engine_dump(e, NULL, 0, &length)) != FL_STATUS_OK)
+        return;
+    uint8_t *dump = malloc(length);
+    checked(fl_engine_dump(e, dump, length, &length));
+    if (below(3) == 0) {
+        if (below(2))
+            length = (size_t)below(length);
+        else
+            dump[below(length)] ^= (uint8_t)(1u << below(8));
+        dump = realloc(dump, length ? length : 1);
+        if (checked(fl_replay_dump(dump, length, &steps, &different, NULL)) == FL_STATUS_OK)
+            fail("a changed dump was replayed");
+    } else if (checked(fl_replay_dump(dump, length, &steps, &different, NULL)) != FL_STATUS_OK || different)
+        fail("a dump does not replay to the same bits");
+    note(&steps, sizeof steps);
+    free(dump);
+}
+
 /* Saves, or restores the bytes of any engine: unchanged, truncated or changed. */
 static void save_or_restore(fl_engine *e)
 {
@@ -510,8 +601,12 @@ static void play(void)
             build();
         else if (which < 50)
             step(e);
-        else if (which < 80)
+        else if (which < 72)
             ask(e);
+        else if (which < 80)
+            ask_for_all(e);
+        else if (which < 84)
+            record_or_replay(e);
         else if (which < 95)
             save_or_restore(e);
         else if (which < 97)

@@ -5,9 +5,11 @@ use core::ptr;
 
 use fenderline_contact::outline::MAX_VERTICES;
 use fenderline_contact::vec2;
-use fenderline_embed::{BodyDef, EngineBuilder, FenderDef};
+use fenderline_embed::{BodyDef, EngineBuilder, EngineError, FenderDef};
 
-use crate::border::{LONGEST_NAME, check, put_text, read_all, read_sized, text, write};
+use crate::border::{
+    LONGEST_NAME, LONGEST_PATH, check, put_text, read_all, read_sized, text, write,
+};
 use crate::engine::{hold, settings_of};
 use crate::failure::{FlStatus, failure};
 use crate::library::keep_last;
@@ -145,6 +147,87 @@ pub unsafe extern "C" fn fl_builder_add_fender(
     })
 }
 
+/// Adds a fender under a unique name by the keys of a scenario file's `[fender.NAME]`, one KEY=VALUE per line: a fender of the
+/// catalogue by type and size, its temperature, several cones behind one panel, chains. Values carry units. `on` names its
+/// body and `material` its material, both added before; the rest is in the key reference of scenario files. Example:
+/// "on=quay\nmaterial=rubber\ntype=cone\nsize=1050 F1.1\nposition=[0, 12]\nwidth=2 m\ntemperature=40 degC". Its index, counted
+/// from 0, is stored to `index` unless that is NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_builder_add_fender_by_keys(
+    builder: *mut FlBuilder,
+    name: *const c_char,
+    name_length: usize,
+    keys: *const c_char,
+    keys_length: usize,
+    index: *mut u32,
+) -> FlStatus {
+    BUILDERS.call(builder, |builder| {
+        // SAFETY: as the caller promises.
+        let name = unsafe { text(name, name_length, LONGEST_NAME, "name") }?;
+        // SAFETY: as the caller promises.
+        let keys = unsafe { text(keys, keys_length, LONGEST_PATH, "keys") }?;
+        check_index(index)?;
+        let own = builder.fender_by_keys(&name, &keys)?;
+        // SAFETY: as the caller promises.
+        unsafe { write_index(index, own) }
+    })
+}
+
+/// Finds a material of a builder by its name.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_builder_find_material(
+    builder: *const FlBuilder,
+    name: *const c_char,
+    name_length: usize,
+    material: *mut u32,
+) -> FlStatus {
+    // SAFETY: as the caller promises.
+    unsafe { find(builder, name, name_length, material, EngineBuilder::material_named) }
+}
+
+/// Finds a body of a builder by its name.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_builder_find_body(
+    builder: *const FlBuilder,
+    name: *const c_char,
+    name_length: usize,
+    body: *mut u32,
+) -> FlStatus {
+    // SAFETY: as the caller promises.
+    unsafe { find(builder, name, name_length, body, EngineBuilder::body_named) }
+}
+
+/// Finds a fender of a builder by its name.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_builder_find_fender(
+    builder: *const FlBuilder,
+    name: *const c_char,
+    name_length: usize,
+    fender: *mut u32,
+) -> FlStatus {
+    // SAFETY: as the caller promises.
+    unsafe { find(builder, name, name_length, fender, EngineBuilder::fender_named) }
+}
+
+/// # Safety
+/// The caller's promise.
+unsafe fn find(
+    builder: *const FlBuilder,
+    name: *const c_char,
+    name_length: usize,
+    index: *mut u32,
+    named: impl FnOnce(&EngineBuilder, &str) -> Result<usize, EngineError>,
+) -> FlStatus {
+    BUILDERS.call(builder, |builder| {
+        // SAFETY: as the caller promises.
+        let name = unsafe { text(name, name_length, LONGEST_NAME, "name") }?;
+        check(index, "index")?;
+        let own = named(builder, &name)?;
+        // SAFETY: as the caller promises.
+        unsafe { write_index(index, own) }
+    })
+}
+
 /// Enables contact between two bodies, with a material.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_builder_add_pair(
@@ -205,7 +288,7 @@ unsafe fn write_index(index: *mut u32, own: usize) -> crate::failure::Outcome {
 ///
 /// # Safety
 /// The caller's promise for `count` pairs.
-unsafe fn pairs(
+pub(crate) unsafe fn pairs(
     pointer: *const f64,
     count: usize,
     most: usize,

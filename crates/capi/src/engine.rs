@@ -433,6 +433,25 @@ pub unsafe extern "C" fn fl_engine_contact(
     })
 }
 
+/// Copies all contacts of the last step, in their fixed order. `element_size` is sizeof(fl_contact); the members `size` need not
+/// be set. `*count` gets their number. NULL and a capacity of 0 query it alone; if the capacity is too small, nothing is copied,
+/// and the status is FL_STATUS_BUFFER_TOO_SMALL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_contacts(
+    engine: *const FlEngine,
+    contacts: *mut FlContact,
+    element_size: usize,
+    capacity: usize,
+    count: *mut usize,
+) -> FlStatus {
+    results(engine, |results| {
+        check_element_size::<FlContact>(element_size)?;
+        let convert = |contact| FlContact::outward(&contact);
+        // SAFETY: as the caller promises.
+        unsafe { give_all(results.contacts, contacts, capacity, count, convert) }
+    })
+}
+
 /// Number of events of the last step.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_event_count(
@@ -457,6 +476,24 @@ pub unsafe extern "C" fn fl_engine_event(
         check_size(event, "event")?;
         // SAFETY: as the caller promises.
         unsafe { write(event, FlEvent::outward(own), "event") }
+    })
+}
+
+/// Copies all events of the last step, in their fixed order. `element_size` is sizeof(fl_event). For the rest see
+/// fl_engine_contacts().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_events(
+    engine: *const FlEngine,
+    events: *mut FlEvent,
+    element_size: usize,
+    capacity: usize,
+    count: *mut usize,
+) -> FlStatus {
+    results(engine, |results| {
+        check_element_size::<FlEvent>(element_size)?;
+        let convert = |event| FlEvent::outward(&event);
+        // SAFETY: as the caller promises.
+        unsafe { give_all(results.events, events, capacity, count, convert) }
     })
 }
 
@@ -522,7 +559,7 @@ fn results(engine: *const FlEngine, call: impl FnOnce(Results<'_>) -> Outcome) -
     ENGINES.call(engine, |held| call(held.engine.results()?))
 }
 
-fn among<'a, T>(what: &'static str, all: &'a [T], index: u32) -> Outcome<&'a T> {
+pub(crate) fn among<'a, T>(what: &'static str, all: &'a [T], index: u32) -> Outcome<&'a T> {
     let index = index as usize;
     Ok(all.get(index).ok_or(EngineError::NoSuch { what, index, count: all.len() })?)
 }
@@ -557,6 +594,43 @@ unsafe fn take_loads(held: &mut EngineHeld, loads: *const FlWrench, count: usize
     // SAFETY: as the caller promises; `count` is the number of bodies.
     unsafe { read_all(loads, count, "loads", FlWrench::inward, &mut held.loads) }?;
     Ok(true)
+}
+
+/// Refuses arrays of structures of another header.
+fn check_element_size<T>(size: usize) -> Outcome {
+    let own = size_of::<T>();
+    if size == own {
+        return Ok(());
+    }
+    failure(FlStatus::BadSize, format_args!("`element_size` is {size}, not {own}"))
+}
+
+/// Copies values out, all or none, and their number. NULL and a capacity of 0 query the number alone.
+///
+/// # Safety
+/// The caller's promise of room for `capacity` values.
+pub(crate) unsafe fn give_all<T: Copy, U: Copy>(
+    own: &[T],
+    into: *mut U,
+    capacity: usize,
+    count: *mut usize,
+    convert: impl Fn(T) -> U,
+) -> Outcome {
+    let is_query = into.is_null() && capacity == 0;
+    if !is_query {
+        check(into, "the array")?;
+    }
+    // SAFETY: as the caller promises.
+    unsafe { write(count, own.len(), "count") }?;
+    if is_query {
+        return Ok(());
+    }
+    if capacity < own.len() {
+        let text = format_args!("the array has room for {capacity}, but there are {}", own.len());
+        return failure(FlStatus::BufferTooSmall, text);
+    }
+    // SAFETY: the values fit into the `capacity` that the caller promises.
+    unsafe { write_all(into, own, "the array", convert) }
 }
 
 /// Copies one value per body out.

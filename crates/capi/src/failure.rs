@@ -21,7 +21,7 @@ pub enum FlStatus {
     BadText = 4,
     /// An unknown constant, a wrong count, or settings that conflict.
     BadArgument = 5,
-    /// A file cannot be read, or a scenario has an error: the message names file, line and key.
+    /// A file cannot be read, or a scenario or the keys of a fender have an error: the message names file, line and key.
     BadScenario = 6,
     /// Bodies, materials, pairs or fenders are not valid: the message names the part and the field.
     BadModel = 7,
@@ -34,7 +34,7 @@ pub enum FlStatus {
     OutOfOrder = 10,
     /// Not available with the engine's settings.
     NotAvailable = 11,
-    /// The bytes are not a saved engine: truncated, changed or of another version.
+    /// The bytes are not a saved engine or not a dump: truncated, changed or of another version.
     BadBytes = 12,
     /// The saved engine belongs to another model or to other settings.
     OtherModel = 13,
@@ -78,7 +78,7 @@ impl FlStatus {
             FlStatus::NoSuch => c"nothing has that name or index",
             FlStatus::OutOfOrder => c"another call must come first",
             FlStatus::NotAvailable => c"not available with the engine's settings",
-            FlStatus::BadBytes => c"the bytes are not a saved engine",
+            FlStatus::BadBytes => c"the bytes are not a saved engine or a dump",
             FlStatus::OtherModel => {
                 c"the saved engine belongs to another model or to other settings"
             }
@@ -117,7 +117,12 @@ impl From<EngineError> for Failure {
             EngineError::Restore(RestoreError::OtherModel) | EngineError::OtherSettings => {
                 FlStatus::OtherModel
             }
-            EngineError::Restore(_) => FlStatus::BadBytes,
+            EngineError::Restore(_) | EngineError::Dump(_) | EngineError::DumpVersion { .. } => {
+                FlStatus::BadBytes
+            }
+            EngineError::Keys(_) | EngineError::MissingKey { .. } => FlStatus::BadScenario,
+            EngineError::NotRecorded => FlStatus::OutOfOrder,
+            EngineError::Points(_) => FlStatus::BadModel,
             // `EngineError` is non-exhaustive.
             _ => FlStatus::BadArgument,
         };

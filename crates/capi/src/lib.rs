@@ -15,17 +15,23 @@ compile_error!("a panic must become a status: build this with panic = \"unwind\"
 
 mod border;
 mod builder;
+mod drawing;
+mod dump;
 mod engine;
 mod failure;
 mod library;
+mod outline;
 mod table;
 #[cfg(test)]
 mod tests;
 mod types;
 
 pub use builder::*;
+pub use drawing::*;
+pub use dump::*;
 pub use engine::*;
 pub use failure::FlStatus;
 pub use library::*;
+pub use outline::*;
 pub use table::{FlBuilder, FlEngine};
 pub use types::*;

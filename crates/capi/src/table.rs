@@ -138,6 +138,19 @@ impl<T> Table<T> {
         })
     }
 
+    /// As [`Table::call`], for calls that only read what a panic cannot have left half-changed.
+    pub(crate) fn call_even_panicked<H>(
+        &self,
+        handle: *const H,
+        call: impl FnOnce(&T) -> Outcome,
+    ) -> FlStatus {
+        no_panic(|| {
+            let object = self.find(handle)?;
+            let object = lock(&object);
+            call(&object.content)
+        })
+    }
+
     /// The message of the last failed call on a handle.
     pub(crate) fn error<H>(&self, handle: *const H) -> Outcome<String> {
         let object = self.find(handle)?;

@@ -101,7 +101,7 @@ pub struct FlState {
 
 /// A force at a body's centre of gravity and a moment about it, earth-fixed.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FlWrench {
     /// Force (N).
     pub north_n: f64,
@@ -285,6 +285,46 @@ pub struct FlEvent {
     pub body_2: u32,
     /// The fender; FL_NONE where none is concerned.
     pub fender: u32,
+}
+
+/// A fender as it is drawn, in the frame of the body that carries it (forward, starboard of its centre of gravity): draw it as a
+/// child of that body. Ends 1 are left and ends 2 right as seen when looking out from the body.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FlFenderView {
+    /// The body that carries it.
+    pub body: u32,
+    /// The body that presses it, of several the one that presses deepest; FL_NONE: it is not pressed.
+    pub hull: u32,
+    /// End of the line where it is mounted (m).
+    pub mount_1_forward_m: f64,
+    /// End of the line where it is mounted (m).
+    pub mount_1_starboard_m: f64,
+    /// Its other end (m).
+    pub mount_2_forward_m: f64,
+    /// Its other end (m).
+    pub mount_2_starboard_m: f64,
+    /// End of the face, compressed and turned as it is now (m).
+    pub face_1_forward_m: f64,
+    /// End of the face (m).
+    pub face_1_starboard_m: f64,
+    /// Its other end (m).
+    pub face_2_forward_m: f64,
+    /// Its other end (m).
+    pub face_2_starboard_m: f64,
+    /// Deflection in the last step (m); 0 if it is not pressed.
+    pub deflection_m: f64,
+    /// Rated deflection (m).
+    pub rated_deflection_m: f64,
+    /// Normal force in the last step, a mean over it, of all that press it (N): for an instrument.
+    pub normal_force_n: f64,
+    /// Largest normal force of one body within the last step (N): for an alarm.
+    pub peak_normal_force_n: f64,
+    /// Largest deflection within the last step (m).
+    pub peak_deflection_m: f64,
+    /// Turn of a panel on several cones about the vertical (rad), positive where the right end as seen by one who looks at the
+    /// face is deflected more; 0 for other fenders.
+    pub panel_turn_rad: f64,
 }
 
 impl FlState {

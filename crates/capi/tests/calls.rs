@@ -267,3 +267,163 @@ fn peak_wrenches_are_reported_beside_the_means() {
     assert_eq!(read_peaks(&mut peaks[..1]), FlStatus::BadArgument);
     assert_eq!(engine.destroy(), FlStatus::Ok);
 }
+
+fn add_parts(builder: *mut FlBuilder) -> (u32, u32) {
+    let (mut rubber, mut quay, mut ship) = (9, 9, 9);
+    let material = FlMaterial {
+        size: size_of::<FlMaterial>(),
+        stiffness_npm2: 5e6,
+        shear_stiffness_npm: 3e6,
+        friction_static: 0.2,
+        friction_dynamic: 0.2,
+        ..FlMaterial::default()
+    };
+    let fixed = FlBody { size: size_of::<FlBody>(), ..FlBody::default() };
+    let floating = FlBody { mass_kg: 2e7, yaw_inertia_kgm2: 2e10, east_m: 11.0, ..fixed };
+    let wall = [-60.0, -5.0, 60.0, -5.0, 60.0, 0.0, -60.0, 0.0];
+    let hull = [-60.0, -10.0, 60.0, -10.0, 60.0, 10.0, -60.0, 10.0];
+    let name = |name: &'static core::ffi::CStr| name.as_ptr();
+    // SAFETY: NUL-terminated names, structures, arrays of four pairs, room for indices.
+    let added = unsafe {
+        [
+            fl_builder_add_material(builder, name(c"rubber"), FL_NUL, &material, &mut rubber),
+            fl_builder_add_body(
+                builder,
+                name(c"quay"),
+                FL_NUL,
+                &fixed,
+                wall.as_ptr(),
+                4,
+                &mut quay,
+            ),
+            fl_builder_add_body(
+                builder,
+                name(c"ship"),
+                FL_NUL,
+                &floating,
+                hull.as_ptr(),
+                4,
+                &mut ship,
+            ),
+            fl_builder_add_pair(builder, quay, ship, rubber),
+        ]
+    };
+    assert_eq!(added, [FlStatus::Ok; 4]);
+    (quay, ship)
+}
+
+const KEYS: &str =
+    "on=quay\nmaterial=rubber\ntype=cone\nsize=1050 F1.1\nposition=[0, 0]\nwidth=2 m";
+
+/// A fender of the catalogue, names in place of indices, and all that is drawn in one call each.
+#[test]
+fn a_catalogue_fender_is_added_by_keys_and_drawn() {
+    let (mut builder, mut engine) = (ptr::null_mut(), ptr::null_mut());
+    // SAFETY: room for a handle.
+    assert_eq!(unsafe { fl_builder_new(&mut builder) }, FlStatus::Ok);
+    let (quay, ship) = add_parts(builder);
+    let mut index = 9;
+    // SAFETY: texts with their lengths, room for an index.
+    let add = |keys: &str, index: &mut u32| unsafe {
+        fl_builder_add_fender_by_keys(
+            builder,
+            c"f1".as_ptr(),
+            FL_NUL,
+            keys.as_ptr().cast(),
+            keys.len(),
+            index,
+        )
+    };
+    assert_eq!(add("type=cone", &mut index), FlStatus::BadScenario);
+    assert_eq!(add(KEYS.replace("cone", "conne").as_str(), &mut index), FlStatus::BadScenario);
+    assert!(last_error().contains("--> type=conne"), "{}", last_error());
+    assert_eq!((add(KEYS, &mut index), index), (FlStatus::Ok, 0));
+    // SAFETY: NUL-terminated names, room for indices and a handle.
+    unsafe {
+        assert_eq!(
+            fl_builder_find_body(builder, c"ship".as_ptr(), FL_NUL, &mut index),
+            FlStatus::Ok
+        );
+        assert_eq!(index, ship);
+        let missing = fl_builder_find_fender(builder, c"ship".as_ptr(), FL_NUL, &mut index);
+        assert_eq!(missing, FlStatus::NoSuch);
+        assert_eq!(fl_builder_build(builder, ptr::null(), &mut engine), FlStatus::Ok);
+    }
+    let (mut outline, mut count) = ([0.0; 8], 0);
+    let mut views = [FlFenderView::default()];
+    let mut contacts = [FlContact::default(); 4];
+    let state = FlState { east_m: 11.0, east_mps: -0.1, ..FlState::default() };
+    // SAFETY: arrays of the given capacities.
+    unsafe {
+        let read = fl_engine_outline(engine, ship, outline.as_mut_ptr(), 3, &mut count);
+        assert_eq!((read, count, outline), (FlStatus::BufferTooSmall, 4, [0.0; 8]));
+        let read = fl_engine_outline(engine, ship, outline.as_mut_ptr(), 4, &mut count);
+        assert_eq!((read, outline[..2].to_vec()), (FlStatus::Ok, vec![-60.0, -10.0]));
+        assert_eq!(fl_engine_fender_views(engine, views.as_mut_ptr(), 1), FlStatus::Ok);
+        assert_eq!((views[0].body, views[0].hull), (quay, FL_NONE));
+        assert!((views[0].face_1_starboard_m - 1.05).abs() < 1e-12);
+        assert_eq!(fl_engine_fender_views(engine, views.as_mut_ptr(), 2), FlStatus::BadArgument);
+        assert_eq!(fl_engine_set_state(engine, ship, &state), FlStatus::Ok);
+        assert_eq!(fl_engine_step(engine, 0.1), FlStatus::Ok);
+        assert_eq!(fl_engine_fender_views(engine, views.as_mut_ptr(), 1), FlStatus::Ok);
+        let size = size_of::<FlContact>();
+        let all = fl_engine_contacts(engine, contacts.as_mut_ptr(), size, 4, &mut count);
+        assert_eq!((all, count), (FlStatus::Ok, 1));
+        assert_eq!(contacts[0].depth_m, views[0].deflection_m);
+        assert_eq!(views[0].hull, ship);
+        let other = fl_engine_contacts(engine, contacts.as_mut_ptr(), size - 8, 4, &mut count);
+        assert_eq!(other, FlStatus::BadSize);
+        let none = fl_engine_contacts(engine, contacts.as_mut_ptr(), size, 0, &mut count);
+        assert_eq!((none, count), (FlStatus::BufferTooSmall, 1));
+        let (size, none) = (size_of::<FlEvent>(), ptr::null_mut());
+        assert_eq!(fl_engine_events(engine, none, size, 0, &mut count), FlStatus::Ok);
+        assert_eq!(count, 1, "the contact began");
+    }
+    assert_eq!(fl_engine_destroy(engine), FlStatus::Ok);
+    assert_eq!(fl_builder_destroy(builder), FlStatus::Ok);
+}
+
+#[test]
+fn a_dump_is_replayed_to_the_same_bits() {
+    let engine = Engine::new(COUPLED, None);
+    let (mut length, mut steps, mut different, mut again) = (0, 0, 9, ptr::null_mut());
+    // SAFETY: room for a length.
+    let query = |length| unsafe { fl_engine_dump(engine.0, ptr::null_mut(), 0, length) };
+    assert_eq!(query(&mut length), FlStatus::OutOfOrder);
+    assert_eq!(fl_engine_record(engine.0, 100), FlStatus::Ok);
+    engine.run(60);
+    assert_eq!(query(&mut length), FlStatus::Ok);
+    let mut dump = vec![0; length];
+    // SAFETY: room for the dump; the dump with its length, room for counts and a handle.
+    unsafe {
+        assert_eq!(fl_engine_dump(engine.0, dump.as_mut_ptr(), length, &mut length), FlStatus::Ok);
+        let replayed =
+            fl_replay_dump(dump.as_ptr(), length, &mut steps, &mut different, &mut again);
+        assert_eq!((replayed, steps, different), (FlStatus::Ok, 60, 0));
+        assert_eq!(Engine(again).wrenches(), engine.wrenches());
+        dump[length / 2] ^= 1;
+        let (none, nobody) = (ptr::null_mut(), ptr::null_mut());
+        let changed = fl_replay_dump(dump.as_ptr(), length, none, ptr::null_mut(), nobody);
+        assert_eq!(changed, FlStatus::BadBytes);
+    }
+    assert_eq!((engine.destroy(), Engine(again).destroy()), (FlStatus::Ok, FlStatus::Ok));
+}
+
+#[test]
+fn outlines_are_made_from_points() {
+    // A square of 2 m with its centre, and the starboard half of a kite.
+    let square = [0.0, 0.0, -1.0, -1.0, 1.0, -1.0, 1.0, 1.0, -1.0, 1.0];
+    let half = [3.0, 0.0, 0.0, 1.0, -1.0, 0.0];
+    let (mut outline, mut count) = ([0.0; 8], 0);
+    let into = outline.as_mut_ptr();
+    // SAFETY: arrays of the given lengths and capacities.
+    unsafe {
+        assert_eq!(fl_outline_hull(square.as_ptr(), 5, into, 4, &mut count), FlStatus::Ok);
+        assert_eq!(count, 4);
+        assert_eq!(fl_outline_mirror(half.as_ptr(), 3, 0.0, into, 4, &mut count), FlStatus::Ok);
+        assert_eq!((count, outline), (4, [3.0, 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, -1.0]));
+        let simplify = fl_outline_simplify(square.as_ptr(), 2, 0.1, into, 4, &mut count);
+        assert_eq!(simplify, FlStatus::BadModel);
+        assert_eq!(fl_outline_hull(square.as_ptr(), 1, into, 4, &mut count), FlStatus::BadModel);
+    }
+}

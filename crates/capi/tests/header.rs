@@ -4,8 +4,17 @@
 use std::path::Path;
 
 /// In the order of the header.
-const SOURCES: [&str; 6] =
-    ["library.rs", "failure.rs", "types.rs", "table.rs", "builder.rs", "engine.rs"];
+const SOURCES: [&str; 9] = [
+    "library.rs",
+    "failure.rs",
+    "types.rs",
+    "table.rs",
+    "outline.rs",
+    "builder.rs",
+    "engine.rs",
+    "drawing.rs",
+    "dump.rs",
+];
 
 #[test]
 fn the_header_is_up_to_date() {

@@ -123,6 +123,7 @@ fn build_model() -> Result<(Model, [FenderId; 2]), Box<dyn Error>> {
             rated_deflection_m: 0.72,
             stop: None,
             factors: ReactionFactors::default(),
+            panel: None,
         })
     };
     let fenders = [add_fender("forward", FENDER_AT_M, 1), add_fender("aft", -FENDER_AT_M, 2)];

@@ -107,6 +107,7 @@ fn build_model(law: FenderLaw) -> Result<Model, Box<dyn Error>> {
         stop: None,
         // For a steel-hard winter night one would set `constant` above 1.
         factors: ReactionFactors::default(),
+        panel: None,
     });
     builder.pair(Pair { bodies: [ship, quay], material: rubber });
     Ok(builder.build()?)

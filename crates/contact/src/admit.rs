@@ -4,17 +4,30 @@ use crate::error::StepError;
 use crate::memory::Memory;
 use crate::model::Model;
 use crate::report::Wrench;
-use crate::state::BodyState;
+use crate::state::{BodyState, FURTHEST_M};
 
-/// Largest position, velocity, load and time step (m, m/s, rad/s, rad, N, s). A larger number is a mistake of the host, and
-/// forces could overflow.
-const FURTHEST_M: f64 = 1e9;
+/// Largest velocity, load and time step (m/s, rad/s, rad, N, s). A larger number is a mistake of the host, and forces could
+/// overflow.
 const FASTEST_MPS: f64 = 1e6;
 const FASTEST_TURN_RADPS: f64 = 1e3;
 const LARGEST_HEADING_RAD: f64 = 1e9;
-pub(crate) const LARGEST_LOAD: f64 = 1e15;
+const LARGEST_LOAD: f64 = 1e15;
 pub(crate) const LONGEST_STEP_S: f64 = 1e6;
 pub(crate) const SHORTEST_STEP_S: f64 = 1e-9;
+
+/// Refuses models with bodies on piles.
+///
+/// # Errors
+/// [`StepError::OnPile`], naming the first.
+pub(crate) fn refuse_piles(model: &Model) -> Result<(), StepError> {
+    match model.piles.first() {
+        None => Ok(()),
+        Some(pile) => {
+            let body = &model.bodies()[model.id_of[pile.rank as usize].0 as usize];
+            Err(StepError::OnPile { body: body.name.clone() })
+        }
+    }
+}
 
 /// Checks the host's input except the states: a caller that reads them one by one checks each.
 pub(crate) fn admit_call(
@@ -101,9 +114,14 @@ fn unsound(model: &Model, index: usize, state: &BodyState) -> StepError {
         ("east velocity", state.velocity_mps.y, FASTEST_MPS),
         ("yaw rate", state.yaw_rate_radps, FASTEST_TURN_RADPS),
     ];
-    let within = |value: f64, largest: f64| value.abs() <= largest;
-    let bad = fields.into_iter().find(|&(_, value, largest)| !within(value, largest));
-    let (field, value, _) = bad.expect("one of the fields is not sound");
+    bad_number(model, index, &fields)
+}
+
+/// The first of these fields of a body (name, value and largest value) that is not within its bounds.
+fn bad_number(model: &Model, index: usize, fields: &[(&'static str, f64, f64)]) -> StepError {
+    let is_within = |value: f64, largest: f64| value.abs() <= largest;
+    let bad = fields.iter().find(|&&(_, value, largest)| !is_within(value, largest));
+    let &(field, value, _) = bad.expect("one of the fields is not sound");
     StepError::BadState { body: model.bodies()[index].name.clone(), field, value }
 }
 
@@ -130,7 +148,7 @@ pub(crate) fn admit_loads(
 
 /// Is every part of a load finite and within its bounds?
 #[inline]
-fn is_sound_load(load: &Wrench) -> bool {
+pub(crate) fn is_sound_load(load: &Wrench) -> bool {
     (load.force_n.x.abs() <= LARGEST_LOAD)
         & (load.force_n.y.abs() <= LARGEST_LOAD)
         & (load.moment_nm.abs() <= LARGEST_LOAD)
@@ -140,12 +158,9 @@ fn is_sound_load(load: &Wrench) -> bool {
 #[cold]
 fn unsound_load(model: &Model, index: usize, load: &Wrench) -> StepError {
     let fields = [
-        ("north load", load.force_n.x),
-        ("east load", load.force_n.y),
-        ("moment of the load", load.moment_nm),
+        ("north load", load.force_n.x, LARGEST_LOAD),
+        ("east load", load.force_n.y, LARGEST_LOAD),
+        ("moment of the load", load.moment_nm, LARGEST_LOAD),
     ];
-    let within = |value: f64| value.abs() <= LARGEST_LOAD;
-    let bad = fields.into_iter().find(|&(_, value)| !within(value));
-    let (field, value) = bad.expect("one of the fields is not sound");
-    StepError::BadState { body: model.bodies()[index].name.clone(), field, value }
+    bad_number(model, index, &fields)
 }

@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 use core::f64::consts::TAU;
 
 use crate::state::BodyState;
-use crate::vec2::{Pose, Rotation, Vec2};
+use crate::vec2::{Pose, Vec2};
 
 /// Computed by stage 1 of a step from the host's states; poses are updated by each sub-step.
 #[derive(Clone, Debug, Default)]
@@ -16,8 +16,6 @@ pub(crate) struct Bodies {
     pub(crate) input: Vec<BodyState>,
     /// Poses at the start of the (sub-)step.
     pub(crate) poses: Vec<Pose>,
-    /// The heading that each pose's rotation was computed from (rad).
-    pub(crate) headings_rad: Vec<f64>,
     /// How far from its centre of gravity each body may reach within this step (m).
     pub(crate) reach_m: Vec<f64>,
     /// Ranks, ascending, of the bodies that this step places. The others stay where the last step had them.
@@ -29,42 +27,18 @@ impl Bodies {
         Bodies {
             input: Vec::with_capacity(count),
             poses: Vec::with_capacity(count),
-            headings_rad: Vec::with_capacity(count),
             reach_m: Vec::with_capacity(count),
             active: Vec::with_capacity(count),
         }
     }
 
-    /// Makes room for `count` bodies. Nothing of the last step is valid if the count differs.
+    /// Makes room for `count` bodies, none of which is active yet.
     pub(crate) fn resize(&mut self, count: usize) {
-        if self.headings_rad.len() != count {
-            self.forget_poses(count);
-        }
         self.input.resize(count, BodyState::default());
+        self.poses.resize(count, Pose::IDENTITY);
         self.reach_m.resize(count, 0.0);
         self.active.clear();
     }
-
-    /// Invalidates all poses: each is computed anew when its body is next placed.
-    pub(crate) fn forget_poses(&mut self, count: usize) {
-        self.headings_rad.clear();
-        // NaN equals no heading.
-        self.headings_rad.resize(count, f64::NAN);
-        self.poses.clear();
-        self.poses.resize(count, Pose::IDENTITY);
-    }
-}
-
-/// Sets a pose from a state. Returns true if the body turned: sine and cosine are computed only then.
-#[inline(always)]
-pub(crate) fn set_pose(pose: &mut Pose, heading_rad: &mut f64, state: &BodyState) -> bool {
-    pose.position_m = state.position_m;
-    let turned = state.heading_rad.to_bits() != heading_rad.to_bits();
-    if turned {
-        *heading_rad = state.heading_rad;
-        pose.rotation = Rotation::from_angle(state.heading_rad);
-    }
-    turned
 }
 
 /// Bodies that their host displaced since the last step: moved otherwise than their velocities say. Computed by stage 1.
@@ -94,6 +68,12 @@ impl Displaced {
         if change == PoseChange::Teleported {
             self.teleported.push(rank);
         }
+    }
+
+    /// Removes a body from both lists.
+    pub(crate) fn forget(&mut self, rank: u32) {
+        self.all.retain(|&other| other != rank);
+        self.teleported.retain(|&other| other != rank);
     }
 
     /// Was one of these two bodies teleported?

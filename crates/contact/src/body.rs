@@ -3,6 +3,7 @@
 use alloc::string::String;
 
 use crate::outline::Outline;
+use crate::pile::Pile;
 
 /// Mass and inertia of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,15 +35,24 @@ pub enum Mobility {
         /// Moment of inertia about the vertical, added mass included (kg·m²).
         yaw_inertia_kgm2: f64,
     },
+    /// A body on a pile, such as a flexible dolphin: it does not turn, and the pile's spring holds it to its place. Only the
+    /// engine moves such bodies, by the coupled method.
+    OnPile {
+        /// Mass that moves with the top of the pile (kg).
+        mass_kg: f64,
+        /// The pile.
+        pile: Pile,
+    },
 }
 
 impl Mobility {
-    /// The mass matrix over surge, sway and yaw; `None` for a fixed body (kg, kg·m, kg·m²).
+    /// The mass matrix over surge, sway and yaw (kg, kg·m, kg·m²); `None` for a fixed body, and for one on a pile, which
+    /// does not turn.
     #[must_use]
     pub fn matrix(&self) -> Option<[[f64; 3]; 3]> {
         let diagonal = |surge, sway, yaw| [[surge, 0.0, 0.0], [0.0, sway, 0.0], [0.0, 0.0, yaw]];
         match *self {
-            Mobility::Fixed => None,
+            Mobility::Fixed | Mobility::OnPile { .. } => None,
             Mobility::Free { mass_kg, yaw_inertia_kgm2 } => {
                 Some(diagonal(mass_kg, mass_kg, yaw_inertia_kgm2))
             }

@@ -98,6 +98,12 @@ pub enum StepError {
     },
     /// The memory belongs to another model.
     WrongModel,
+    /// A body on a pile in a step that cannot move it: by the paper's method, or of a host that moves its bodies itself.
+    /// [`crate::advance_from_engine_states`] and [`crate::advance_in_place`] can.
+    OnPile {
+        /// Name of the body.
+        body: String,
+    },
 }
 
 impl fmt::Display for StepError {
@@ -122,6 +128,11 @@ impl fmt::Display for StepError {
                     "the step overflows: it is far too long for body `{body}`, or the body far too light for its load"
                 )
             }
+            StepError::OnPile { body } => write!(
+                f,
+                "body `{body}` stands on a pile: only the coupled method moves such bodies, and only where the engine \
+                 moves all bodies"
+            ),
             StepError::WrongModel => write!(f, "this memory belongs to another model"),
         }
     }

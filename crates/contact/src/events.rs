@@ -72,7 +72,8 @@ fn report_deep_overlap(
     reported: u32,
 ) -> u32 {
     let (a, b) = (patch.candidate.a, patch.candidate.b);
-    let smaller_m2 = lesser(model.ranked[a as usize].area_m2, model.ranked[b as usize].area_m2);
+    let [a_m2, b_m2] = [a, b].map(|rank| model.ranked.rest(rank as usize).area_m2);
+    let smaller_m2 = lesser(a_m2, b_m2);
     // The tolerance is for bodies that lie in several pieces of another: their area is a sum.
     let contained = patch.contained || patch.area_m2 >= smaller_m2 * (1.0 - 1e-9);
     let deep = patch.area_m2 > 0.5 * smaller_m2;

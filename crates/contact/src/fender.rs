@@ -7,9 +7,13 @@ use crate::error::ModelError;
 use crate::geometry::convex::ConvexPolygon;
 use crate::material::{BodyId, FenderId, Material, MaterialId};
 use crate::number::greater;
-use crate::reaction::{FenderLaw, check_points, held};
+use crate::panel::Panel;
+use crate::panel::chains::{ChainState, chain_state};
+use crate::panel::law::PanelLaw;
+use crate::panel::touching::Reach;
+use crate::reaction::{FenderLaw, Stop, check_points, held};
 use crate::unloading::Unloading;
-use crate::vec2::{Rotation, Vec2, vec2};
+use crate::vec2::{Pose, Rotation, Vec2, vec2};
 
 /// A fender on a quay, on a tug's bow or along a ship's belting.
 ///
@@ -51,15 +55,8 @@ pub struct Fender {
     pub stop: Option<Stop>,
     /// Corrections of its reaction.
     pub factors: ReactionFactors,
-}
-
-/// The end of a fender's travel: beyond `from_m` a further spring acts.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stop {
-    /// Deflection at which it begins (m).
-    pub from_m: f64,
-    /// Stiffness (N/m).
-    pub stiffness_npm: f64,
+    /// A panel on several fenders side by side; `None`: one fender, or several as one behind a face that does not turn.
+    pub panel: Option<Panel>,
 }
 
 /// Corrections of a fender's reaction; they are multiplied. The factors by speed and angle are evaluated when
@@ -125,6 +122,8 @@ pub(crate) struct RankedFender {
     pub(crate) bounds: FenderBounds,
     /// Whether it has an unloading law.
     pub(crate) unloads: bool,
+    /// The springs behind its panel.
+    pub(crate) panel: Option<PanelLaw>,
 }
 
 /// Bounds on a fender's forces on any hull. In most steps they show that it needs no sub-steps.
@@ -186,7 +185,43 @@ impl RankedFender {
             largest_factor: fender.factors.largest(),
             bounds: FenderBounds::of(fender, material, &corners, face_m),
             unloads: fender.unloading.is_some(),
+            panel: fender.panel.as_ref().and_then(|p| PanelLaw::of(p, &fender.law, fender.stop)),
         }
+    }
+
+    /// From the frame of a hull to the face's: x inwards from the face's middle, y along it. Both bodies' poses are in one
+    /// frame.
+    pub(crate) fn hull_to_face(&self, host: Pose, hull: Pose) -> impl Fn(Vec2) -> Vec2 + use<> {
+        let inward = host.rotation.apply(self.inward);
+        let along = inward.quarter_turn();
+        let face_m = host.apply(self.face_m);
+        move |v: Vec2| {
+            let from_face_m = hull.apply(v) - face_m;
+            vec2(from_face_m.dot(inward), from_face_m.dot(along))
+        }
+    }
+
+    /// The state of its panel's chains: parted ones by the list, with the factor of the contact.
+    pub(crate) fn chain_state(
+        &self,
+        number: u32,
+        parted: &[u32],
+        factor: Option<f64>,
+    ) -> ChainState {
+        match &self.panel {
+            Some(law) if !law.chains.is_empty() => {
+                chain_state(number, parted, factor.unwrap_or(1.0))
+            }
+            _ => ChainState::default(),
+        }
+    }
+
+    /// Where its panel can meet a hull, in the face's frame.
+    pub(crate) fn panel_reach(&self) -> Reach {
+        let far_m = 2.0 * self.bounds.projection_m;
+        // A panel that is turned by 45 degrees reaches as far out as it is wide.
+        let near_m = -(far_m + self.width_m);
+        Reach { half_width_m: 0.5 * self.width_m, far_m, near_m }
     }
 
     /// Largest distance of its zone's corners from the body's centre of gravity (m).
@@ -234,6 +269,10 @@ pub(crate) fn check(fender: &Fender) -> Result<(), ModelError> {
             return bad("curve", first, "two points or more, the first (0, 0)");
         }
         check_points(&fender.name, "deflection of the curve", points, 0.0..=1e15)?;
+    }
+    if let Some(panel) = &fender.panel {
+        let Fender { name, width_m, law, unloading, .. } = fender;
+        panel.check(name, *width_m, law, unloading.as_ref())?;
     }
     let factors = &fender.factors;
     if !(1e-3..=1e3).contains(&factors.constant) {

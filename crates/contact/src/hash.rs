@@ -25,6 +25,11 @@ impl Fnv1a {
         self.bytes(&word.to_le_bytes());
     }
 
+    /// Adds the bits of numbers.
+    pub(crate) fn numbers<'a>(&mut self, numbers: impl IntoIterator<Item = &'a f64>) {
+        numbers.into_iter().for_each(|number| self.word(number.to_bits()));
+    }
+
     /// Adds bytes.
     pub fn bytes(&mut self, bytes: &[u8]) {
         for &byte in bytes {

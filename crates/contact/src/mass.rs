@@ -22,6 +22,11 @@ impl InverseMatrix {
         InverseMatrix { xx: inverse, yy: inverse, rr: 1.0 / yaw_inertia_kgm2, ..Self::default() }
     }
 
+    /// Of a body that does not turn, with the same mass in all directions (1/kg).
+    pub(crate) fn unturnable(per_kg: f64) -> InverseMatrix {
+        InverseMatrix { xx: per_kg, yy: per_kg, ..Self::default() }
+    }
+
     /// Inverts a symmetric matrix; `None` where it is not positive definite.
     pub(crate) fn of(m: &[[f64; 3]; 3]) -> Option<InverseMatrix> {
         let [[a, b, c], [_, d, e], [_, _, f]] = *m;

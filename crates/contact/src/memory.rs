@@ -3,6 +3,7 @@
 use alloc::vec::Vec;
 
 use crate::bodies::{Displaced, PoseChange, classify};
+use crate::candidates::Pairing;
 use crate::geometry::clip::Hint;
 use crate::material::BodyId;
 use crate::model::Model;
@@ -17,12 +18,7 @@ use crate::vec2::{Rotation, Vec2};
 pub struct Memory {
     /// Fingerprint of the model to which it belongs.
     pub(crate) fingerprint: u64,
-    /// Contact patches, sorted by pair and patch.
-    pub(crate) patches: Vec<PatchMemory>,
-    /// Locations of the patches that have one, sorted likewise.
-    pub(crate) places: Vec<PlaceMemory>,
-    /// Starting points for the clip of pieces that are near each other, sorted.
-    pub(crate) hints: Vec<HintMemory>,
+    pub(crate) contacts: ContactMemory,
     /// Input states of the last step by rank; empty before the first.
     pub(crate) last_states: Vec<BodyState>,
     /// Time from the last step to the next (s); 0 before the first step.
@@ -32,6 +28,21 @@ pub struct Memory {
     /// By rank, after a step of the coupled method: the time by which the engine's velocity of a body precedes its
     /// position, half of its last sub-step (s); [`NOT_BEHIND`] for fixed bodies. See [`crate::coupled::dynamics`].
     pub(crate) behind_s: Vec<f64>,
+    /// Chains of panels that have parted, sorted: see [`crate::panel::chains`].
+    pub(crate) parted: Vec<u32>,
+    /// Permanent deflections of the piles, by rank (m); empty before the first step.
+    pub(crate) pile_offsets_m: Vec<Vec2>,
+}
+
+/// What contacts leave for the next (sub-)step.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct ContactMemory {
+    /// Contact patches, sorted by pair and patch.
+    pub(crate) patches: Vec<PatchMemory>,
+    /// Locations of the patches that have one, sorted likewise.
+    pub(crate) places: Vec<PlaceMemory>,
+    /// Starting points for the clip of pieces that are near each other, sorted.
+    pub(crate) hints: Vec<HintMemory>,
 }
 
 /// For bodies whose velocity is taken to belong to the time of their position.
@@ -199,11 +210,16 @@ pub(crate) struct Past<'m> {
 
 impl<'m> Past<'m> {
     /// Splits off the memory of the candidates before `next`, or all where that is `None`. Both parts keep all
-    /// locations, which are looked up by key.
-    pub(crate) fn before(&mut self, next: Option<(u32, u32, u32)>) -> Past<'m> {
+    /// locations, which are looked up by key. In most steps it has as many patches as `expected`: that is tested first.
+    pub(crate) fn before(&mut self, next: Option<(u32, u32, u32)>, expected: usize) -> Past<'m> {
         let Some(next) = next else { return *self };
-        let patches = self.patches.iter().take_while(|m| m.candidate() < next).count();
-        let hints = self.hints.iter().take_while(|m| m.candidate() < next).count();
+        let is_before = |m: &PatchMemory| m.candidate() < next;
+        let is_expected = match self.patches.get(expected.saturating_sub(1)..=expected) {
+            Some([last, other]) => is_before(last) && !is_before(other),
+            _ => false,
+        };
+        let patches = if is_expected { expected } else { self.patches.partition_point(is_before) };
+        let hints = self.hints.partition_point(|m| m.candidate() < next);
         let (own_patches, other_patches) = self.patches.split_at(patches);
         let (own_hints, other_hints) = self.hints.split_at(hints);
         (self.patches, self.hints) = (other_patches, other_hints);
@@ -211,32 +227,110 @@ impl<'m> Past<'m> {
     }
 }
 
-impl Memory {
-    /// The whole memory as the past of a step.
-    pub(crate) fn past<'m>(&'m self, displaced: &'m Displaced) -> Past<'m> {
-        let Memory { patches, places, hints, last_step_s, .. } = self;
-        Past { patches, places, hints, last_step_s: *last_step_s, displaced }
+impl ContactMemory {
+    pub(crate) fn clear(&mut self) {
+        self.patches.clear();
+        self.places.clear();
+        self.hints.clear();
     }
 
+    pub(crate) fn sort(&mut self) {
+        self.patches.sort_unstable_by_key(PatchMemory::key);
+        self.places.sort_unstable_by_key(PlaceMemory::key);
+        self.hints.sort_unstable_by_key(HintMemory::key);
+    }
+
+    /// As the past of a (sub-)step, `last_step_s` later, before which the host displaced these bodies.
+    pub(crate) fn past<'m>(&'m self, last_step_s: f64, displaced: &'m Displaced) -> Past<'m> {
+        let ContactMemory { patches, places, hints } = self;
+        Past { patches, places, hints, last_step_s, displaced }
+    }
+
+    /// Numbers of patches, places and hints.
+    pub(crate) fn lengths(&self) -> [usize; 3] {
+        [self.patches.len(), self.places.len(), self.hints.len()]
+    }
+
+    /// Moves what was added to `from` beyond these lengths here, in place of what is here.
+    pub(crate) fn take(&mut self, from: &mut ContactMemory, [patches, places, hints]: [usize; 3]) {
+        self.clear();
+        self.patches.extend(from.patches.drain(patches..));
+        self.places.extend(from.places.drain(places..));
+        self.hints.extend(from.hints.drain(hints..));
+    }
+
+    /// Copies what `from` has of these candidates, in place of what is here.
+    pub(crate) fn gather(&mut self, from: &ContactMemory, candidates: &[Pairing]) {
+        self.clear();
+        for pairing in candidates {
+            let key = pairing.candidate.key();
+            self.patches.extend(run_of(&from.patches, key, PatchMemory::candidate));
+            self.places.extend(run_of(&from.places, key, PlaceMemory::candidate));
+            self.hints.extend(run_of(&from.hints, key, HintMemory::candidate));
+        }
+    }
+
+    /// Exchanges its lists with those of another step; `keeps_hints` if both keep their hints.
+    pub(crate) fn exchange(&mut self, other: &mut ContactMemory, keeps_hints: bool) {
+        core::mem::swap(&mut self.patches, &mut other.patches);
+        core::mem::swap(&mut self.places, &mut other.places);
+        if !keeps_hints {
+            core::mem::swap(&mut self.hints, &mut other.hints);
+        }
+    }
+}
+
+/// The items of one candidate in a sorted list.
+fn run_of<T: Copy>(
+    sorted: &[T],
+    key: (u32, u32, u32),
+    key_of: fn(&T) -> (u32, u32, u32),
+) -> impl Iterator<Item = T> {
+    let from = sorted.partition_point(|item| key_of(item) < key);
+    sorted[from..].iter().copied().take_while(move |item| key_of(item) == key)
+}
+
+impl Memory {
     /// The memory of bodies that have never touched.
     #[must_use]
     pub fn new(model: &Model) -> Memory {
         Memory {
             fingerprint: model.fingerprint,
-            patches: Vec::new(),
-            places: Vec::new(),
-            hints: Vec::new(),
+            contacts: ContactMemory::default(),
             last_states: Vec::new(),
             last_step_s: 0.0,
             placed: Vec::new(),
             behind_s: Vec::new(),
+            parted: Vec::new(),
+            pile_offsets_m: Vec::new(),
         }
+    }
+
+    /// Becomes the memory of bodies that have never touched, as [`Memory::new`] makes it, and keeps its buffers.
+    pub fn forget(&mut self) {
+        let Memory {
+            fingerprint: _,
+            contacts,
+            last_states,
+            last_step_s,
+            placed,
+            behind_s,
+            parted,
+            pile_offsets_m,
+        } = self;
+        contacts.clear();
+        last_states.clear();
+        *last_step_s = 0.0;
+        placed.clear();
+        behind_s.clear();
+        parted.clear();
+        pile_offsets_m.clear();
     }
 
     /// Number of contact patches in the last step.
     #[must_use]
     pub fn touching_patches(&self) -> usize {
-        self.patches.len()
+        self.contacts.patches.len()
     }
 
     /// Sets the time since the last step, in place of its Δt: for integrators with several stages per step, such as
@@ -252,13 +346,15 @@ impl Memory {
     /// Becomes a copy of `other`, without allocation where the buffers are large enough.
     pub fn copy_from(&mut self, other: &Memory) {
         self.fingerprint = other.fingerprint;
-        self.patches.clone_from(&other.patches);
-        self.places.clone_from(&other.places);
-        self.hints.clone_from(&other.hints);
+        self.contacts.patches.clone_from(&other.contacts.patches);
+        self.contacts.places.clone_from(&other.contacts.places);
+        self.contacts.hints.clone_from(&other.contacts.hints);
         self.last_states.clone_from(&other.last_states);
         self.last_step_s = other.last_step_s;
         self.placed.clone_from(&other.placed);
         self.behind_s.clone_from(&other.behind_s);
+        self.parted.clone_from(&other.parted);
+        self.pile_offsets_m.clone_from(&other.pile_offsets_m);
     }
 
     /// Marks the next input state of a body as a teleport: the host sets it to a new place rather than moving it there. Its

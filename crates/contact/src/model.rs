@@ -10,9 +10,14 @@ use crate::hash::Fnv1a;
 use crate::mass::InverseMatrix;
 use crate::material::{BodyId, FenderId, Material, MaterialId};
 use crate::number::greater;
+use crate::outline::MAX_COORDINATE_M;
 use crate::pair::{Bounds, RankedPair};
+use crate::pile::Pile;
 use crate::ranked::Ranked;
+use crate::ranked_pile::RankedPile;
 use crate::reaction::FenderLaw;
+use crate::slice::Slices;
+use crate::state::FURTHEST_M;
 
 /// Two bodies that may touch, and the material between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,6 +75,10 @@ pub struct Model {
     pub(crate) pair_bounds: Vec<Bounds>,
     /// Material of all other pairs.
     pub(crate) all_other_pairs: Option<MaterialId>,
+    /// What fenders meet of bodies with outlines by height. The one part that changes: see [`Model::renew_slice`].
+    pub(crate) slices: Slices,
+    /// Piles of the bodies on them, by rank.
+    pub(crate) piles: Vec<RankedPile>,
     /// Hash that identifies the model, for memory and snapshots.
     pub(crate) fingerprint: u64,
     /// Hash that also depends on the order in which bodies and materials were added, for workspaces, which contain their
@@ -85,9 +94,17 @@ pub struct ModelBuilder {
     fenders: Vec<Fender>,
     pairs: Vec<Pair>,
     all_other_pairs: Option<MaterialId>,
+    by_height: Vec<(BodyId, f64)>,
 }
 
 impl Model {
+    /// Number of tension chains of a face, by its number from 1 on; 0 of one that does not exist.
+    pub(crate) fn chains_of(&self, face: u32) -> usize {
+        let law =
+            face.checked_sub(1).and_then(|index| self.faces.get(index as usize)?.panel.as_ref());
+        law.map_or(0, |law| law.chains.len())
+    }
+
     /// An empty builder.
     #[must_use]
     pub fn builder() -> ModelBuilder {
@@ -110,6 +127,11 @@ impl Model {
     #[inline(always)]
     pub(crate) fn ids_of(&self, ranks: [u32; 2]) -> [BodyId; 2] {
         ranks.map(|rank| self.id_of[rank as usize])
+    }
+
+    /// M⁻¹ of a body in its own axes, by its index.
+    pub(crate) fn inverse_of(&self, index: usize) -> &InverseMatrix {
+        &self.ranked.rest(self.rank_of[index] as usize).inverse
     }
 
     /// Face number of a fender; 0 for none.
@@ -155,25 +177,38 @@ impl ModelBuilder {
         self
     }
 
+    /// Declares that fenders meet a body at outlines by their own height, within this radius of its centre of gravity (m).
+    /// Until the host sets them with [`Model::renew_slice`] fenders do not meet it at all. Other outlines meet the one of
+    /// [`Body::outline`].
+    pub fn outlines_by_height(&mut self, body: BodyId, radius_m: f64) -> &mut ModelBuilder {
+        self.by_height.push((body, radius_m));
+        self
+    }
+
     /// Checks all parts and builds the model.
     ///
     /// # Errors
     /// [`ModelError`], naming the body, the fender or the pair.
     pub fn build(self) -> Result<Model, ModelError> {
-        let ModelBuilder { bodies, materials, fenders, pairs, all_other_pairs } = self;
+        let ModelBuilder { bodies, materials, fenders, pairs, all_other_pairs, by_height } = self;
         bodies.iter().try_for_each(check_body)?;
         for (index, material) in materials.iter().enumerate() {
             check_material(index, material)?;
         }
         let (rank_of, id_of) = rank(&bodies)?;
         let faces = rank_fenders(&fenders, &materials, &rank_of)?;
-        let ranked = Ranked::new(id_of.iter().map(|id| &bodies[id.0 as usize]), &faces);
+        let mut ranked = Ranked::new(id_of.iter().map(|id| &bodies[id.0 as usize]), &faces);
+        let by_height = rank_by_height(&bodies, &by_height, &rank_of)?;
+        by_height.iter().for_each(|&(rank, radius_m)| ranked.widen(rank as usize, radius_m));
+        let by_height: Vec<u32> = by_height.into_iter().map(|(rank, _)| rank).collect();
         let pairs = rank_pairs(&bodies, &materials, &pairs, (&ranked, &rank_of))?;
         if let Some(MaterialId(index)) = all_other_pairs
             && index as usize >= materials.len()
         {
             return Err(ModelError::UnknownId { what: "material", index });
         }
+        let piles = RankedPile::all(&bodies, &id_of);
+        let (rank_of_count, face_count) = (rank_of.len(), faces.len());
         let mut model = Model {
             bodies,
             materials,
@@ -186,6 +221,8 @@ impl ModelBuilder {
             pairs,
             pair_bounds: Vec::new(),
             all_other_pairs,
+            slices: Slices::new(rank_of_count, &by_height, face_count),
+            piles,
             fingerprint: 0,
             layout: 0,
         };
@@ -208,6 +245,7 @@ fn check_body(body: &Body) -> Result<(), ModelError> {
             check_mass(body, "mass in surge", surge_kg)?;
             (sway_kg, yaw_inertia_kgm2)
         }
+        Mobility::OnPile { mass_kg, pile } => return check_pile(body, mass_kg, &pile),
         Mobility::FullMatrix { matrix } => {
             let [[_, b, c], [d, _, e], [f, g, _]] = matrix;
             if (b, c, e) != (d, f, g) || InverseMatrix::of(&matrix).is_none() {
@@ -218,6 +256,25 @@ fn check_body(body: &Body) -> Result<(), ModelError> {
     };
     check_mass(body, "mass", mass_kg)?;
     check_mass(body, "yaw inertia", yaw_inertia_kgm2)
+}
+
+fn check_pile(body: &Body, mass_kg: f64, pile: &Pile) -> Result<(), ModelError> {
+    check_mass(body, "mass", mass_kg)?;
+    let check = |field, value: f64, is_good: bool, must| {
+        if is_good {
+            return Ok(());
+        }
+        Err(ModelError::OutOfRange { owner: body.name.clone(), field, value, must })
+    };
+    let (stiffness, damping, limit) = (pile.stiffness_npm, pile.damping_nspm, pile.yield_n);
+    let is_stiff = stiffness > 0.0 && stiffness <= LARGEST_STIFFNESS;
+    check("pile stiffness", stiffness, is_stiff, "positive and at most 1e18")?;
+    let is_damping = (0.0..=LARGEST_STIFFNESS).contains(&damping);
+    check("pile damping", damping, is_damping, "between 0 and 1e18")?;
+    check("pile yield load", limit, limit > 0.0, "positive")?;
+    let place_m = greater(pile.place_m.x.abs(), pile.place_m.y.abs());
+    let is_near = pile.place_m.is_finite() && place_m <= FURTHEST_M;
+    check("place of the pile", place_m, is_near, "at most 1e9 m from the origin")
 }
 
 fn check_mass(body: &Body, field: &'static str, value: f64) -> Result<(), ModelError> {
@@ -298,6 +355,29 @@ fn rank_fenders(
     Ok(faces)
 }
 
+/// Ranks, ascending, and radii (m) of the bodies with outlines by height.
+fn rank_by_height(
+    bodies: &[Body],
+    by_height: &[(BodyId, f64)],
+    rank_of: &[u32],
+) -> Result<Vec<(u32, f64)>, ModelError> {
+    let mut ranks = Vec::with_capacity(by_height.len());
+    for &(BodyId(index), radius_m) in by_height {
+        let Some(body) = bodies.get(index as usize) else {
+            return Err(ModelError::UnknownId { what: "body", index });
+        };
+        if !(radius_m > 0.0 && radius_m <= MAX_COORDINATE_M) {
+            let (owner, field) = (body.name.clone(), "radius of the outlines by height");
+            let must = "positive and at most 1e8 m";
+            return Err(ModelError::OutOfRange { owner, field, value: radius_m, must });
+        }
+        ranks.push((rank_of[index as usize], radius_m));
+    }
+    ranks.sort_by_key(|&(rank, _)| rank);
+    ranks.dedup_by_key(|&mut (rank, _)| rank);
+    Ok(ranks)
+}
+
 /// The face number of each fender.
 fn numbers_of(faces: &[RankedFender]) -> Vec<u32> {
     let mut numbers = vec![0; faces.len()];
@@ -328,10 +408,11 @@ fn rank_pairs(
         if one == two {
             return Err(bad_pair(first, second, "a body cannot touch itself"));
         }
-        if first.mobility == Mobility::Fixed && second.mobility == Mobility::Fixed {
-            return Err(bad_pair(first, second, "both are fixed: no force would move either"));
-        }
         let [a, b] = [one.min(two), one.max(two)].map(|rank| (rank, &by_rank[rank as usize]));
+        if a.1.stands && b.1.stands {
+            let why = "both stand on the ground: no force would bring them together";
+            return Err(bad_pair(first, second, why));
+        }
         ranked.push(RankedPair::new(a, b, pair.material));
     }
     ranked.sort_by_key(|p| (p.a, p.b));
@@ -358,36 +439,28 @@ fn fingerprint(model: &Model) -> u64 {
         let ranked = &model.ranked[rank];
         let body = &model.bodies[id.0 as usize];
         hash.word(body.key);
-        hash.word(ranked.inverse_mass.to_bits());
-        hash.word(ranked.inverse_inertia.to_bits());
+        hash.numbers(&[ranked.inverse_mass, ranked.inverse_inertia]);
         match body.mobility {
             Mobility::Fixed | Mobility::Free { .. } => {}
-            Mobility::FullMatrix { matrix } => {
-                matrix.iter().flatten().for_each(|m| hash.word(m.to_bits()));
+            Mobility::OnPile { pile, .. } => {
+                hash.word(u64::MAX - 1);
+                hash.numbers(&[pile.place_m.x, pile.place_m.y, pile.stiffness_npm]);
+                hash.numbers(&[pile.damping_nspm, pile.yield_n]);
             }
+            Mobility::FullMatrix { matrix } => hash.numbers(matrix.as_flattened()),
             Mobility::SurgeSway { surge_kg, sway_kg, .. } => {
                 hash.word(u64::MAX);
-                hash.word(surge_kg.to_bits());
-                hash.word(sway_kg.to_bits());
+                hash.numbers(&[surge_kg, sway_kg]);
             }
         }
         for v in body.outline.vertices() {
-            hash.word(v.x.to_bits());
-            hash.word(v.y.to_bits());
+            hash.numbers(&[v.x, v.y]);
         }
     }
     let material = |hash: &mut Fnv1a, MaterialId(index): MaterialId| {
         let m = &model.materials[index as usize];
-        for value in [
-            m.stiffness_npm2,
-            m.damping_nspm2,
-            m.shear_stiffness_npm,
-            m.friction_static,
-            m.friction_dynamic,
-            m.restitution,
-        ] {
-            hash.word(value.to_bits());
-        }
+        hash.numbers(&[m.stiffness_npm2, m.damping_nspm2, m.shear_stiffness_npm]);
+        hash.numbers(&[m.friction_static, m.friction_dynamic, m.restitution]);
     };
     for pair in &model.pairs {
         hash.word(u64::from(pair.a));
@@ -396,6 +469,10 @@ fn fingerprint(model: &Model) -> u64 {
     }
     if let Some(id) = model.all_other_pairs {
         material(&mut hash, id);
+    }
+    for rank in model.slices.ranks() {
+        hash.word(u64::from(rank));
+        hash.word(model.ranked[rank as usize].radius_m.to_bits());
     }
     hash.word(model.faces.len() as u64);
     for face in &model.faces {
@@ -421,19 +498,11 @@ fn layout(model: &Model) -> u64 {
 
 fn hash_fender(hash: &mut Fnv1a, fender: &Fender) {
     let factors = &fender.factors;
-    for value in [
-        fender.position_m.x,
-        fender.position_m.y,
-        fender.facing_rad,
-        fender.width_m,
-        fender.projection_m,
-        fender.rated_deflection_m,
-        fender.stop.map_or(-1.0, |stop| stop.from_m),
-        fender.stop.map_or(-1.0, |stop| stop.stiffness_npm),
-        factors.constant,
-    ] {
-        hash.word(value.to_bits());
-    }
+    let [from_m, stiffness_npm] =
+        fender.stop.map_or([-1.0; 2], |stop| [stop.from_m, stop.stiffness_npm]);
+    hash.numbers(&[fender.position_m.x, fender.position_m.y, fender.facing_rad]);
+    hash.numbers(&[fender.width_m, fender.projection_m, fender.rated_deflection_m]);
+    hash.numbers(&[from_m, stiffness_npm, factors.constant]);
     let curve: &[[f64; 2]] = match &fender.law {
         FenderLaw::Area => &[],
         FenderLaw::Curve(points) => points,
@@ -441,8 +510,12 @@ fn hash_fender(hash: &mut Fnv1a, fender: &Fender) {
     if let Some(unloading) = &fender.unloading {
         unloading.words().for_each(|value| hash.word(value.to_bits()));
     }
+    if let Some(panel) = &fender.panel {
+        hash.word(u64::MAX);
+        panel.words().for_each(|value| hash.word(value.to_bits()));
+    }
     for points in [curve, &factors.by_compression_time, &factors.by_angle] {
         hash.word(points.len() as u64);
-        points.iter().flatten().for_each(|value| hash.word(value.to_bits()));
+        hash.numbers(points.as_flattened());
     }
 }

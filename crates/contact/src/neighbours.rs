@@ -109,8 +109,8 @@ impl NeighbourList {
                 if circle.meets(&self.circles[two as usize]) {
                     let (a, b) = (one.min(two), one.max(two));
                     let [body_a, body_b] = [a, b].map(|rank| &model.ranked[rank as usize]);
-                    let both_fixed = body_a.is_fixed() && body_b.is_fixed();
-                    if !both_fixed && !is_named(model, a, b) {
+                    let both_stand = body_a.stands && body_b.stands;
+                    if !both_stand && !is_named(model, a, b) {
                         self.pairs.push(RankedPair::new((a, body_a), (b, body_b), material));
                     }
                 }

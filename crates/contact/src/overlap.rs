@@ -13,6 +13,7 @@ use crate::geometry::lens::{Lens, per_chord_m};
 use crate::memory::{HintMemory, PatchMemory};
 use crate::model::Model;
 use crate::number::{greater, lesser};
+use crate::panel::law::PanelLaw;
 use crate::patch::{Extent, NOWHERE, Parts, Patch, Place};
 use crate::vec2::{Pose, Vec2, vec2};
 
@@ -67,23 +68,74 @@ pub(crate) fn overlap(
     found: &mut Overlap,
 ) -> bool {
     found.clear();
-    // A slice of one known length, so that each rank is bounds-checked once.
-    let poses = &bodies.poses[..model.ranked.len()];
-    for (of, Pairing { candidate, .. }) in (first as u32..).zip(candidates) {
-        let (a, b) = (candidate.a as usize, candidate.b as usize);
-        let b_in_a = poses[a].to(poses[b]);
-        let [mut a, mut b] = [a, b].map(|rank| model.ranked.convex(rank));
-        if let Some(face) = candidate.fender(model) {
-            *(if face.host == candidate.a { &mut a } else { &mut b }) = Some(&face.zone);
-        }
-        let pair = PosedPair { candidate, of, b_in_a };
-        if let (Some(a), Some(b)) = (a, b) {
-            clip_convex([a, b], pair, &mut hints, clip, found);
-        } else {
-            clip_several(model, pair, &mut hints, clip, found);
-        }
+    let outlines = Outlines { model, bodies, candidates, first };
+    if model.slices.is_empty() {
+        outlines.clip::<false>(&mut hints, clip, found);
+    } else {
+        outlines.clip_by_height(&mut hints, clip, found);
     }
     hints.finish()
+}
+
+/// What [`overlap`] computes patches from.
+#[derive(Clone, Copy)]
+struct Outlines<'w> {
+    model: &'w Model,
+    bodies: &'w Bodies,
+    candidates: &'w [Pairing],
+    first: usize,
+}
+
+impl Outlines<'_> {
+    /// Clips all candidates. The parameter says whether fenders may meet outlines by height: without them the compiler
+    /// leaves that question out.
+    #[inline(always)]
+    fn clip<const BY_HEIGHT: bool>(
+        self,
+        hints: &mut Hints<'_>,
+        clip: &mut ClipBuffers,
+        found: &mut Overlap,
+    ) {
+        let Outlines { model, bodies, candidates, first } = self;
+        // A slice of one known length, so that each rank is bounds-checked once.
+        let poses = &bodies.poses[..model.ranked.len()];
+        for (of, Pairing { candidate, .. }) in (first as u32..).zip(candidates) {
+            let (a, b) = (candidate.a as usize, candidate.b as usize);
+            let b_in_a = poses[a].to(poses[b]);
+            let [mut a, mut b] = [a, b].map(|rank| model.ranked.convex(rank));
+            if let Some(face) = candidate.fender(model) {
+                *(if face.host == candidate.a { &mut a } else { &mut b }) = Some(&face.zone);
+                if BY_HEIGHT {
+                    [a, b] = convex_met(model, candidate, face);
+                }
+            }
+            let pair = PosedPair { candidate, of, b_in_a };
+            if let (Some(a), Some(b)) = (a, b) {
+                clip_convex([a, b], pair, hints, clip, found);
+            } else {
+                clip_several(model, pair, hints, clip, found);
+            }
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn clip_by_height(self, hints: &mut Hints<'_>, clip: &mut ClipBuffers, found: &mut Overlap) {
+        self.clip::<true>(hints, clip, found);
+    }
+}
+
+/// The two sides of a fender's candidate in a model with outlines by height, each if it is one convex piece.
+fn convex_met<'m>(
+    model: &'m Model,
+    candidate: &Candidate,
+    face: &'m RankedFender,
+) -> [Option<&'m ConvexPolygon>; 2] {
+    [candidate.a, candidate.b].map(|rank| match model.pieces_met(candidate.face, rank) {
+        _ if rank == face.host => Some(&face.zone),
+        [only] => Some(only),
+        _ => None,
+    })
 }
 
 /// A candidate, its place among the candidates, and the pose of B in A's frame.
@@ -239,10 +291,18 @@ fn clip_several(
     clip_pieces(model, pair, hints, buffers, found);
     match found.lenses.len() - first {
         0 => {}
-        1 => new_patch(*candidate, b_in_a, 0, first, first + 1, found),
+        // A panel meets the whole hull at once.
+        count if count == 1 || is_panel(model, candidate) => {
+            new_patch(*candidate, b_in_a, 0, first, first + count, found);
+        }
         _ => connect(*candidate, b_in_a, first, found),
     }
     found.patches[first_patch..].iter_mut().for_each(|patch| patch.of = of);
+}
+
+/// Is the fender of a candidate one with a panel?
+fn is_panel(model: &Model, candidate: &Candidate) -> bool {
+    candidate.fender(model).is_some_and(|face| face.panel.is_some())
 }
 
 /// The convex pieces of both sides of a candidate: of an outline, or the one of a fender.
@@ -250,10 +310,27 @@ pub(crate) fn pieces_of<'m>(
     model: &'m Model,
     candidate: &Candidate,
 ) -> (&'m [ConvexPolygon], &'m [ConvexPolygon]) {
+    if !model.slices.is_empty() && candidate.face != 0 {
+        return pieces_by_height(model, candidate);
+    }
     let of_body = |rank: u32| model.ranked.pieces(rank as usize);
     let of_side = |rank: u32| match candidate.fender(model) {
         Some(face) if face.host == rank => slice::from_ref(&face.zone),
         _ => of_body(rank),
+    };
+    (of_side(candidate.a), of_side(candidate.b))
+}
+
+/// As [`pieces_of`], at a fender of a model with outlines by height.
+#[cold]
+#[inline(never)]
+fn pieces_by_height<'m>(
+    model: &'m Model,
+    candidate: &Candidate,
+) -> (&'m [ConvexPolygon], &'m [ConvexPolygon]) {
+    let of_side = |rank: u32| match candidate.fender(model) {
+        Some(face) if face.host == rank => slice::from_ref(&face.zone),
+        _ => model.pieces_met(candidate.face, rank),
     };
     (of_side(candidate.a), of_side(candidate.b))
 }
@@ -362,14 +439,7 @@ fn new_patch(
     found: &mut Overlap,
 ) {
     let mut patch = sum(candidate, b_in_a, number, start, stop, found);
-    let lenses = &found.lenses[start..stop];
-    let mut in_a = extent(outline(found, &lenses[0]));
-    for piece in &lenses[1..] {
-        let more = extent(outline(found, piece));
-        in_a.low_m = vec2(lesser(in_a.low_m.x, more.low_m.x), lesser(in_a.low_m.y, more.low_m.y));
-        in_a.high_m =
-            vec2(greater(in_a.high_m.x, more.high_m.x), greater(in_a.high_m.y, more.high_m.y));
-    }
+    let in_a = extent(found.lenses[start..stop].iter().flat_map(|lens| outline(found, lens)));
     patch.place = found.places.len() as u32;
     found.places.push(Place { in_a, in_b: seen_from_b(&in_a, b_in_a) });
     found.patches.push(patch);
@@ -431,9 +501,12 @@ fn outlines<'a>(found: &'a Overlap, patch: &Patch) -> impl Iterator<Item = &'a [
     one.into_iter().chain(lenses.iter().map(|lens| outline(found, lens)))
 }
 
-fn extent(outline_m: &[Vec2]) -> Extent {
-    let mut extent = Extent { low_m: outline_m[0], high_m: outline_m[0] };
-    for v in &outline_m[1..] {
+/// The box about some points.
+fn extent<'v>(points_m: impl Iterator<Item = &'v Vec2>) -> Extent {
+    let (low_m, high_m) =
+        (vec2(f64::INFINITY, f64::INFINITY), vec2(f64::NEG_INFINITY, f64::NEG_INFINITY));
+    let mut extent = Extent { low_m, high_m };
+    for v in points_m {
         extent.low_m = vec2(lesser(extent.low_m.x, v.x), lesser(extent.low_m.y, v.y));
         extent.high_m = vec2(greater(extent.high_m.x, v.x), greater(extent.high_m.y, v.y));
     }
@@ -563,23 +636,52 @@ fn least_sunk_side(
 }
 
 /// The press of a patch on its fender, in A's frame.
-pub(crate) fn press(model: &Model, found: &Overlap, patch: &Patch, face: &RankedFender) -> Press {
+pub(crate) fn press(
+    model: &Model,
+    found: &Overlap,
+    clip: &mut ClipBuffers,
+    patch: &Patch,
+    face: &RankedFender,
+) -> Press {
+    if let Some(law) = &face.panel {
+        return press_panel((model, law), found, clip, patch, face);
+    }
     let host = if face.host == patch.candidate.a { Pose::IDENTITY } else { patch.b_in_a };
+    let within = (patch.area_m2, patch.centroid_m);
     let fender = &model.fenders()[face.id.0 as usize];
     let stiffness_npm2 = model.materials()[face.material.0 as usize].stiffness_npm2;
-    let within = (patch.area_m2, patch.centroid_m);
     face::press(face, fender, stiffness_npm2, host, within, outlines(found, patch))
+}
+
+/// Presses a fender's panel with the whole outline of the other body of a patch.
+#[inline(never)]
+fn press_panel(
+    (model, law): (&Model, &PanelLaw),
+    found: &Overlap,
+    clip: &mut ClipBuffers,
+    patch: &Patch,
+    face: &RankedFender,
+) -> Press {
+    let hull_is_a = face.host != patch.candidate.a;
+    let (host, hull, rank) = if hull_is_a {
+        (patch.b_in_a, Pose::IDENTITY, patch.candidate.a)
+    } else {
+        (Pose::IDENTITY, patch.b_in_a, patch.candidate.b)
+    };
+    let edges = model.edges_met(patch.candidate.face, rank);
+    let to_face = face.hull_to_face(host, hull);
+    let pressed = clip.panel.press(law, edges, to_face, face.panel_reach());
+    let within = (patch.area_m2, patch.centroid_m);
+    face::press_panel(face, pressed, host, within, outlines(found, patch))
 }
 
 /// δ, the extent of the patch along a direction (m).
 fn depth_m(found: &Overlap, patch: &Patch, along: Vec2) -> f64 {
     let origin = patch.centroid_m;
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-    for outline in outlines(found, patch) {
-        for &v in outline {
-            let s = (v - origin).dot(along);
-            (low, high) = (lesser(s, low), greater(s, high));
-        }
+    for &v in outlines(found, patch).flatten() {
+        let s = (v - origin).dot(along);
+        (low, high) = (lesser(s, low), greater(s, high));
     }
     high - low
 }

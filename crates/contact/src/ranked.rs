@@ -1,5 +1,6 @@
 //! Bodies in the order of their keys, as the stages read them.
 
+use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 use core::ops::Index;
 
@@ -14,25 +15,28 @@ use crate::number::{greater, lesser};
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Ranked {
     bodies: Vec<RankedBody>,
+    /// The first of each body's pieces, and the one after the last. A list of its own, so that the narrow phase reads few lines of
+    /// the processor's cache.
+    piece_ranges: Vec<[u32; 2]>,
     rests: Vec<Rest>,
     /// Area of the smallest body (m²).
     smallest_m2: f64,
-    /// The convex pieces of all outlines, body by body.
+    /// The convex pieces of all outlines. Bodies with equal outlines share theirs.
     pieces: Vec<ConvexPolygon>,
 }
 
-/// What steps often read of a body.
+/// What steps often read of a body: one line of the processor's cache.
 #[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
 pub(crate) struct RankedBody {
-    /// The first of its pieces, and the one after the last.
-    pieces: [u32; 2],
-    /// Its mass is the same in all directions.
+    /// Its mass is the same in all directions and in all sub-steps.
     pub(crate) is_alike: bool,
+    /// It stands on the ground: fixed, or on a pile.
+    pub(crate) stands: bool,
     /// Largest distance of a vertex from the centre of gravity (m).
     pub(crate) radius_m: f64,
     /// The same including the body's fenders (m).
     pub(crate) reach_m: f64,
-    pub(crate) area_m2: f64,
     /// 1/m (1/kg); 0 for a fixed body.
     pub(crate) inverse_mass: f64,
     /// 1/I (1/(kg·m²)).
@@ -48,6 +52,7 @@ pub(crate) struct RankedBody {
 pub(crate) struct Rest {
     /// M⁻¹ in the body's axes.
     pub(crate) inverse: InverseMatrix,
+    pub(crate) area_m2: f64,
     /// About half of its width: a convex body's area is about its length times its width (m).
     pub(crate) half_width_m: f64,
     /// For a body whose momentum the engine turns with it.
@@ -63,20 +68,32 @@ impl Ranked {
         fenders: &[RankedFender],
     ) -> Ranked {
         let mut ranked = Ranked { smallest_m2: f64::INFINITY, ..Ranked::default() };
+        let mut shared = BTreeMap::new();
         for (rank, body) in bodies.enumerate() {
             let from = fenders.partition_point(|face| (face.host as usize) < rank);
             let to = fenders.partition_point(|face| face.host as usize <= rank);
-            let first = ranked.pieces.len() as u32;
-            ranked.pieces.extend(body.outline.pieces().iter().map(|p| ConvexPolygon::new(p)));
-            let pieces = [first, ranked.pieces.len() as u32];
+            let corners = body.outline.vertices().iter().map(|v| (v.x.to_bits(), v.y.to_bits()));
+            let pieces = *shared.entry(corners.collect::<Vec<_>>()).or_insert_with(|| {
+                let first = ranked.pieces.len() as u32;
+                ranked.pieces.extend(body.outline.pieces().iter().map(|p| ConvexPolygon::new(p)));
+                [first, ranked.pieces.len() as u32]
+            });
             let reach_m = fenders[from..to].iter().map(RankedFender::reach_m).fold(0.0, greater);
-            let (often, mut seldom) = describe(body, pieces, reach_m);
+            let (often, mut seldom) = describe(body, reach_m);
             seldom.faces = (from as u32, to as u32);
-            ranked.smallest_m2 = lesser(ranked.smallest_m2, often.area_m2);
+            ranked.smallest_m2 = lesser(ranked.smallest_m2, seldom.area_m2);
             ranked.bodies.push(often);
+            ranked.piece_ranges.push(pieces);
             ranked.rests.push(seldom);
         }
         ranked
+    }
+
+    /// Lets a body reach at least this far from its centre of gravity (m).
+    pub(crate) fn widen(&mut self, rank: usize, radius_m: f64) {
+        let body = &mut self.bodies[rank];
+        body.radius_m = greater(body.radius_m, radius_m);
+        body.reach_m = greater(body.reach_m, radius_m);
     }
 
     /// Number of bodies.
@@ -100,7 +117,7 @@ impl Ranked {
     /// The convex pieces of a body's outline.
     #[inline]
     pub(crate) fn pieces(&self, rank: usize) -> &[ConvexPolygon] {
-        let [from, to] = self.bodies[rank].pieces;
+        let [from, to] = self.piece_ranges[rank];
         &self.pieces[from as usize..to as usize]
     }
 
@@ -136,8 +153,8 @@ impl RankedBody {
     }
 }
 
-/// What is known of a body with these pieces and this reach of its fenders.
-fn describe(body: &Body, pieces: [u32; 2], fenders_reach_m: f64) -> (RankedBody, Rest) {
+/// What is known of a body with this reach of its fenders.
+fn describe(body: &Body, fenders_reach_m: f64) -> (RankedBody, Rest) {
     let (mass_kg, yaw_inertia_kgm2, inverse) = match body.mobility {
         Mobility::Fixed => (f64::INFINITY, f64::INFINITY, Some(InverseMatrix::default())),
         Mobility::Free { mass_kg, yaw_inertia_kgm2 } => {
@@ -148,6 +165,9 @@ fn describe(body: &Body, pieces: [u32; 2], fenders_reach_m: f64) -> (RankedBody,
             let matrix = body.mobility.matrix().expect("it floats");
             (lesser(surge_kg, sway_kg), yaw_inertia_kgm2, InverseMatrix::of(&matrix))
         }
+        Mobility::OnPile { mass_kg, .. } => {
+            (mass_kg, f64::INFINITY, Some(InverseMatrix::unturnable(1.0 / mass_kg)))
+        }
         Mobility::FullMatrix { matrix } => {
             let lightest = lesser(matrix[0][0], matrix[1][1]);
             (lightest, matrix[2][2], InverseMatrix::of(&matrix))
@@ -155,12 +175,12 @@ fn describe(body: &Body, pieces: [u32; 2], fenders_reach_m: f64) -> (RankedBody,
     };
     let inverse = inverse.expect("checked with the body");
     let (area_m2, radius_m) = (body.outline.area_m2(), body.outline.radius_m());
+    let on_pile = matches!(body.mobility, Mobility::OnPile { .. });
     let often = RankedBody {
-        pieces,
-        is_alike: inverse.is_isotropic(),
+        is_alike: inverse.is_isotropic() && !on_pile,
+        stands: on_pile || matches!(body.mobility, Mobility::Fixed),
         radius_m,
         reach_m: greater(radius_m, fenders_reach_m),
-        area_m2,
         inverse_mass: 1.0 / mass_kg,
         inverse_inertia: 1.0 / yaw_inertia_kgm2,
         lightest_inverse_mass: inverse.largest_inverse_mass(),
@@ -173,5 +193,5 @@ fn describe(body: &Body, pieces: [u32; 2], fenders_reach_m: f64) -> (RankedBody,
         }
         _ => None,
     };
-    (often, Rest { inverse, half_width_m, kirchhoff, faces: (0, 0) })
+    (often, Rest { inverse, area_m2, half_width_m, kirchhoff, faces: (0, 0) })
 }

@@ -19,6 +19,15 @@ pub enum FenderLaw {
     Curve(Vec<[f64; 2]>),
 }
 
+/// The end of a fender's travel: beyond `from_m` a further spring acts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stop {
+    /// Deflection at which it begins (m).
+    pub from_m: f64,
+    /// Stiffness (N/m).
+    pub stiffness_npm: f64,
+}
+
 impl FenderLaw {
     /// R = k δ.
     #[must_use]

@@ -181,6 +181,22 @@ pub struct Wrench {
     pub moment_nm: f64,
 }
 
+impl Wrench {
+    pub(crate) fn plus(&self, other: &Wrench) -> Wrench {
+        let Wrench { force_n, moment_nm } = *other;
+        Wrench { force_n: self.force_n + force_n, moment_nm: self.moment_nm + moment_nm }
+    }
+
+    pub(crate) fn minus(&self, other: &Wrench) -> Wrench {
+        let Wrench { force_n, moment_nm } = *other;
+        Wrench { force_n: self.force_n - force_n, moment_nm: self.moment_nm - moment_nm }
+    }
+
+    pub(crate) fn times(&self, factor: f64) -> Wrench {
+        Wrench { force_n: self.force_n * factor, moment_nm: self.moment_nm * factor }
+    }
+}
+
 /// Displacement of a body in one step, as forces do work along it: the work of a steady load is the load
 /// times this displacement.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

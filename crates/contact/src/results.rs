@@ -6,6 +6,8 @@ use alloc::vec::Vec;
 use crate::coupled::peaks::PeakWrench;
 use crate::error::StepError;
 use crate::model::Model;
+use crate::panel::report::PanelMotion;
+use crate::pile::PileMotion;
 use crate::report::{Contact, Displacement, Event, EventKind, Wrench};
 use crate::state::BodyState;
 
@@ -20,6 +22,12 @@ pub(crate) struct Results {
     /// Sum of the contact forces on each body: the mean over the step.
     pub(crate) wrenches: Vec<Wrench>,
     pub(crate) events: Vec<Event>,
+    /// Panels that were pressed.
+    pub(crate) panels: Vec<PanelMotion>,
+    /// Chains that have parted, before and in this step.
+    pub(crate) parted: Vec<u32>,
+    /// What piles did, by rank.
+    pub(crate) piles: Vec<PileMotion>,
     /// By the coupled method: states at the end of the step.
     pub(crate) states_after: Vec<BodyState>,
     /// By the coupled method: how far each body moved in the step.
@@ -36,15 +44,30 @@ impl Results {
             contacts: Vec::new(),
             wrenches: vec![Wrench::default(); count],
             events: Vec::new(),
+            panels: Vec::new(),
+            parted: Vec::new(),
+            piles: Vec::new(),
             states_after: Vec::with_capacity(count),
             displacements: Vec::with_capacity(count),
             peaks: Vec::new(),
         }
     }
 
+    /// Results before the first step. Whether contacts are reported stays.
+    pub(crate) fn forget(&mut self) {
+        self.layout = None;
+        self.clear_forces(self.wrenches.len());
+        self.events.clear();
+        self.parted.clear();
+        self.piles.clear();
+        self.states_after.clear();
+        self.displacements.clear();
+    }
+
     /// Clears contacts and wrenches for `count` bodies. Events stay: stage 1 writes them before.
     pub(crate) fn clear_forces(&mut self, count: usize) {
         self.contacts.clear();
+        self.panels.clear();
         self.peaks.clear();
         self.wrenches.clear();
         self.wrenches.resize(count, Wrench::default());

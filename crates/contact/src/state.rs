@@ -2,6 +2,9 @@
 
 use crate::vec2::{Pose, Vec2};
 
+/// Largest position (m). A larger one is a mistake, and forces could overflow.
+pub(crate) const FURTHEST_M: f64 = 1e9;
+
 /// Velocity of a body's centre of gravity, earth-fixed, and its rate of turn (m/s, rad/s).
 pub(crate) type Velocity = (Vec2, f64);
 

@@ -1,7 +1,7 @@
 //! One step of the paper's method, stage by stage.
 
 use crate::admit;
-use crate::bodies::{Bodies, Displaced, PoseChange, set_pose};
+use crate::bodies::{Bodies, Displaced, PoseChange};
 use crate::broad;
 use crate::error::StepError;
 use crate::events::report_patch;
@@ -12,16 +12,17 @@ use crate::law::friction;
 use crate::law::normal::{damper_n, factor, normal_force};
 use crate::limit::effective_mass::inverse_mass;
 use crate::limit::paper::{self, Velocities};
-use crate::memory::{Memory, PatchMemory, PlaceMemory};
+use crate::memory::{ContactMemory, Memory, PatchMemory, PlaceMemory};
 use crate::model::Model;
-use crate::next_memory::NextMemory;
 use crate::overlap::{self, Hints};
+use crate::panel::chains::{Broken, add_parted};
+use crate::panel::report::PanelMotion;
 use crate::patch::Patch;
 use crate::pause::pause;
 use crate::report::{Contact, ContactImpulse, EnergyParts, Wrench};
 use crate::results::Results;
 use crate::state::BodyState;
-use crate::touch::{Movers, Scene, arms_m, touch};
+use crate::touch::{Movers, Scene, arms_m, touch, touch_again};
 use crate::vec2::Vec2;
 use crate::workspace::Workspace;
 
@@ -43,6 +44,7 @@ pub fn step(
     states: &[BodyState],
     step_s: f64,
 ) -> Result<(), StepError> {
+    admit::refuse_piles(model)?;
     if step_s == 0.0 {
         return pause(model, memory, work, states, None);
     }
@@ -56,12 +58,13 @@ pub fn step(
     results.clear_forces(model.bodies().len());
     results.begin_events(model, &displaced.teleported);
     next_memory.clear();
+    results.parted.clone_from(&memory.parted);
 
     // 2. Broad phase: pairs of bodies that are near each other.
     broad::pair(model, bodies, candidates);
 
     // 3. Narrow phase: S, C and n of each patch (§3.1), and its memory.
-    let past = memory.past(displaced);
+    let past = memory.contacts.past(memory.last_step_s, displaced);
     let hints = Hints::new(past.hints, &mut next_memory.hints);
     let pairings = &candidates.pairings;
     let keeps_hints = overlap::overlap(model, bodies, pairings, 0, hints, clip, overlap);
@@ -78,7 +81,8 @@ pub fn step(
     }
 
     // The step is done: its memory becomes that of the next.
-    next_memory.exchange(memory, keeps_hints);
+    next_memory.exchange(&mut memory.contacts, keeps_hints);
+    memory.parted.clone_from(&results.parted);
     core::mem::swap(&mut memory.last_states, &mut bodies.input);
     memory.last_step_s = step_s;
     memory.placed.clear();
@@ -97,13 +101,11 @@ fn place(
     bodies.resize(model.ranked.len());
     displaced.clear();
     bodies.active.extend(0..model.ranked.len() as u32);
-    let Bodies { input, poses, headings_rad, reach_m, .. } = bodies;
-    let places = input.iter_mut().zip(poses).zip(headings_rad).zip(reach_m);
-    for (rank, (((input, pose), heading_rad), reach_m)) in places.enumerate() {
+    let Bodies { input, poses, reach_m, .. } = bodies;
+    for (rank, ((input, pose), reach_m)) in input.iter_mut().zip(poses).zip(reach_m).enumerate() {
         let body = &model.ranked[rank];
         let state = states[model.id_of[rank].0 as usize];
-        (*input, *reach_m) = (state, body.reach_m);
-        set_pose(pose, heading_rad, &state);
+        (*input, *pose, *reach_m) = (state, state.pose(), body.reach_m);
         let teleported = memory.last_states.get(rank).is_some_and(|last| {
             memory.pose_change(rank, last, &state, body.radius_m) == PoseChange::Teleported
         });
@@ -118,7 +120,7 @@ struct Stage<'w> {
     scene: Scene<'w>,
     clip: &'w mut ClipBuffers,
     results: &'w mut Results,
-    next_memory: &'w mut NextMemory,
+    next_memory: &'w mut ContactMemory,
     /// Length of this step, and time since the last one began (s): the backward difference of eq. 3 is over the latter.
     step_s: f64,
     elapsed_s: f64,
@@ -159,7 +161,20 @@ impl Stage<'_> {
         let [rank_a, rank_b] = [patch.candidate.a, patch.candidate.b];
         let ids = model.ids_of([rank_a, rank_b]);
         let material = &model.materials()[patch.candidate.material.0 as usize];
-        let touch = touch(&scene, clip, patch, face, old, Movers::Both);
+        if let Some(face) = face {
+            let factor = old.map(|memory| memory.factor);
+            clip.panel.state = face.chain_state(patch.candidate.face, &results.parted, factor);
+        }
+        let mut touch = touch(&scene, clip, patch, face, old, Movers::Both);
+        let mut broken = Broken::default();
+        if let Some(law) = face.and_then(|face| face.panel.as_ref()) {
+            broken = law.breaking(&clip.panel.pressed.tensions_n);
+        }
+        if broken.chains != 0 {
+            add_parted(&mut results.parted, patch.candidate.face, broken.chains);
+            clip.panel.state.parted |= broken.chains;
+            touch = touch_again(&scene, clip, patch, face, old, Movers::Both);
+        }
         let arms_m @ [arm_a_m, arm_b_m] = arms_m(&scene, patch, touch.point_in_a_m);
 
         // N by the law (eq. 2–3), limited by momentum (eq. 26, first line).
@@ -172,7 +187,14 @@ impl Stage<'_> {
         let (body_a, body_b) = (&model.ranked[rank_a as usize], &model.ranked[rank_b as usize]);
         let mass = inverse_mass(body_a, arm_a_m, body_b, arm_b_m, touch.normal);
         let area_before_m2 = old.map_or(0.0, |m| m.area_m2);
-        let factor = factor(model, face, &touch, old);
+        let factor = factor(model, face, &touch, patch, old);
+        if let Some(face) = face
+            && face.panel.is_some()
+        {
+            let hull = ids[usize::from(face.host == rank_a)];
+            let pressed = &clip.panel.pressed;
+            PanelMotion::note(&mut results.panels, (face.id, hull), pressed, factor, &broken);
+        }
         let damper_n = damper_n(material, patch.area_m2, area_before_m2, *elapsed_s);
         let mut parts = normal_force(&touch, factor, damper_n);
         let (law_n, gamma) = (parts.total_n(), material.restitution);

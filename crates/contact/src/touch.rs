@@ -121,7 +121,7 @@ pub(crate) fn touch(
 ) -> Touch {
     let pressed = match face {
         None => press_outline(scene, clip, patch, old),
-        Some(face) => press_fender(scene, patch, face),
+        Some(face) => press_fender(scene, clip, patch, face),
     };
     let Touch { normal_in_a, point_in_a_m, .. } = pressed;
     let normal = scene.poses[patch.candidate.a as usize].rotation.apply(normal_in_a);
@@ -141,6 +141,21 @@ pub(crate) fn touch(
         m.shear_m + apart.dot(normal_in_a.quarter_turn())
     });
     Touch { normal, levers_a, levers_b, v_normal_mps, v_tangential_mps, shear_m, ..pressed }
+}
+
+/// As [`touch`], once more for the same patch, as where a chain of its panel has parted. Seldom, so that the code of `touch` is
+/// not there twice.
+#[cold]
+#[inline(never)]
+pub(crate) fn touch_again(
+    scene: &Scene<'_>,
+    clip: &mut ClipBuffers,
+    patch: &Patch,
+    face: Option<&RankedFender>,
+    old: Option<&PatchMemory>,
+    movers: Movers,
+) -> Touch {
+    touch(scene, clip, patch, face, old, movers)
 }
 
 /// Outline against outline: kS along the chord's normal, at the centroid (docs/contact_model.md, sections 1 and 2).
@@ -165,8 +180,13 @@ fn press_outline(
 
 /// An outline against a fender: by the fender's law.
 #[inline(never)]
-fn press_fender(scene: &Scene<'_>, patch: &Patch, face: &RankedFender) -> Touch {
-    let press = overlap::press(scene.model, scene.overlap, patch, face);
+fn press_fender(
+    scene: &Scene<'_>,
+    clip: &mut ClipBuffers,
+    patch: &Patch,
+    face: &RankedFender,
+) -> Touch {
+    let press = overlap::press(scene.model, scene.overlap, clip, patch, face);
     // The hull pushes towards the fender: that is A's outward normal if the hull is A's.
     let hull_is_a = face.host != patch.candidate.a;
     Touch {

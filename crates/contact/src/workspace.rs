@@ -6,14 +6,16 @@ use crate::bodies::{Bodies, Displaced};
 use crate::candidates::Candidates;
 use crate::coupled::contact_stage::Constraints;
 use crate::coupled::dynamics::Dynamics;
-use crate::coupled::island::{Group, IslandMemory, Islands};
+use crate::coupled::island::{Group, Islands};
 use crate::coupled::peaks;
 use crate::coupled::sub_steps::Kept;
 use crate::geometry::clip::ClipBuffers;
 use crate::inherit::Inheritance;
+use crate::memory::ContactMemory;
 use crate::model::Model;
-use crate::next_memory::NextMemory;
 use crate::overlap::Overlap;
+use crate::panel::report::PanelMotion;
+use crate::pile::PileMotion;
 use crate::report::{Contact, Displacement, Event, Wrench};
 use crate::results::Results;
 use crate::state::BodyState;
@@ -46,9 +48,9 @@ pub struct Workspace {
     /// The coupled method: what is kept between sub-steps.
     pub(crate) kept: Kept,
     /// The coupled method: what the last step left of an island, if that is not contiguous in the memory.
-    pub(crate) gathered: IslandMemory,
+    pub(crate) gathered: ContactMemory,
     /// The memory of the next step.
-    pub(crate) next_memory: NextMemory,
+    pub(crate) next_memory: ContactMemory,
     /// Stage 6: what the step reports.
     pub(crate) results: Results,
 }
@@ -70,10 +72,15 @@ impl Workspace {
             constraints: Constraints::default(),
             group: Group::default(),
             kept: Kept::default(),
-            gathered: IslandMemory::default(),
-            next_memory: NextMemory::default(),
+            gathered: ContactMemory::default(),
+            next_memory: ContactMemory::default(),
             results: Results::new(count),
         }
+    }
+
+    /// Becomes a workspace whose results are those before the first step, and keeps its buffers.
+    pub fn forget_results(&mut self) {
+        self.results.forget();
     }
 
     /// States at the end of the last step by [`crate::advance`], one a body. A host that lets the engine move its bodies
@@ -100,6 +107,18 @@ impl Workspace {
     #[must_use]
     pub fn contacts(&self) -> &[Contact] {
         &self.results.contacts
+    }
+
+    /// The panels that hulls pressed in the last step, one entry a panel and hull.
+    #[must_use]
+    pub fn panels(&self) -> &[PanelMotion] {
+        &self.results.panels
+    }
+
+    /// What the piles of bodies did in the last step, in the order of these bodies' keys.
+    #[must_use]
+    pub fn piles(&self) -> &[PileMotion] {
+        &self.results.piles
     }
 
     /// Sum of the contact forces on each body, one a body: the mean over the last step, by which bodies are moved. See

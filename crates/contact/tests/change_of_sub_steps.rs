@@ -67,6 +67,7 @@ fn model(behind: Behind, restitution: f64) -> Model {
             stop: (behind == Behind::Stop)
                 .then_some(Stop { from_m: TRAVEL_M, stiffness_npm: 0.5 * HARD_NPM }),
             factors: ReactionFactors::default(),
+            panel: None,
         });
     }
     builder.pair(Pair { bodies: [barge, quay], material });

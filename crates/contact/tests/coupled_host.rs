@@ -131,6 +131,7 @@ fn ship_off_two_fenders() -> (Model, Vec<BodyState>) {
             unloading: None,
             stop: None,
             factors: ReactionFactors::default(),
+            panel: None,
             material: rubber,
         });
     }

@@ -74,6 +74,7 @@ fn model(buffer: Buffer, ratio: f64) -> Model {
             rated_deflection_m: 2.0,
             stop: None,
             factors: ReactionFactors::default(),
+            panel: None,
         });
     }
     builder.pair(Pair { bodies: [barge, quay], material });

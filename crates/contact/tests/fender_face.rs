@@ -41,6 +41,7 @@ fn fender(body: BodyId, law: FenderLaw) -> Fender {
         rated_deflection_m: 0.8,
         stop: Some(Stop { from_m: 0.9, stiffness_npm: 3e7 }),
         factors: ReactionFactors::default(),
+        panel: None,
     }
 }
 

@@ -3,8 +3,8 @@
 mod support;
 
 use fenderline_contact::{
-    Body, BodyId, BodyState, Event, EventKind, Memory, Mobility, Model, Workspace, Wrench, advance,
-    advance_in_place, vec2,
+    Body, BodyId, BodyState, Event, EventKind, Material, Memory, Mobility, Model, Workspace,
+    Wrench, advance, advance_in_place, vec2,
 };
 use support::harbour::{PAPER, at, body, model};
 use support::shapes::{points, rectangle};
@@ -13,16 +13,21 @@ const STEP_S: f64 = 0.1;
 
 /// Tugs with one side against a quay, 60 m apart, all at rest; the quay is the last body.
 fn tugs_at_a_quay(count: u64) -> (Model, Vec<BodyState>) {
+    tugs_at_a_quay_of(count, PAPER)
+}
+
+fn tugs_at_a_quay_of(count: u64, material: Material) -> (Model, Vec<BodyState>) {
     let mut builder = Model::builder();
     let mut states = Vec::new();
     for number in 0..count {
         builder.body(body(number, &rectangle(24.0, 9.0), true));
         states.push(at(60.0 * number as f64, -4.45, 0.0));
     }
-    let quay = points(&[(-20.0, 0.0), (400.0, 0.0), (400.0, 20.0), (-20.0, 20.0)]);
-    builder.body(body(100, &quay, false));
+    let end_m = 400.0 + 60.0 * count as f64;
+    let quay = points(&[(-20.0, 0.0), (end_m, 0.0), (end_m, 20.0), (-20.0, 20.0)]);
+    builder.body(body(1000, &quay, false));
     states.push(at(0.0, 0.0, 0.0));
-    let material = builder.material(PAPER);
+    let material = builder.material(material);
     builder.all_other_pairs(material);
     (builder.build().expect("a good model"), states)
 }
@@ -232,6 +237,46 @@ fn every_island_has_a_moving_quay_at_its_input_position() {
     assert!((alone.1 - among_others.1).length() < 1e-9, "{alone:?} {among_others:?}");
     for (alone_m2, other_m2) in alone.0.iter().zip(&among_others.0) {
         assert!((alone_m2 - other_m2).abs() < 1e-9, "{alone:?} {among_others:?}");
+    }
+}
+
+/// In a step of one sub-step the displacement of a quay with a velocity was that of h/2 + 1 s.
+#[test]
+fn a_moving_quay_reports_where_it_went_in_one_sub_step() {
+    let soft = Material { stiffness_npm2: 1e3, ..PAPER };
+    let mut run = Run::new(tugs_at_a_quay_of(1, soft));
+    run.states[1].velocity_mps = vec2(0.2, -0.3);
+    run.step();
+    let motion = run.work.displacements()[1];
+    assert_eq!(run.work.contacts().len(), 1);
+    assert!((motion.translation_m - vec2(0.2, -0.3) * STEP_S).length() < 1e-15, "{motion:?}");
+}
+
+/// A step takes one-sub-step islands in groups; the results do not show it.
+#[test]
+fn a_tug_among_many_has_the_bits_that_it_has_alone() {
+    let soft = Material { stiffness_npm2: 1e3, ..PAPER };
+    let after = |count: usize| {
+        let mut run = Run::new(tugs_at_a_quay_of(count as u64, soft));
+        let step = |run: &mut Run| {
+            run.step();
+            let before_m = run.states[count].position_m;
+            assert_eq!(before_m, vec2(0.0, 0.0));
+        };
+        (0..5).for_each(|_| step(&mut run));
+        // One contact ends in the midst of a group, and one begins.
+        run.states[0].position_m.y -= 1.0;
+        run.step();
+        run.states[0].position_m.y += 1.0;
+        (0..5).for_each(|_| step(&mut run));
+        let contacts = run.work.contacts();
+        assert_eq!(contacts.len(), count);
+        (run.states[..2].to_vec(), contacts[..2].to_vec())
+    };
+    let ((few, few_contacts), (many, many_contacts)) = (after(2), after(290));
+    assert_eq!(few, many);
+    for (one, other) in few_contacts.iter().zip(&many_contacts) {
+        assert_eq!(one.impulse, other.impulse);
     }
 }
 

@@ -53,6 +53,7 @@ fn model(on_fender: bool, shear_stiffness_npm: f64, friction: [f64; 2]) -> Model
             rated_deflection_m: 2.0,
             stop: None,
             factors: ReactionFactors::default(),
+            panel: None,
         });
     }
     builder.pair(Pair { bodies: [barge, quay], material });

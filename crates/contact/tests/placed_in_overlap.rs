@@ -203,6 +203,7 @@ fn ship_placed_in_rubber(berth: Berth) -> Scene {
             unloading: Some(Unloading::ReturnedEnergy(0.55)),
             stop: Some(Stop { from_m: 1.0, stiffness_npm: 2e8 }),
             factors: ReactionFactors::default(),
+            panel: None,
             material,
         });
     }

@@ -147,15 +147,15 @@ fn another_model_and_another_version_are_refused() {
 fn a_forged_snapshot_is_refused() {
     let mut run = in_contact();
     let before = run.memory.snapshot();
-    // Δt of the last step, then the first state's position: bytes 20.. and 48..
+    // Δt of the last step, then the first state's position: bytes 20.. and 56..
     for (place, value) in [
         (20, f64::NAN),
         (20, -0.1),
         (20, f64::MIN_POSITIVE),
         (20, 1e20),
-        (48, f64::NAN),
-        (48, f64::INFINITY),
-        (48, f64::MAX),
+        (56, f64::NAN),
+        (56, f64::INFINITY),
+        (56, f64::MAX),
     ] {
         let mut forged = before.clone();
         forged[place..place + 8].copy_from_slice(&value.to_le_bytes());

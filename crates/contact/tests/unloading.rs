@@ -53,6 +53,7 @@ fn model(law: FenderLaw, unloading: Unloading) -> Model {
         rated_deflection_m: 0.8,
         stop: Some(Stop { from_m: 1.0, stiffness_npm: 3e7 }),
         factors: ReactionFactors { constant: 1.1, ..ReactionFactors::default() },
+        panel: None,
     });
     builder.pair(Pair { bodies: [quay, barge], material });
     builder.build().expect("a good model")

@@ -62,6 +62,7 @@ fn fender(body: BodyId, material: MaterialId, key: u64) -> Fender {
         rated_deflection_m: 0.9,
         stop: None,
         factors: ReactionFactors::default(),
+        panel: None,
     }
 }
 

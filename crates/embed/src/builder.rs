@@ -34,7 +34,8 @@ use crate::settings::Settings;
 /// ```
 #[derive(Clone, Debug)]
 pub struct EngineBuilder {
-    setup: Setup,
+    pub(crate) setup: Setup,
+    pub(crate) notices: Vec<String>,
 }
 
 /// A body to be added.
@@ -100,11 +101,13 @@ impl EngineBuilder {
                 materials: Vec::new(),
                 pairs: Vec::new(),
                 all_other_pairs: None,
+                approaches: vec![],
                 fenders: Vec::new(),
                 berthing: None,
                 loads: Vec::new(),
                 world: WorldSetup::default(),
             },
+            notices: Vec::new(),
         }
     }
 
@@ -134,10 +137,12 @@ impl EngineBuilder {
         bodies.push(BodySetup {
             name,
             outline,
+            hull: None,
             mass: parts.mass,
             position_m: parts.position_m,
             heading_rad: parts.heading_rad,
             velocity: BodyVelocity::default(),
+            dolphin: None,
         });
         Ok(bodies.len() - 1)
     }
@@ -166,6 +171,7 @@ impl EngineBuilder {
             // Of no matter to forces in the plane: pressure and heel are reports'.
             height_m: 0.0,
             above_water_m: 0.0,
+            floating: false,
             projection_m: parts.projection_m,
             law: parts.law.clone(),
             unloading: parts.unloading.clone(),
@@ -173,6 +179,9 @@ impl EngineBuilder {
             rated,
             stop: parts.stop,
             factors: ReactionFactors::default(),
+            panel: None,
+            chains: vec![],
+            panel_mass_kg: 0.0,
             energy_by_angle: Vec::new(),
             hull_pressure: HullPressure::Unknown,
             hull_pressure_limit_npm2: None,
@@ -202,12 +211,36 @@ impl EngineBuilder {
         Ok(())
     }
 
+    /// Index of the body with this name.
+    ///
+    /// # Errors
+    /// [`EngineError::NoSuchName`].
+    pub fn body_named(&self, name: &str) -> Result<usize, EngineError> {
+        index_of("body", name, self.setup.bodies.iter().map(|body| body.name.as_str()))
+    }
+
+    /// Index of the material with this name.
+    ///
+    /// # Errors
+    /// [`EngineError::NoSuchName`].
+    pub fn material_named(&self, name: &str) -> Result<usize, EngineError> {
+        index_of("material", name, self.setup.materials.iter().map(|one| one.name.as_str()))
+    }
+
+    /// Index of the fender with this name.
+    ///
+    /// # Errors
+    /// [`EngineError::NoSuchName`].
+    pub fn fender_named(&self, name: &str) -> Result<usize, EngineError> {
+        index_of("fender", name, self.setup.fenders.iter().map(|one| one.name.as_str()))
+    }
+
     /// Makes the engine. The builder can be used further.
     ///
     /// # Errors
     /// A number out of range, with the body, material or fender and the field; settings that conflict.
     pub fn build(&self, settings: &Settings) -> Result<Engine, EngineError> {
-        Engine::from_setup(String::new(), self.setup.clone(), Vec::new(), settings)
+        Engine::from_setup(String::new(), self.setup.clone(), self.notices.clone(), settings)
     }
 
     fn check_body(&self, index: usize) -> Result<(), EngineError> {
@@ -223,7 +256,16 @@ fn check_index(what: &'static str, index: usize, count: usize) -> Result<(), Eng
     if index < count { Ok(()) } else { Err(EngineError::NoSuch { what, index, count }) }
 }
 
-fn check_name<'n>(
+fn index_of<'n>(
+    what: &'static str,
+    name: &str,
+    mut names: impl Iterator<Item = &'n str>,
+) -> Result<usize, EngineError> {
+    let found = names.position(|other| other == name);
+    found.ok_or_else(|| EngineError::NoSuchName { what, name: name.to_owned() })
+}
+
+pub(crate) fn check_name<'n>(
     what: &'static str,
     name: &str,
     mut others: impl Iterator<Item = &'n str>,

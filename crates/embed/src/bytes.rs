@@ -2,10 +2,10 @@
 
 use fenderline_contact::{
     BodyId, BodyState, Contact, ContactImpulse, ContactWork, EnergyParts, Event, EventKind,
-    FenderId, ForceParts, Friction, RestoreError, Vec2, Wrench, vec2,
+    FenderId, ForceParts, Friction, Panel, PanelMotion, RestoreError, Vec2, Wrench, vec2,
 };
 
-use crate::results::numbers;
+use crate::results::{numbers, panel_numbers};
 
 type Read<T> = Result<T, RestoreError>;
 
@@ -44,6 +44,27 @@ impl Writer {
         self.word32(c.patch);
         self.word32(u32::from(c.friction == Friction::Slip) + 2 * u32::from(c.limited));
         self.numbers(&numbers(c));
+    }
+
+    pub(crate) fn panel(&mut self, p: &PanelMotion) {
+        self.word32(p.fender.0);
+        self.word32(p.hull.0);
+        panel_numbers(p).for_each(|number| self.word64(number.to_bits()));
+        p.parted.iter().for_each(|&parted| self.word32(u32::from(parted)));
+    }
+
+    pub(crate) fn vector(&mut self, v: Vec2) {
+        self.numbers(&[v.x, v.y]);
+    }
+
+    pub(crate) fn text(&mut self, text: &str) {
+        self.word32(text.len() as u32);
+        self.0.extend_from_slice(text.as_bytes());
+    }
+
+    pub(crate) fn list<T>(&mut self, of: &[T], write: impl Fn(&mut Self, &T)) {
+        self.word32(of.len() as u32);
+        of.iter().for_each(|one| write(self, one));
     }
 
     pub(crate) fn event(&mut self, e: &Event) {
@@ -100,12 +121,12 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn number(&mut self) -> Read<f64> {
+    pub(crate) fn number(&mut self) -> Read<f64> {
         let value = f64::from_bits(self.word64()?);
         if value.is_finite() { Ok(value) } else { Err(RestoreError::Content) }
     }
 
-    fn numbers<const N: usize>(&mut self) -> Read<[f64; N]> {
+    pub(crate) fn numbers<const N: usize>(&mut self) -> Read<[f64; N]> {
         let mut numbers = [0.0; N];
         for number in &mut numbers {
             *number = self.number()?;
@@ -113,7 +134,7 @@ impl<'a> Reader<'a> {
         Ok(numbers)
     }
 
-    fn vector(&mut self) -> Read<Vec2> {
+    pub(crate) fn vector(&mut self) -> Read<Vec2> {
         let [x, y] = self.numbers()?;
         Ok(vec2(x, y))
     }
@@ -139,7 +160,38 @@ impl<'a> Reader<'a> {
         (0..count).map(|_| read(self)).collect()
     }
 
-    fn body(&mut self) -> Read<BodyId> {
+    pub(crate) fn text(&mut self) -> Read<String> {
+        let length = self.word32()? as usize;
+        let bytes = self.take(length)?;
+        str::from_utf8(bytes).map(str::to_owned).map_err(|_| RestoreError::Content)
+    }
+
+    pub(crate) fn panel(&mut self) -> Read<PanelMotion> {
+        let fender = self.fender()?.ok_or(RestoreError::Content)?;
+        let hull = self.body()?;
+        let [deflection_m, tilt_rad, moment_nm, peak_tilt_rad, peak_moment_nm] = self.numbers()?;
+        let (peak_deflections_m, least_deflections_m) = (self.numbers()?, self.numbers()?);
+        let peak_tensions_n = self.numbers()?;
+        let mut parted = [false; Panel::MOST_CHAINS];
+        for one in &mut parted {
+            *one = self.flag()?;
+        }
+        Ok(PanelMotion {
+            fender,
+            hull,
+            deflection_m,
+            tilt_rad,
+            moment_nm,
+            peak_tilt_rad,
+            peak_moment_nm,
+            peak_deflections_m,
+            least_deflections_m,
+            peak_tensions_n,
+            parted,
+        })
+    }
+
+    pub(crate) fn body(&mut self) -> Read<BodyId> {
         let body = self.word32()?;
         if (body as usize) < self.bodies { Ok(BodyId(body)) } else { Err(RestoreError::Content) }
     }

@@ -4,13 +4,14 @@ use std::mem;
 use std::sync::Arc;
 
 use fenderline_contact::{
-    self as contact, BodyId, BodyState, CoSimHost, DirectHost, HostWorkspace, Memory, Mobility,
-    Model, StepError, Workspace, Wrench,
+    self as contact, BodyId, BodyState, CoSimHost, DirectHost, HostWorkspace, MaterialId, Memory,
+    Mobility, Model, Pair, StepError, Workspace, Wrench,
 };
 use fenderline_scenario::Scenario;
-use fenderline_sim::{Integrator, Method, Setup};
+use fenderline_sim::{Integrator, Method, PairSetup, Setup};
 
 use crate::error::EngineError;
+use crate::recording::Recording;
 use crate::results::{Results, Saved, of_cosim, of_direct, of_paper};
 use crate::settings::{CoriolisTerms, Host, MAX_DELAY_STEPS, Settings};
 
@@ -30,6 +31,8 @@ pub struct Engine {
     pub(crate) latest: Latest,
     /// Zero loads, for a direct host that has set none.
     no_loads: Vec<Wrench>,
+    /// The last steps, where [`Engine::record`] asked for them.
+    pub(crate) recording: Option<Box<Recording>>,
 }
 
 /// The constant part.
@@ -40,7 +43,10 @@ pub(crate) struct Plan {
     pub(crate) initial: Vec<BodyState>,
     pub(crate) method: Method,
     pub(crate) host: Host,
-    notices: Vec<String>,
+    pub(crate) notices: Vec<String>,
+    /// The pairs of the model, in the order in which they were added.
+    pub(crate) pairs: Vec<Pair>,
+    pub(crate) all_other_pairs: Option<MaterialId>,
 }
 
 /// The mutable part, and buffers. An engine has two: a step runs on a copy in the second, and the two are
@@ -78,7 +84,7 @@ impl Engine {
     /// # Errors
     /// [`EngineError`] for settings that conflict with each other or with the scenario.
     pub fn from_scenario(scenario: Scenario, settings: &Settings) -> Result<Engine, EngineError> {
-        let Scenario { title, setup, notices } = scenario;
+        let Scenario { title, setup, notices, .. } = scenario;
         let mut notices: Vec<String> = notices.iter().map(ToString::to_string).collect();
         notices.extend(left_to_the_host(&setup));
         Engine::from_setup(title, setup, notices, settings)
@@ -117,12 +123,19 @@ impl Engine {
         for (body, state) in initial.iter().enumerate() {
             model.check_state(body, state)?;
         }
-        let plan = Plan { title, model, initial, method, host: settings.host, notices };
+        let pair = |pair: &PairSetup| Pair {
+            bodies: pair.bodies.map(|body| BodyId(body as u32)),
+            material: MaterialId(pair.material as u32),
+        };
+        let pairs = setup.pairs.iter().map(pair).collect();
+        let all_other_pairs = setup.all_other_pairs.map(|index| MaterialId(index as u32));
+        let host = settings.host;
+        let plan = Plan { title, model, initial, method, host, notices, pairs, all_other_pairs };
         Ok(Engine::new(Arc::new(plan)))
     }
 
     /// An engine before its first step.
-    fn new(plan: Arc<Plan>) -> Engine {
+    pub(crate) fn new(plan: Arc<Plan>) -> Engine {
         let model = &plan.model;
         let count = plan.initial.len();
         let core = match plan.host {
@@ -146,13 +159,17 @@ impl Engine {
             loads: None,
             latest: Latest::Nowhere,
             no_loads: vec![Wrench::default(); count],
+            recording: None,
             plan,
         }
     }
 
     /// Returns to the start: forgets contacts, states and loads. The next step is the first.
     pub fn reset(&mut self) {
+        let recording = self.recording.take();
         *self = Engine::new(Arc::clone(&self.plan));
+        self.recording = recording;
+        self.restart_recording();
     }
 
     /// The scenario's title; empty for an engine made by calls.
@@ -265,6 +282,9 @@ impl Engine {
             Core::Direct { host, .. } => host.mark_teleported(model, id),
             Core::CoSimulation { host, .. } => host.mark_teleported(model, id),
         }
+        if let Some(recording) = &mut self.recording {
+            recording.mark_teleported(id);
+        }
         Ok(())
     }
 
@@ -298,10 +318,19 @@ impl Engine {
         if let Some((body, _)) = unset {
             return Err(EngineError::StateNotSet { body: body.name.clone() });
         }
-        let Engine { plan, core, spare, states, loads, no_loads, .. } = self;
-        spare.take_step(core, plan, states, loads.as_deref(), no_loads, step_s)?;
+        self.make_room_in_recording();
+        let Engine { plan, core, spare, states, is_set, loads, no_loads, recording, .. } = self;
+        if let Some(recording) = recording {
+            recording.begin_step(states, is_set, loads.as_deref(), step_s);
+        }
+        let done = spare.take_step(core, plan, states, loads.as_deref(), no_loads, step_s);
+        if let (Some(recording), Err(_)) = (recording, &done) {
+            recording.refuse_step();
+        }
+        done?;
         mem::swap(core, spare);
         self.keep_results(step_s);
+        self.end_step_of_recording();
         Ok(())
     }
 
@@ -320,9 +349,17 @@ impl Engine {
         if let Some(loads) = loads {
             self.check_loads(loads)?;
         }
+        self.make_room_in_recording();
         let step_loads = loads.or(self.loads.as_deref());
-        let Engine { plan, core, spare, no_loads, .. } = self;
-        spare.take_step(core, plan, states, step_loads, no_loads, step_s)?;
+        let Engine { plan, core, spare, no_loads, recording, .. } = self;
+        if let Some(recording) = recording {
+            recording.begin_step(states, &[], step_loads, step_s);
+        }
+        let done = spare.take_step(core, plan, states, step_loads, no_loads, step_s);
+        if let (Some(recording), Err(_)) = (recording, &done) {
+            recording.refuse_step();
+        }
+        done?;
         mem::swap(core, spare);
         self.states.copy_from_slice(states);
         self.is_set.fill(true);
@@ -330,6 +367,7 @@ impl Engine {
             self.set_loads(loads)?;
         }
         self.keep_results(step_s);
+        self.end_step_of_recording();
         Ok(self.results()?.wrenches)
     }
 

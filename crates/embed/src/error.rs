@@ -3,6 +3,7 @@
 use std::fmt;
 
 use fenderline_contact::{OutlineError, RestoreError, StepError};
+use fenderline_scenario::ScenarioError;
 use fenderline_sim::SetupError;
 
 /// A call that an engine refuses.
@@ -62,6 +63,26 @@ pub enum EngineError {
     Restore(RestoreError),
     /// A saved engine of the same model with other settings.
     OtherSettings,
+    /// Keys of a fender that a scenario would refuse; or a line without `=`.
+    Keys(Box<ScenarioError>),
+    /// `on` or `material` is missing among the keys of a fender.
+    MissingKey {
+        /// The fender.
+        fender: String,
+        /// The key.
+        key: &'static str,
+    },
+    /// A dump of an engine that is not recorded.
+    NotRecorded,
+    /// Bytes that are not a complete, unchanged dump.
+    Dump(RestoreError),
+    /// A dump of another version of the library whose format this one does not read.
+    DumpVersion {
+        /// The version of the library that wrote it.
+        library: String,
+    },
+    /// Points from which no outline can be made.
+    Points(&'static str),
 }
 
 impl fmt::Display for EngineError {
@@ -84,6 +105,33 @@ impl fmt::Display for EngineError {
             }
             EngineError::NoStepYet => f.write_str("there are no results: no step was taken"),
             EngineError::Restore(error) => error.fmt(f),
+            EngineError::Keys(error) => error.fmt(f),
+            EngineError::MissingKey { fender, key } => {
+                write!(f, "the keys of fender `{fender}` lack `{key}=`, the name of its {}", match *key {
+                    "on" => "body",
+                    other => other,
+                })
+            }
+            EngineError::NotRecorded => {
+                f.write_str("the engine is not recorded: ask for it before the steps")
+            }
+            EngineError::Dump(RestoreError::NotASnapshot) => {
+                f.write_str("these bytes are not a dump of an engine")
+            }
+            EngineError::Dump(RestoreError::OtherModel) => {
+                f.write_str("the dump's model and its saved state do not belong together")
+            }
+            EngineError::Dump(RestoreError::Version { found }) => {
+                write!(f, "dumps of version {found} are not supported")
+            }
+            EngineError::Dump(RestoreError::Checksum) => {
+                f.write_str("the dump's checksum does not match: it was changed or cut")
+            }
+            EngineError::Dump(_) => f.write_str("the dump is truncated or has impossible content"),
+            EngineError::DumpVersion { library } => {
+                write!(f, "the dump was written by version {library}: replay it with that version")
+            }
+            EngineError::Points(why) => f.write_str(why),
             EngineError::OtherSettings => {
                 f.write_str("the saved engine has another method, host or delay")
             }

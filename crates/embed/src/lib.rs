@@ -8,7 +8,8 @@
 //! ```
 //! use fenderline_embed::*;
 //! # let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/paper/experiment_2_4kn.toml");
-//! # let scenario = fenderline_scenario::Scenario::load(file.as_ref(), &[])?;
+//! # let coupled = fenderline_scenario::Override::parse("contact.method=coupled")?;
+//! # let scenario = fenderline_scenario::Scenario::load(file.as_ref(), &[coupled])?;
 //! let mut engine = Engine::from_scenario(scenario, &Settings::default())?;
 //! let tug = engine.body_named("tug")?;
 //! let mut states = engine.initial_states().to_vec();
@@ -26,16 +27,25 @@
 #![forbid(unsafe_code)]
 
 mod builder;
+mod by_keys;
 mod bytes;
+mod drawing;
+mod dump;
 mod engine;
 mod error;
+mod outlines;
+mod recording;
 mod results;
 mod settings;
 mod snapshot;
 
 pub use builder::{BodyDef, EngineBuilder, FenderDef};
+pub use drawing::FenderView;
+pub use dump::{Dump, DumpedOutcome, DumpedStep, is_dump};
 pub use engine::Engine;
 pub use error::EngineError;
+pub use outlines::{hull_of_points, mirrored_outline, simplified_outline};
+pub use recording::MOST_RECORDED_STEPS;
 pub use results::{HostEstimate, Results};
 pub use settings::{CoriolisTerms, Host, MAX_DELAY_STEPS, Settings};
 

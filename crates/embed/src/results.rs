@@ -1,7 +1,8 @@
 //! Results of a step.
 
 use fenderline_contact::{
-    BodyState, Contact, ContactImpulse, ContactWork, Event, HostWorkspace, Workspace, Wrench,
+    BodyState, Contact, ContactImpulse, ContactWork, Event, HostWorkspace, PanelMotion, Workspace,
+    Wrench,
 };
 
 /// Results of the last step, or those saved with the engine. Lists have one entry per body, in the order of the
@@ -17,6 +18,8 @@ pub struct Results<'a> {
     pub peak_wrenches: &'a [Wrench],
     /// The touching patches, in a fixed order.
     pub contacts: &'a [Contact],
+    /// The panels on several cones that a hull presses.
+    pub panels: &'a [PanelMotion],
     /// The events of the step.
     pub events: &'a [Event],
     /// The engine's states at the end of the step, for direct hosts that let it move the bodies; empty for
@@ -53,7 +56,15 @@ impl Results<'_> {
                     && host_estimate.loads.iter().all(of_wrench)
             })
             && self.contacts.iter().all(|contact| numbers(contact).iter().all(|n| n.is_finite()))
+            && self.panels.iter().all(|panel| panel_numbers(panel).all(f64::is_finite))
     }
+}
+
+/// All numbers of a panel, in the order in which they are saved.
+pub(crate) fn panel_numbers(p: &PanelMotion) -> impl Iterator<Item = f64> + '_ {
+    let own = [p.deflection_m, p.tilt_rad, p.moment_nm, p.peak_tilt_rad, p.peak_moment_nm];
+    let lists = p.peak_deflections_m.iter().chain(&p.least_deflections_m).chain(&p.peak_tensions_n);
+    own.into_iter().chain(lists.copied())
 }
 
 /// All numbers of a contact, in the order in which they are saved.
@@ -106,6 +117,7 @@ pub(crate) struct Saved {
     pub(crate) wrenches: Vec<Wrench>,
     pub(crate) peak_wrenches: Vec<Wrench>,
     pub(crate) contacts: Vec<Contact>,
+    pub(crate) panels: Vec<PanelMotion>,
     pub(crate) events: Vec<Event>,
     pub(crate) states_after: Vec<BodyState>,
     pub(crate) host_estimate: Option<(Vec<BodyState>, Vec<Wrench>)>,
@@ -129,6 +141,7 @@ impl Saved {
             wrenches: &self.wrenches,
             peak_wrenches: &self.peak_wrenches,
             contacts: &self.contacts,
+            panels: &self.panels,
             events: &self.events,
             states_after: &self.states_after,
             host_estimate: self
@@ -145,6 +158,7 @@ pub(crate) fn of_paper(work: &Workspace) -> Results<'_> {
         wrenches: work.wrenches(),
         peak_wrenches: work.wrenches(),
         contacts: work.contacts(),
+        panels: work.panels(),
         events: work.events(),
         states_after: &[],
         host_estimate: None,
@@ -157,6 +171,7 @@ pub(crate) fn of_direct(work: &HostWorkspace) -> Results<'_> {
         wrenches: work.wrenches(),
         peak_wrenches: work.peak_wrenches(),
         contacts: work.contacts(),
+        panels: work.panels(),
         events: work.events(),
         states_after: work.states_after(),
         host_estimate: None,
@@ -169,6 +184,7 @@ pub(crate) fn of_cosim(work: &HostWorkspace) -> Results<'_> {
         wrenches: work.wrenches(),
         peak_wrenches: work.peak_wrenches(),
         contacts: work.contacts(),
+        panels: work.panels(),
         events: work.events(),
         states_after: &[],
         host_estimate: Some(HostEstimate { states: work.estimated_states(), loads: work.loads() }),

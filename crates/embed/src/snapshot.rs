@@ -27,7 +27,7 @@ use crate::results::{Results, Saved};
 use crate::settings::Host;
 
 const MAGIC: &[u8; 8] = b"fndrmbed";
-const VERSION: u32 = 3;
+const VERSION: u32 = 4;
 
 impl Engine {
     /// Everything of this engine that can change, as bytes.
@@ -71,6 +71,7 @@ impl Engine {
         let mut restored = self.clone();
         read(&mut restored, bytes)?;
         *self = restored;
+        self.restart_recording();
         Ok(())
     }
 }
@@ -169,7 +170,7 @@ fn hash_of_names(plan: &Plan) -> u64 {
 }
 
 /// The settings, but for the Coriolis terms, which the model's fingerprint includes.
-fn settings_words(plan: &Plan) -> [u32; 4] {
+pub(crate) fn settings_words(plan: &Plan) -> [u32; 4] {
     let method = match plan.method {
         Method::Coupled => 0,
         Method::Paper => 1,
@@ -185,11 +186,12 @@ fn settings_words(plan: &Plan) -> [u32; 4] {
     [method, kind, host.delay_steps, integration]
 }
 
-fn write_results(out: &mut Writer, results: &Results<'_>) {
+pub(crate) fn write_results(out: &mut Writer, results: &Results<'_>) {
     out.word32(1);
     results.wrenches.iter().chain(results.peak_wrenches).for_each(|wrench| out.wrench(wrench));
     out.word32(results.contacts.len() as u32);
     results.contacts.iter().for_each(|contact| out.contact(contact));
+    out.list(results.panels, Writer::panel);
     out.word32(results.events.len() as u32);
     results.events.iter().for_each(|event| out.event(event));
     results.states_after.iter().for_each(|state| out.state(state));
@@ -206,6 +208,7 @@ fn read_results(input: &mut Reader<'_>, plan: &Plan) -> Result<Saved, RestoreErr
         wrenches: (0..bodies).map(|_| input.wrench()).collect::<Result<_, _>>()?,
         peak_wrenches: (0..bodies).map(|_| input.wrench()).collect::<Result<_, _>>()?,
         contacts: input.list(Reader::contact)?,
+        panels: input.list(Reader::panel)?,
         events: input.list(Reader::event)?,
         ..Saved::default()
     };

@@ -4,7 +4,8 @@ use fenderline_contact::{
     BodyState, HostIntegration, HostSettings, Material, RestoreError, StepError, Wrench, vec2,
 };
 use fenderline_embed::{
-    BodyDef, CoriolisTerms, Engine, EngineBuilder, EngineError, Host, Results, Settings,
+    BodyDef, CoriolisTerms, Dump, DumpedOutcome, Engine, EngineBuilder, EngineError, Host, Results,
+    Settings, is_dump,
 };
 use fenderline_scenario::Scenario;
 use fenderline_sim::{MassProperties, Method, Simulation};
@@ -307,4 +308,203 @@ fn results_have_peak_wrenches_beside_the_means() {
     engine.advance(&states, None, 0.1).expect("a good step");
     let Results { wrenches, peak_wrenches: peaks, .. } = engine.results().expect("stepped");
     assert!(wrenches == peaks && wrenches[1].force_n.length() > 0.0);
+}
+
+/// A ship of 20 000 t that approaches a quay with one fender by keys. The direction "out" of the quay is east.
+fn quay_with(keys: &str) -> Result<EngineBuilder, EngineError> {
+    let mut builder = EngineBuilder::new();
+    let rubber = Material {
+        stiffness_npm2: 5e6,
+        damping_nspm2: 0.0,
+        shear_stiffness_npm: 3e6,
+        friction_static: 0.2,
+        friction_dynamic: 0.2,
+        restitution: 0.1,
+    };
+    let rubber = builder.material("rubber", rubber)?;
+    let wall = [vec2(-60.0, -5.0), vec2(60.0, -5.0), vec2(60.0, 0.0), vec2(-60.0, 0.0)];
+    let position_m = vec2(0.0, 0.0);
+    let quay =
+        BodyDef { name: "the quay", outline_m: &wall, mass: None, position_m, heading_rad: 0.0 };
+    builder.body(&quay)?;
+    let hull = [vec2(-60.0, -10.0), vec2(60.0, -10.0), vec2(60.0, 10.0), vec2(-60.0, 10.0)];
+    let mass = MassProperties { mass_kg: 2e7, yaw_inertia_kgm2: 2e10, ..Default::default() };
+    let position_m = vec2(0.0, 11.3);
+    let (name, mass) = ("ship", Some(mass));
+    builder.body(&BodyDef { name, outline_m: &hull, mass, position_m, heading_rad: 0.0 })?;
+    builder.all_other_pairs(rubber)?;
+    builder.fender_by_keys("f 1", keys)?;
+    Ok(builder)
+}
+
+const CONE: &str =
+    "on=\"the quay\"\nmaterial=rubber\ntype=cone\nsize=1050 F1.1\nposition=[0, 0]\nwidth=2 m";
+
+/// The ship moves against the quay at 0.15 m/s; the engine moves her.
+fn berthed(builder: &EngineBuilder, yaw_rate_radps: f64, steps: usize) -> Engine {
+    let mut engine = builder.build(&Settings::default()).expect("a good model");
+    let mut states = engine.initial_states().to_vec();
+    states[1].velocity_mps = vec2(0.0, -0.15);
+    states[1].yaw_rate_radps = yaw_rate_radps;
+    for _ in 0..steps {
+        engine.advance(&states, None, 0.1).expect("good states");
+        states.copy_from_slice(engine.results().expect("stepped").states_after);
+    }
+    engine
+}
+
+/// The fender of the catalogue has the height, the rating and the temperature factor of its family's file.
+#[test]
+fn a_fender_by_keys_is_that_of_the_catalogue() {
+    let builder = quay_with(CONE).expect("good keys");
+    let engine = builder.build(&Settings::default()).expect("a good model");
+    let fender = &engine.model().fenders()[0];
+    // fenders/cone.toml: 1050 mm, rated at 72 % of the height.
+    assert_eq!((fender.projection_m, fender.facing_rad), (1.05, core::f64::consts::FRAC_PI_2));
+    assert!((fender.rated_deflection_m - 0.72 * 1.05).abs() < 1e-12);
+    assert_eq!(fender.factors.constant, 1.0);
+    let cold = quay_with(&format!("{CONE}\ntemperature=-30 degC")).expect("good keys");
+    let cold = cold.build(&Settings::default()).expect("a good model");
+    assert_eq!(cold.model().fenders()[0].factors.constant, 1.54);
+    let of_two = quay_with(&format!("{CONE}\ncones=[{{ at = -0.8 }}, {{ at = 0.8 }}]"));
+    let of_two = of_two.expect("good keys").build(&Settings::default()).expect("a good model");
+    let panel = of_two.model().fenders()[0].panel.as_ref().expect("a panel");
+    assert_eq!(panel.cones_m, [-0.8, 0.8]);
+}
+
+#[test]
+fn mistakes_in_the_keys_of_a_fender_name_their_line_and_add_nothing() {
+    let refused = |keys: &str| quay_with(keys).unwrap_err().to_string();
+    assert!(refused("material=rubber").contains("lack `on=`"));
+    assert!(refused("on=quay\nmaterial=rubber").contains("no body is named `quay`"));
+    let unknown = refused(&CONE.replace("type=cone", "type=conne"));
+    assert!(unknown.contains("--> type=conne") && unknown.contains("cone"), "{unknown}");
+    let hot = refused(&format!("{CONE}\ntemperature=90 degC"));
+    assert!(hot.contains("`fender.fender.temperature` must be at most 80 °C"), "{hot}");
+    assert!(refused(&format!("{CONE}\nfacing")).contains("no value"), "a line without `=`");
+    let mut builder = quay_with(CONE).expect("good keys");
+    assert!(builder.fender_by_keys("f 1", CONE).is_err(), "the name is used");
+    assert!(builder.fender_by_keys("f2", "on=ship").is_err());
+    assert!(builder.fender_named("f2").is_err());
+    assert_eq!(builder.fender_named("f 1"), Ok(0));
+}
+
+/// Mounting, face and compression of all fenders: by hand.
+#[test]
+fn fenders_can_be_drawn_at_rest_and_compressed() {
+    let builder = quay_with(CONE).expect("good keys");
+    let engine = builder.build(&Settings::default()).expect("a good model");
+    let at_rest = engine.fender_views().next().expect("one fender");
+    let near = |a: fenderline_contact::Vec2, b: [f64; 2]| (a - vec2(b[0], b[1])).length() < 1e-12;
+    // It looks east: its left, looking out, is north.
+    assert!(near(at_rest.mount_m[0], [1.0, 0.0]) && near(at_rest.mount_m[1], [-1.0, 0.0]));
+    assert!(near(at_rest.face_m[0], [1.0, 1.05]) && near(at_rest.face_m[1], [-1.0, 1.05]));
+    assert_eq!((at_rest.hull, at_rest.deflection_m), (None, 0.0));
+    let engine = berthed(&builder, 0.0, 40);
+    let pressed = engine.fender_views().next().expect("one fender");
+    let contact = engine.results().expect("stepped").contacts[0];
+    assert_eq!(pressed.hull.map(|hull| hull.0), Some(1));
+    assert_eq!(pressed.deflection_m, contact.depth_m);
+    assert_eq!(pressed.normal_force_n, contact.normal_force_n);
+    assert!(pressed.deflection_m > 0.2 && pressed.peak_deflection_m >= pressed.deflection_m);
+    assert!(near(pressed.face_m[0], [1.0, 1.05 - pressed.deflection_m]));
+}
+
+/// A panel on two cones that is pressed by a ship that turns follows her side.
+#[test]
+fn a_panel_that_turns_is_drawn_along_the_side_that_presses_it() {
+    let keys = format!("{CONE}\ncones=[{{ at = -0.8 }}, {{ at = 0.8 }}]");
+    let engine = berthed(&quay_with(&keys).expect("good keys"), 0.004, 40);
+    let pressed = engine.fender_views().next().expect("one fender");
+    assert!(pressed.panel_turn_rad.abs() > 2e-3, "{pressed:?}");
+    // The hull's side lies along the panel: the slope of the face is her heading.
+    let along = pressed.face_m[0] - pressed.face_m[1];
+    let heading_rad = engine.states()[1].heading_rad;
+    let slope_rad = libm::atan2(along.y, along.x);
+    assert!(
+        (slope_rad - heading_rad).abs() < 0.1 * heading_rad.abs(),
+        "{slope_rad}, {heading_rad}"
+    );
+    let mut again = engine.clone();
+    again.restore(&engine.save()).expect("its own bytes");
+    assert_eq!(again.fender_views().next(), Some(pressed));
+}
+
+/// Recorded steps are replayed to the same bits from the dump alone, by each method and kind of host.
+#[test]
+fn a_dump_replays_to_the_same_bits() {
+    let delayed = Settings { method: Some(Method::Coupled), ..co_simulation(2) };
+    for settings in [Settings::default(), coupled(), delayed] {
+        let mut engine = engine(TUG, &settings);
+        assert_eq!(engine.dump(), Err(EngineError::NotRecorded));
+        engine.record(10).expect("not too many");
+        let mut states = engine.initial_states().to_vec();
+        run_steps(&mut engine, &mut states, 25);
+        engine.mark_teleported(1).expect("it is there");
+        states[1].position_m.y -= 3.0;
+        run_steps(&mut engine, &mut states, 3);
+        engine.step(0.0).expect("a pause");
+        assert!(engine.step(-1.0).is_err());
+        let bytes = engine.dump().expect("recorded");
+        assert!(is_dump(&bytes));
+        let mut dump = Dump::read(&bytes).expect("its own bytes");
+        // Two segments of 10 steps, of which the second is full but for one of the last 30: 10 + 10.
+        assert_eq!(dump.steps(), 20);
+        let mut refused = 0;
+        while let Some(step) = dump.next_step() {
+            assert!(step.is_same, "{step:?}");
+            refused += usize::from(step.outcome == DumpedOutcome::Refused);
+        }
+        assert_eq!(refused, 1);
+        assert_eq!(dump.engine().save(), engine.save());
+        assert_eq!(dump.engine().results(), engine.results());
+    }
+}
+
+/// Everything that a model can have goes through a dump: a curve, unloading, a stop, factors, a panel with chains.
+#[test]
+fn a_dump_has_the_whole_model() {
+    let chains = "chains=[{ kind = \"tension\", at = \"0.7 m\", slack = \"20 mm\", stiffness = \"20 MN/m\", break_load = \"500 kN\" }]";
+    let keys =
+        format!("{CONE}\ntemperature=-10 degC\ncones=[{{ at = -0.8 }}, {{ at = 0.8 }}]\n{chains}");
+    let builder = quay_with(&keys).expect("good keys");
+    let mut engine = builder.build(&Settings::default()).expect("a good model");
+    engine.record(1000).expect("not too many");
+    let mut states = engine.initial_states().to_vec();
+    states[1].velocity_mps = vec2(0.0, -0.15);
+    for _ in 0..30 {
+        engine.advance(&states, None, 0.1).expect("good states");
+        states.copy_from_slice(engine.results().expect("stepped").states_after);
+    }
+    let mut dump = Dump::read(&engine.dump().expect("recorded")).expect("its own bytes");
+    assert_eq!(dump.engine().model().fenders(), engine.model().fenders());
+    while let Some(step) = dump.next_step() {
+        assert!(step.is_same, "{step:?}");
+    }
+    assert_eq!(dump.into_engine().save(), engine.save());
+}
+
+#[test]
+fn a_dump_that_was_changed_or_cut_is_refused() {
+    let mut engine = engine(TUG, &coupled());
+    engine.record(5).expect("not too many");
+    let mut states = engine.initial_states().to_vec();
+    run_steps(&mut engine, &mut states, 2);
+    let bytes = engine.dump().expect("recorded");
+    for end in (0..bytes.len()).step_by(7) {
+        assert!(Dump::read(&bytes[..end]).is_err(), "cut at {end}");
+    }
+    // The sum of changed content is made right, as an attacker would.
+    for place in 8..bytes.len() - 8 {
+        let mut changed = bytes[..bytes.len() - 8].to_vec();
+        changed[place] ^= 0x41;
+        let sum = fenderline_contact::hash::Fnv1a::of(&changed);
+        changed.extend_from_slice(&sum.to_le_bytes());
+        if let Ok(mut dump) = Dump::read(&changed) {
+            while dump.next_step().is_some() {}
+        }
+    }
+    assert!(engine.record(2_000_000).is_err());
+    engine.record(0).expect("it ends");
+    assert_eq!(engine.dump(), Err(EngineError::NotRecorded));
 }

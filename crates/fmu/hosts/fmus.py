@@ -46,7 +46,9 @@ class Fmu:
                 self.fmu.setBoolean(reference, [bool(value)])
             elif variable.type == "Int32":
                 self.fmu.setInt32(reference, [value])
-            elif variable.type == "Integer":
+            elif variable.type == "Enumeration" and self.three:
+                self.fmu.setInt64(reference, [value])
+            elif variable.type in ("Integer", "Enumeration"):
                 self.fmu.setInteger(reference, [value])
             elif self.three:
                 self.fmu.setFloat64(reference, [value])

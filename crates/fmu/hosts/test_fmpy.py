@@ -151,6 +151,21 @@ def test_parameters_change_the_run(fenderline):
     assert finals[1] < 3.0 * finals[0] < 0.0
 
 
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_how_the_host_integrates_is_an_enumeration(fenderline, fmi):
+    path = fenderline.fmu(TUG, "engine", fmi)
+    for value in (1, 2):
+        with Fmu(path) as fmu:
+            (declared,) = fmu.description.typeDefinitions
+            assert [(item.name, int(item.value)) for item in declared.items] == [("forward_euler", 1), ("semi_implicit", 2)]
+            fmu.initialize(host__integration=value)
+            fmu.step(0.0, 0.1)
+    fmu = Fmu(path)
+    with pytest.raises(FMICallException):
+        fmu.initialize(host__integration=3)
+    fmu.close(terminate=False)
+
+
 def test_the_communication_step_changes_no_bit(fenderline):
     """At common communication points the bits are the same for any communication step."""
     path = fenderline.fmu(TUG, "simulation")

@@ -10,6 +10,7 @@ use crate::bundle::Bundle;
 use crate::fmi2::Logger2;
 use crate::fmi3::Logger3;
 use crate::instance::{Instance, Outcome};
+use crate::library::STAMP;
 use crate::plan::Plan;
 use crate::registry::Status;
 
@@ -150,7 +151,7 @@ pub(crate) fn instance(token: &str, resources: &Path) -> Outcome<Instance> {
     if plan.token != token {
         return Err(format!(
             "the FMU's token is `{}` and not `{token}`: description, resources and library do not \
-             belong together",
+             belong together (library: {STAMP})",
             plan.token
         ));
     }

@@ -57,11 +57,24 @@ impl Bundle {
     pub fn load(kind: Kind, path: &Path, changes: Vec<[String; 2]>) -> Result<Bundle, BundleError> {
         let text = read_text(path).map_err(BundleError::Unreadable)?;
         let folder = path.parent().unwrap_or(Path::new(""));
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        Bundle::of_text(kind, text, &path.display().to_string(), folder, changes)
+    }
+
+    /// Takes the text of a scenario file named `shown`, and reads the files that it names in `folder`.
+    ///
+    /// # Errors
+    /// As [`Scenario::parse_beside`].
+    pub fn of_text(
+        kind: Kind,
+        text: String,
+        shown: &str,
+        folder: &Path,
+        changes: Vec<[String; 2]>,
+    ) -> Result<Bundle, BundleError> {
+        let name = Path::new(shown).file_name().unwrap_or_default().to_string_lossy().into_owned();
         let overrides = overrides(&changes)?;
         let mut files = BTreeMap::new();
-        let shown = path.display().to_string();
-        Scenario::parse_among(&text, &shown, &overrides, &mut |file| {
+        Scenario::parse_among(&text, shown, &overrides, &mut |file| {
             let text = read_text(&folder.join(file))?;
             files.insert(file.to_owned(), text.clone());
             Ok(text)
@@ -98,6 +111,22 @@ impl Bundle {
         format!("{bundle:#}\n")
     }
 
+    /// The bundle's content for a hash: each text after its length. It does not depend on how [`Bundle::to_json`] orders its
+    /// keys, which another crate's choice of `serde_json`'s features can change.
+    pub(crate) fn content(&self) -> Vec<u8> {
+        let changes = self.changes.iter().flatten().map(String::as_str);
+        let files = self.files.iter().flat_map(|(name, text)| [name.as_str(), text.as_str()]);
+        let counts = [self.changes.len(), self.files.len()];
+        let texts = [self.kind.name(), &self.name, &self.text];
+        let mut content = Vec::new();
+        counts.iter().for_each(|count| content.extend((*count as u64).to_le_bytes()));
+        for text in texts.into_iter().chain(changes).chain(files) {
+            content.extend((text.len() as u64).to_le_bytes());
+            content.extend(text.as_bytes());
+        }
+        content
+    }
+
     /// Reads a bundle from its text.
     ///
     /// # Errors
@@ -128,4 +157,54 @@ impl Bundle {
 fn overrides(changes: &[[String; 2]]) -> Result<Vec<Override>, BundleError> {
     let of = |[key, value]: &[String; 2]| Override::new(&format!("{key}={value}"), key, value);
     changes.iter().map(of).collect::<Result<_, _>>().map_err(BundleError::Refused)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn bundle() -> Bundle {
+        Bundle {
+            kind: Kind::Engine,
+            name: "tug.toml".into(),
+            text: "a".into(),
+            changes: vec![["k".into(), "v".into()]],
+            files: BTreeMap::from([("b.toml".into(), "b".into()), ("c.toml".into(), "c".into())]),
+        }
+    }
+
+    #[test]
+    fn the_content_does_not_depend_on_the_order_of_keys_in_the_json_text() {
+        // As a `serde_json` that keeps the order of insertion writes it, and one that sorts keys.
+        let orders = [
+            r#"{"form":1,"kind":"engine","name":"tug.toml","text":"a","changes":[["k","v"]],
+                "files":{"c.toml":"c","b.toml":"b"}}"#,
+            r#"{"changes":[["k","v"]],"files":{"b.toml":"b","c.toml":"c"},"form":1,"kind":"engine",
+                "name":"tug.toml","text":"a"}"#,
+        ];
+        for json in orders {
+            let read = Bundle::from_json(json).expect("a bundle");
+            assert_eq!(read, bundle());
+            assert_eq!(read.content(), bundle().content());
+        }
+    }
+
+    #[test]
+    fn each_part_of_a_bundle_changes_its_content() {
+        let others = [
+            Bundle { kind: Kind::Simulation, ..bundle() },
+            Bundle { name: "tug.tom".into(), text: "la".into(), ..bundle() },
+            Bundle { changes: Vec::new(), ..bundle() },
+            Bundle { files: BTreeMap::from([("b.toml".into(), "b".into())]), ..bundle() },
+            // The same texts with another border between changes and files.
+            Bundle {
+                changes: vec![["k".into(), "v".into()], ["b.toml".into(), "b".into()]],
+                files: BTreeMap::from([("c.toml".into(), "c".into())]),
+                ..bundle()
+            },
+        ];
+        for other in others {
+            assert_ne!(other.content(), bundle().content(), "{other:?}");
+        }
+    }
 }

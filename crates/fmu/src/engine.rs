@@ -9,7 +9,7 @@ use crate::inputs::Inputs;
 use crate::outputs::{View, read};
 use crate::parameters::applied;
 use crate::plan::Plan;
-use crate::table::Setting;
+use crate::table::{FORWARD_EULER, Setting};
 
 /// An initialised engine. A clone continues independently.
 #[derive(Clone, Debug)]
@@ -53,7 +53,7 @@ impl EngineRun {
         let setup = applied(&plan.table, values, setup);
         let following = is_on(Setting::Following);
         let delay_steps = if following { of(Setting::DelaySteps) as u32 } else { 0 };
-        let integration = if is_on(Setting::ForwardEuler) {
+        let integration = if of(Setting::Integration) as u32 == FORWARD_EULER {
             HostIntegration::ForwardEuler
         } else {
             HostIntegration::SemiImplicit
@@ -63,7 +63,13 @@ impl EngineRun {
         } else {
             Host::default()
         };
-        let scenario = Scenario { title: title.clone(), setup, notices: Vec::new() };
+        let scenario = Scenario {
+            title: title.clone(),
+            report: Vec::new(),
+            setup,
+            output: plan.scenario.output.clone(),
+            notices: Vec::new(),
+        };
         let engine = Engine::from_scenario(scenario, &Settings { method: None, host })
             .map_err(|error| error.to_string())?;
         let uses_loads = !following || is_on(Setting::TellsLoads);

@@ -207,6 +207,7 @@ macro_rules! values {
 values!(
     fmi3GetFloat64 fmi3SetFloat64 f64, Real, |v| v, |v| v;
     fmi3GetInt32 fmi3SetInt32 i32, Integer, |v| v as i32, f64::from;
+    fmi3GetInt64 fmi3SetInt64 i64, Enumeration, |v| v as i64, |v| v as f64;
     fmi3GetBoolean fmi3SetBoolean Bool, Boolean, |v| Bool::from(v != 0.0),
         |v| f64::from(u8::from(v != 0))
 );
@@ -240,8 +241,6 @@ no_values!(
     fmi3SetUInt16,
     fmi3GetUInt32,
     fmi3SetUInt32,
-    fmi3GetInt64,
-    fmi3SetInt64,
     fmi3GetUInt64,
     fmi3SetUInt64,
     fmi3GetString,

@@ -137,7 +137,10 @@ impl Instance {
         let Some(variable) = self.plan.table.variables.get(reference as usize) else {
             return Err(format!("no variable has the value reference {reference}"));
         };
-        if variable.class != class {
+        // FMI 2.0 reads and sets enumerations as integers.
+        let fits = variable.class == class
+            || (variable.class == Class::Enumeration && class == Class::Integer);
+        if !fits {
             let name = &variable.name;
             return Err(format!("`{name}` is of type {:?}, not {class:?}", variable.class));
         }

@@ -6,7 +6,7 @@
 //!
 //! A [`Bundle`] is a scenario with all files that it names, the only resource of an FMU. The [`Table`] is made from it: each
 //! variable with unit, start value and meaning. [`pack()`] writes the model description from the table and packs bundle,
-//! description and shared library; an instance reads and writes values by the same table. The C functions (`fmi2`, `fmi3`)
+//! description and shared libraries, which [`try_library()`] has tried; an instance reads and writes values by the same table. The C functions (`fmi2`, `fmi3`)
 //! are a safe boundary, as in `fenderline-capi`: components and saved states are handles that are looked up and never
 //! dereferenced, and no panic crosses the boundary.
 
@@ -34,13 +34,17 @@ mod registry;
 mod simulation;
 mod state;
 mod table;
+mod trial;
 mod unit;
 
 pub use bundle::{Bundle, BundleError};
-pub use library::file_name as library_file_name;
+pub use library::{
+    Platform, STAMP as LIBRARY_STAMP, file_name as library_file_name, is_of_this_version,
+};
 pub use pack::{PackError, Packed, pack};
 pub use plan::{Plan, PlanError};
 pub use table::{Causality, Class, Kind, Table, Variable};
+pub use trial::{TrialError, try_library, try_library_bytes};
 pub use unit::Unit;
 
 /// A version of the standard.

@@ -1,4 +1,4 @@
-//! The file of an FMU: a zip of model description, library and scenario.
+//! The file of an FMU: a zip of model description, libraries and scenario.
 
 use core::fmt;
 use std::io::{Cursor, Write as _};
@@ -8,16 +8,19 @@ use zip::{CompressionMethod, ZipWriter};
 
 use crate::Fmi;
 use crate::description;
-use crate::library;
+use crate::library::{self, Platform};
 use crate::plan::Plan;
 
 /// Name of the scenario among the resources.
 pub(crate) const BUNDLE_FILE: &str = "scenario.json";
 
+/// The licence of the libraries in an FMU.
+pub(crate) const LICENCE: &str = include_str!("license.txt");
+
 /// An FMU, and the file that goes beside it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Packed {
-    /// The FMU's bytes: the same for the same scenario, program and library.
+    /// The FMU's bytes: the same for the same scenario, program and libraries.
     pub fmu: Vec<u8>,
     /// File name of the description for the Open Simulation Platform. Its masters look for it in the FMU's
     /// folder.
@@ -38,11 +41,16 @@ impl fmt::Display for PackError {
 
 impl std::error::Error for PackError {}
 
-/// Packs an FMU. `stem` is its file name without extension, and the model's name.
+/// Packs an FMU with a library for each of some platforms. `stem` is its file name without extension, and the model's name.
 ///
 /// # Errors
 /// A file that is too large for a zip.
-pub fn pack(plan: &Plan, fmi: Fmi, stem: &str, library: &[u8]) -> Result<Packed, PackError> {
+pub fn pack(
+    plan: &Plan,
+    fmi: Fmi,
+    stem: &str,
+    libraries: &[(Platform, &[u8])],
+) -> Result<Packed, PackError> {
     let error = |e: &dyn fmt::Display| PackError(e.to_string());
     let identifier = identifier(stem);
     let description = description::model(plan, fmi, stem, &identifier).map_err(|e| error(&e))?;
@@ -53,11 +61,15 @@ pub fn pack(plan: &Plan, fmi: Fmi, stem: &str, library: &[u8]) -> Result<Packed,
         .last_modified_time(zip::DateTime::default());
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     let bundle = plan.bundle.to_json();
-    let files: [(String, &[u8]); 3] = [
+    let mut files: Vec<(String, &[u8])> = vec![
         ("modelDescription.xml".to_owned(), description.as_bytes()),
         (format!("resources/{BUNDLE_FILE}"), bundle.as_bytes()),
-        (library::place(fmi, &identifier), library),
+        ("documentation/licenses/license.txt".to_owned(), LICENCE.as_bytes()),
     ];
+    let platforms: Vec<Platform> = libraries.iter().map(|(platform, _)| *platform).collect();
+    for (platform, library) in libraries {
+        files.push((library::place(fmi, *platform, &platforms, &identifier), library));
+    }
     for (name, content) in files {
         let rights = if name.starts_with("binaries") { 0o755 } else { 0o644 };
         zip.start_file(name, options.unix_permissions(rights)).map_err(|e| error(&e))?;

@@ -10,7 +10,7 @@ use crate::hash::guid;
 use crate::inputs::{add_controls, add_extra_loads, add_states};
 use crate::outputs::{add_contact, add_peaks, add_simulation};
 use crate::parameters::{add_fenders, add_materials_and_masses, add_starts};
-use crate::table::{Causality, Class, Kind, Setting, StandsFor, Table, Variable};
+use crate::table::{Causality, Class, FORWARD_EULER, Kind, Setting, StandsFor, Table, Variable};
 use crate::unit::Unit;
 
 /// What all instances of an FMU share.
@@ -85,7 +85,9 @@ impl Plan {
             }
         }
         let version = env!("CARGO_PKG_VERSION");
-        let token = guid(format!("{version}\n{}{}", bundle.to_json(), table.text()).as_bytes());
+        let identity =
+            [version.as_bytes(), b"\n", &bundle.content(), table.text().as_bytes()].concat();
+        let token = guid(&identity);
         Ok(Plan { bundle, scenario, table, token })
     }
 }
@@ -118,10 +120,10 @@ fn add_settings(table: &mut Table, scenario: &Scenario) {
             1.0,
         ),
         (
-            "forward_euler",
-            "if host.following: true: the host moves positions with the old velocities; false: with the new ones",
-            Setting::ForwardEuler,
-            1.0,
+            "integration",
+            "if host.following: how the host moves its bodies",
+            Setting::Integration,
+            f64::from(FORWARD_EULER),
         ),
         (
             "loads_connected",
@@ -149,6 +151,7 @@ fn add_settings(table: &mut Table, scenario: &Scenario) {
                 (Class::Integer, Unit::One, Some([0.0, most]))
             }
             Setting::StepS => (Class::Real, Unit::Second, Some([1e-6, 1e3])),
+            Setting::Integration => (Class::Enumeration, Unit::One, Some([1.0, 2.0])),
             _ => (Class::Boolean, Unit::One, None),
         };
         table.add(Variable {

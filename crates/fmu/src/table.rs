@@ -39,7 +39,31 @@ pub enum Class {
     Integer,
     /// A switch.
     Boolean,
+    /// One of some named items, by its value.
+    Enumeration,
 }
+
+/// Names of values.
+#[derive(Debug)]
+pub(crate) struct Enumeration {
+    pub(crate) name: &'static str,
+    pub(crate) description: &'static str,
+    /// Name and description of the values 1, 2 and so on.
+    pub(crate) items: &'static [(&'static str, &'static str)],
+}
+
+/// How a co-simulation host integrates.
+pub(crate) static INTEGRATION: Enumeration = Enumeration {
+    name: "Integration",
+    description: "how the host moves its bodies",
+    items: &[
+        ("forward_euler", "positions with the old velocities, then velocities"),
+        ("semi_implicit", "velocities, then positions with the new ones"),
+    ],
+};
+
+/// The value of `forward_euler` of [`INTEGRATION`].
+pub(crate) const FORWARD_EULER: u32 = 1;
 
 /// Who sets a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,8 +117,8 @@ pub(crate) enum Setting {
     DelaySteps,
     /// First steps without a wrench.
     SkipSteps,
-    /// The host's integrator: forward Euler, else semi-implicit.
-    ForwardEuler,
+    /// The host's integrator, of [`INTEGRATION`].
+    Integration,
     /// The load inputs are connected; otherwise loads are estimated.
     TellsLoads,
     /// Vectors are in the bodies' axes.
@@ -133,6 +157,16 @@ pub(crate) struct Group {
     /// Element of an `OspModelDescription.xml`.
     pub(crate) kind: &'static str,
     pub(crate) members: Vec<usize>,
+}
+
+impl Variable {
+    /// The names of its values, if it is an enumeration.
+    pub(crate) fn enumeration(&self) -> Option<&'static Enumeration> {
+        match self.stands_for {
+            StandsFor::Setting(Setting::Integration) => Some(&INTEGRATION),
+            _ => None,
+        }
+    }
 }
 
 impl Table {

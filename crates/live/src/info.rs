@@ -9,10 +9,10 @@ use fenderline_sim::{LineEnd, MooringSetup, Setup, TugSetup, VesselSetup};
 use crate::berth::Berth;
 use crate::cast::Cast;
 use crate::message::{
-    AzimuthInfo, BodyInfo, FenderInfo, LineEndInfo, LineInfo, OrderInfo, Pair, ThrusterInfo,
-    TugInfo, VesselInfo,
+    AzimuthInfo, BodyInfo, FenderInfo, LineEndInfo, LineInfo, OrderInfo, Pair, TelegraphInfo,
+    ThrusterInfo, TugInfo, VesselInfo,
 };
-use crate::order_info::order_infos;
+use crate::order_info::{order_infos, telegraph};
 
 /// The working load of a cable over its breaking load; our choice, as the guideline for ropes has none for cables.
 const CABLE_WORKING_SHARE: f64 = 0.5;
@@ -34,6 +34,8 @@ pub struct Info {
     pub tugs: Vec<TugInfo>,
     /// As in [`crate::message::Hello`].
     pub orders: Vec<OrderInfo>,
+    /// As in [`crate::message::Hello`].
+    pub telegraph: Vec<TelegraphInfo>,
     /// Words for the positions at the own ship's side where a tug may work.
     pub places: Vec<&'static str>,
     /// The berth to which distances are measured.
@@ -73,6 +75,7 @@ impl Info {
             lines: world.lines.iter().map(line_info).collect(),
             tugs: world.tugs.iter().map(|tug| tug_info(tug, &world.vessels)).collect(),
             orders: order_infos(),
+            telegraph: telegraph(),
             places: cast.own.map_or_else(Vec::new, |own| places(setup, &world.vessels[own])),
             berth: Berth::of(setup, cast),
             depth_m: world.environment.depth_m,

@@ -5,6 +5,8 @@
 //! ([`RecordingReader`]) and replayed ([`Replay`]). This crate also makes the messages to pages ([`message`]) and reads their
 //! requests ([`Request`]).
 //!
+//! A run that nobody steers gives the same messages by [`Watched`].
+//!
 //! The owner of a session decides when it steps: `fenderline serve` paces it to wall time.
 #![forbid(unsafe_code)]
 
@@ -29,6 +31,7 @@ mod replay;
 mod request;
 mod session;
 mod source;
+mod watched;
 mod word;
 
 pub use action::{Action, COMMAND_LIMITS, CommandLimits, Fault, OtherAction};
@@ -49,3 +52,4 @@ pub use replay::{Replay, ReplayError, Replayed};
 pub use request::{Conduct, Control, Request};
 pub use session::{Branch, Session, SessionError, StepError};
 pub use source::Source;
+pub use watched::Watched;

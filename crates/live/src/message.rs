@@ -28,6 +28,7 @@ pub struct Hello<'a> {
     pub lines: &'a [LineInfo],
     pub tugs: &'a [TugInfo],
     pub orders: &'a [OrderInfo],
+    pub telegraph: &'a [TelegraphInfo],
     pub limits: CommandLimits,
     pub places: &'a [&'static str],
     pub mine: Vec<Control>,
@@ -47,6 +48,13 @@ pub struct OrderInfo {
     pub needs: Option<&'static str>,
     pub meaning: &'static str,
     pub arguments: Vec<ArgumentInfo>,
+}
+
+/// One order of the engine telegraph.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct TelegraphInfo {
+    pub word: &'static str,
+    pub share: f64,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -196,6 +204,22 @@ pub struct Frame {
     pub waves: Option<WavesNow>,
     pub approach_mps: f64,
     pub alarms: Vec<AlarmNow>,
+    pub verdict: VerdictNow,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct VerdictNow {
+    pub key: &'static str,
+    pub text: &'static str,
+    pub gravity: &'static str,
+    pub findings: Vec<FindingNow>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct FindingNow {
+    pub key: &'static str,
+    pub gravity: &'static str,
+    pub text: String,
 }
 
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]

@@ -1,13 +1,21 @@
 //! The table of orders for pages: words, units, limits and defaults.
 
+use fenderline_sim::hydro::actuator::Telegraph;
 use fenderline_sim::order::{Absent, Argument, ArgumentKind, Gear, OrderName};
 
-use crate::message::{ArgumentInfo, OrderInfo};
+use crate::message::{ArgumentInfo, OrderInfo, TelegraphInfo};
 
 /// All orders.
 #[must_use]
 pub fn order_infos() -> Vec<OrderInfo> {
     OrderName::ALL.iter().map(|order| order_info(*order)).collect()
+}
+
+/// The engine telegraph, from full astern to navigation full.
+pub(crate) fn telegraph() -> Vec<TelegraphInfo> {
+    let info =
+        |order: Telegraph| TelegraphInfo { word: order.word(), share: order.revolutions_ratio() };
+    Telegraph::ALL.map(info).to_vec()
 }
 
 fn order_info(order: OrderName) -> OrderInfo {

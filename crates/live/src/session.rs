@@ -41,6 +41,14 @@ pub(crate) struct Now {
     pub(crate) tick: u64,
 }
 
+impl Now {
+    pub(crate) fn before_the_first_step(simulation: Simulation) -> Now {
+        let seen = Seen::before_the_first_step(&simulation);
+        let (manual, approach) = (ManualControl::default(), ApproachLimit::default());
+        Now { simulation, manual, approach, seen, tick: 0 }
+    }
+}
+
 /// A simulation that people steer: see the documentation of the crate.
 #[derive(Clone, Debug)]
 pub struct Session {
@@ -116,9 +124,7 @@ impl Session {
         let scenario = source.scenario().map_err(|e| SessionError::Scenario(Box::new(e)))?;
         let simulation = Simulation::new(scenario.setup).map_err(SessionError::Setup)?;
         let cast = Cast::of(simulation.setup());
-        let seen = Seen::before_the_first_step(&simulation);
-        let (manual, approach) = (ManualControl::default(), ApproachLimit::default());
-        let now = Now { simulation, manual, approach, seen, tick: 0 };
+        let now = Now::before_the_first_step(simulation);
         let first = Branch { parent: None, from_tick: 0, ends_tick: 0, commands: Vec::new() };
         Ok(Session {
             source,
@@ -265,7 +271,7 @@ impl Session {
     fn advance(&mut self) -> Result<(), SimError> {
         let Now { simulation, seen, tick, .. } = &mut self.now;
         let t_s = simulation.time_s();
-        seen.step(simulation)?;
+        seen.keep(&simulation.step()?);
         *tick += 1;
         self.events.extend(seen.events(simulation.setup()).map(|text| (t_s, text)));
         let (segment, _) = self.segment(self.current, self.now.tick);
@@ -437,7 +443,7 @@ impl Session {
     }
 }
 
-fn bits(simulation: &Simulation) -> String {
+pub(crate) fn bits(simulation: &Simulation) -> String {
     format!("{:016x}", fingerprint(simulation))
 }
 

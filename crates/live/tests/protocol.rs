@@ -117,6 +117,7 @@ fn messages(session: &Session) -> (Value, Value) {
         lines: &info.lines,
         tugs: &info.tugs,
         orders: &info.orders,
+        telegraph: &info.telegraph,
         limits: COMMAND_LIMITS,
         places: &info.places,
         mine: vec![],
@@ -160,9 +161,11 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
         ("lines", "LineInfo"),
         ("tugs", "TugInfo"),
         ("orders", "OrderInfo"),
+        ("telegraph", "TelegraphInfo"),
     ] {
         each(&hello, key).for_each(|value| has_fields(value, name, &known));
     }
+    has_fields(&frame["verdict"], "VerdictNow", &known);
     let berth = &frame["vessels"][0]["berth"];
     has_fields(berth, "BerthNow", &known);
     // Eight compressed fenders carry her, nearly at rest.

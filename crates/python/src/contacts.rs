@@ -1,5 +1,7 @@
 //! Contacts and events of a step.
 
+use std::borrow::Cow;
+
 use fenderline_contact::{Contact, Event, EventKind, Friction};
 use fenderline_results::{event_key, world_event_key};
 use fenderline_sim::{WorldEvent, WorldEventKind};
@@ -106,10 +108,10 @@ pub(crate) fn contacts_array<'py>(
 
 /// An event in a step.
 #[pyclass(frozen, get_all, module = "fenderline")]
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct StepEvent {
     /// The kind of event, as in `summary.json`: `contact_began`, `fender_rating_exceeded`, ...
-    kind: &'static str,
+    kind: Cow<'static, str>,
     /// Names of the bodies concerned, or of the vessel, tug or line.
     subjects: Vec<String>,
     /// Name of the fender concerned.
@@ -118,10 +120,29 @@ pub(crate) struct StepEvent {
 
 #[pymethods]
 impl StepEvent {
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Parts)> {
+        let made = py.import("fenderline._native")?.getattr("step_event")?;
+        Ok((made, (self.kind.to_string(), self.subjects.clone(), self.fender.clone())))
+    }
+
+    fn __eq__(&self, other: &StepEvent) -> bool {
+        self == other
+    }
+
     fn __repr__(&self) -> String {
         let fender = self.fender.as_ref().map_or(String::new(), |name| format!(", fender {name}"));
         format!("<fenderline.StepEvent {} of {}{fender}>", self.kind, self.subjects.join(" and "))
     }
+}
+
+/// Kind, subjects and fender of an event.
+type Parts = (String, Vec<String>, Option<String>);
+
+/// An event of its parts, for pickles.
+#[pyfunction]
+#[pyo3(signature = (kind, subjects, fender))]
+pub(crate) fn step_event(kind: String, subjects: Vec<String>, fender: Option<String>) -> StepEvent {
+    StepEvent { kind: kind.into(), subjects, fender }
 }
 
 /// A contact event, by names.
@@ -131,7 +152,7 @@ pub(crate) fn contact_event(event: &Event, bodies: &[String], fenders: &[String]
         _ => None,
     };
     StepEvent {
-        kind: event_key(event.kind),
+        kind: event_key(event.kind).into(),
         subjects: event.bodies.iter().map(|body| bodies[body.0 as usize].clone()).collect(),
         fender: fender.map(|id| fenders[id.0 as usize].clone()),
     }
@@ -149,5 +170,5 @@ pub(crate) fn world_event(event: &WorldEvent, [vessels, tugs, lines]: [&[String]
         | WorldEventKind::LineRenders => lines,
     };
     let kind = world_event_key(event.kind);
-    StepEvent { kind, subjects: vec![names[event.who].clone()], fender: None }
+    StepEvent { kind: kind.into(), subjects: vec![names[event.who].clone()], fender: None }
 }

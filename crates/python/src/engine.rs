@@ -1,12 +1,14 @@
 //! The contact engine alone.
 
+use std::sync::Arc;
+
 use fenderline_contact::{BodyState, HostIntegration, HostSettings, Mobility, Wrench};
 use fenderline_embed::{self as embed, CoriolisTerms, EngineError, Host, Settings};
 use fenderline_sim::Method;
 use numpy::PyArray2;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
+use pyo3::types::{PyBytes, PyDict};
 
 use crate::arrays::{
     ReadOnly, STATE, Shared, WRENCH, read_states, read_wrenches, write_states, write_wrenches,
@@ -23,6 +25,8 @@ use crate::scenario::Scenario;
 /// include them. With `host="cosimulation"` you move the bodies with the wrenches by `integration` (`"semi_implicit"`
 /// or `"forward_euler"`); states may be `delay_steps` old, and loads need not be given.
 ///
+/// It can be copied and pickled: the copy goes on with the same bits.
+///
 /// >>> import fenderline
 /// >>> tug_at_speed = fenderline.example("tug_4kn").with_set({"contact.method": "coupled"})
 /// >>> engine = fenderline.Engine(tug_at_speed, host="cosimulation")
@@ -35,6 +39,7 @@ use crate::scenario::Scenario;
 #[pyclass(module = "fenderline")]
 pub(crate) struct Engine {
     engine: embed::Engine,
+    origin: Arc<Origin>,
     bodies: Vec<String>,
     fenders: Vec<String>,
     uses_loads: bool,
@@ -48,6 +53,19 @@ pub(crate) struct Engine {
     load_rows: Vec<Wrench>,
 }
 
+/// What a pickle holds: version, arguments of `Engine(...)`, whether steps use loads, and what `save` gave.
+type Parts<'py> = (&'static str, Bound<'py, PyDict>, bool, Bound<'py, PyBytes>);
+
+/// What an engine was made of: the arguments of `Engine(...)`.
+struct Origin {
+    scenario: Py<Scenario>,
+    method: Option<String>,
+    host: String,
+    coriolis: Option<String>,
+    delay_steps: u32,
+    integration: String,
+}
+
 #[pymethods]
 impl Engine {
     #[new]
@@ -57,13 +75,21 @@ impl Engine {
     ))]
     fn new(
         py: Python<'_>,
-        scenario: &Scenario,
+        scenario: Py<Scenario>,
         method: Option<&str>,
         host: &str,
         coriolis: Option<&str>,
         delay_steps: u32,
         integration: &str,
     ) -> PyResult<Engine> {
+        let origin = Origin {
+            scenario: scenario.clone_ref(py),
+            method: method.map(str::to_owned),
+            host: host.to_owned(),
+            coriolis: coriolis.map(str::to_owned),
+            delay_steps,
+            integration: integration.to_owned(),
+        };
         let method = match method {
             None => None,
             Some("coupled") => Some(Method::Coupled),
@@ -97,10 +123,10 @@ impl Engine {
             other => return Err(unknown_choice("host", other, "direct, cosimulation")),
         };
         let settings = Settings { method, host };
-        let checked = (*scenario.checked).clone();
+        let checked = (*scenario.get().checked).clone();
         let engine = embed::Engine::from_scenario(checked, &settings)
             .map_err(|error| errors::of_engine(py, &error))?;
-        Engine::around(py, engine)
+        Engine::around(py, engine, Arc::new(origin))
     }
 
     /// Takes a step of `step_s` seconds from `states`, with `loads` if `uses_loads`: fills `wrenches`, and
@@ -275,7 +301,7 @@ impl Engine {
         let saved = self.save(py)?;
         let mut engine = self.engine.clone();
         engine.restore(saved.as_bytes()).map_err(|error| errors::of_engine(py, &error))?;
-        let mut copy = Engine::around(py, engine)?;
+        let mut copy = Engine::around(py, engine, Arc::clone(&self.origin))?;
         copy.uses_loads = self.uses_loads;
         copy.show_all(py)?;
         Ok(copy)
@@ -289,13 +315,28 @@ impl Engine {
         self.copy(py)
     }
 
+    fn __reduce__<'py>(&mut self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Parts<'py>)> {
+        let saved = self.save(py)?;
+        let Origin { scenario, method, host, coriolis, delay_steps, integration } = &*self.origin;
+        let arguments = PyDict::new(py);
+        arguments.set_item("scenario", scenario)?;
+        arguments.set_item("method", method)?;
+        arguments.set_item("host", host)?;
+        arguments.set_item("coriolis", coriolis)?;
+        arguments.set_item("delay_steps", delay_steps)?;
+        arguments.set_item("integration", integration)?;
+        let made = py.import("fenderline._pickling")?.getattr("engine")?;
+        let version = env!("CARGO_PKG_VERSION");
+        Ok((made, (version, arguments, self.uses_loads, saved)))
+    }
+
     fn __repr__(&self) -> String {
         format!("<fenderline.Engine of {}>", self.bodies.join(", "))
     }
 }
 
 impl Engine {
-    fn around(py: Python<'_>, engine: embed::Engine) -> PyResult<Engine> {
+    fn around(py: Python<'_>, engine: embed::Engine, origin: Arc<Origin>) -> PyResult<Engine> {
         let model = engine.model();
         let bodies: Vec<String> = model.bodies().iter().map(|body| body.name.clone()).collect();
         let fenders = model.fenders().iter().map(|fender| fender.name.clone()).collect();
@@ -311,6 +352,7 @@ impl Engine {
             state_rows: engine.initial_states().to_vec(),
             load_rows: vec![Wrench::default(); count],
             engine,
+            origin,
             bodies,
             fenders,
         };

@@ -10,7 +10,7 @@ use crate::errors;
 use crate::parallel;
 use crate::run::Run;
 use crate::scenario::Scenario;
-use crate::variants::{self, Common};
+use crate::variants::{self, Common, NoRun};
 
 /// Variants of one scenario, advanced in lockstep on `threads` threads. Their bodies, fenders and controls are those of the
 /// scenario. Results are those of single simulations, bit for bit.
@@ -81,7 +81,7 @@ impl Fleet {
         let Fleet { runs, threads, common, .. } = self;
         let each = common.controls.len();
         let step = |index: usize, run: &mut Run| {
-            run.order(&values[index * each..][..each]);
+            run.order(&values[index * each..][..each], |_, _| ());
             (0..steps).try_for_each(|_| run.step().map(|_| ()))
         };
         let done = py.detach(|| parallel::each_mut(runs, *threads, step));
@@ -113,9 +113,14 @@ impl Fleet {
         if sets.len() != indices.len() {
             return Err(PyValueError::new_err("the numbers of variants and indices differ"));
         }
-        let runs = new_runs(py, &self.common, self.threads, &sets)?;
-        for (&index, run) in indices.iter().zip(runs) {
-            self.runs[index] = run;
+        let Fleet { common, runs, threads, .. } = self;
+        let made = py
+            .detach(|| parallel::each(sets.len(), *threads, |index| common.variant(&sets[index])));
+        // All of them, before the first simulation changes.
+        let variants = all_made(py, made)?;
+        for (&index, variant) in indices.iter().zip(variants) {
+            let begun = variant.begin_in(common, &mut runs[index]);
+            begun.map_err(|error| variants::exception(py, index, &error))?;
         }
         let each = self.common.controls.len();
         self.controls.write(py, |rows| {
@@ -203,9 +208,15 @@ fn new_runs(
     threads: usize,
     sets: &[Vec<Override>],
 ) -> PyResult<Vec<Run>> {
-    let made = py.detach(|| parallel::each(sets.len(), threads, |index| common.run(&sets[index])));
+    let run = |index: usize| common.variant(&sets[index])?.begin(common);
+    let made = py.detach(|| parallel::each(sets.len(), threads, run));
+    all_made(py, made)
+}
+
+/// What was made of each variant, or the first error.
+fn all_made<T>(py: Python<'_>, made: Vec<Result<T, NoRun>>) -> PyResult<Vec<T>> {
     let each = made.into_iter().enumerate();
-    each.map(|(index, run)| run.map_err(|error| variants::exception(py, index, &error))).collect()
+    each.map(|(index, made)| made.map_err(|error| variants::exception(py, index, &error))).collect()
 }
 
 impl Fleet {

@@ -12,13 +12,16 @@ mod controls;
 mod engine;
 mod errors;
 mod fleet;
+mod journal;
 mod many;
 mod parallel;
+mod pickled;
 mod run;
 mod scenario;
 mod simulation;
 mod summaries;
 mod tables;
+mod totals;
 mod variants;
 
 use pyo3::prelude::*;
@@ -35,5 +38,8 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<contacts::StepEvent>()?;
     module.add_class::<fleet::Fleet>()?;
     module.add_function(wrap_pyfunction!(engine::seconds_of_steps, module)?)?;
+    module.add_function(wrap_pyfunction!(scenario::scenario_of_parts, module)?)?;
+    module.add_function(wrap_pyfunction!(pickled::simulation_of_parts, module)?)?;
+    module.add_function(wrap_pyfunction!(contacts::step_event, module)?)?;
     module.add_function(wrap_pyfunction!(many::run_variants, module)?)
 }

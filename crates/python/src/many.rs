@@ -1,5 +1,7 @@
 //! Many runs in parallel.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use fenderline_contact::BodyState;
 use fenderline_sim::SimError;
 use numpy::{PyArray1, PyArrayMethods};
@@ -7,55 +9,96 @@ use pyo3::prelude::*;
 
 use crate::arrays::{STATE, write_states};
 use crate::errors;
-use crate::parallel;
+use crate::parallel::{self, Ended};
+use crate::run::Run;
 use crate::scenario::Scenario;
 use crate::summaries::{Summary, all_tables};
 use crate::tables;
 use crate::variants::{self, Common, NoRun};
 
-/// Runs between two checks for an interrupt by the user.
-const RUNS_AT_A_TIME: usize = 1000;
+/// The states of the bodies at the end of a run, and its summary.
+type Done = (Vec<BodyState>, Summary);
 
 enum Failed {
     NoRun(NoRun),
     Step(SimError),
+    /// By the user; nobody sees it.
+    Stopped,
 }
 
 /// Runs every variant of a scenario to its end, on `threads` threads (by default all of the machine). Returns the final
-/// states (runs, bodies, 6) and the tables `pairs` and `fenders`. The bits do not depend on the number of threads.
+/// states (runs, bodies, 6) and the tables of the summaries. The bits do not depend on the number of threads. `progress` is called
+/// now and then with the number of runs that are done.
 #[pyfunction]
-#[pyo3(signature = (scenario, variants, threads=None))]
+#[pyo3(signature = (scenario, variants, threads=None, progress=None))]
 pub(crate) fn run_variants<'py>(
     py: Python<'py>,
     scenario: &Scenario,
     variants: &Bound<'py, PyAny>,
     threads: Option<usize>,
+    progress: Option<Py<PyAny>>,
 ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
     let sets = variants::read(variants)?;
     let common = Common::of(scenario);
-    let one = |index: usize| -> Result<(Vec<BodyState>, Summary), Failed> {
-        let mut run = common.run(&sets[index]).map_err(Failed::NoRun)?;
+    let one = |own: &mut Option<Run>, index: usize, stop: &AtomicBool| -> Result<Done, Failed> {
+        let variant = common.variant(&sets[index]).map_err(Failed::NoRun)?;
+        if let Some(run) = own {
+            variant.begin_in(&common, run).map_err(Failed::NoRun)?;
+        } else {
+            *own = Some(variant.begin(&common).map_err(Failed::NoRun)?);
+        }
+        let run = own.as_mut().expect("a run was begun");
         while !run.simulation.is_done() {
+            if stop.load(Ordering::Relaxed) {
+                return Err(Failed::Stopped);
+            }
             run.step().map_err(Failed::Step)?;
         }
         Ok((run.simulation.states().to_vec(), Summary::of(&run.simulation)))
     };
     let threads = parallel::threads(threads);
-    let mut done = Vec::with_capacity(sets.len());
-    while done.len() < sets.len() {
-        let first = done.len();
-        let count = RUNS_AT_A_TIME.min(sets.len() - first);
-        done.extend(py.detach(|| parallel::each(count, threads, |index| one(first + index))));
-        py.check_signals()?;
+    // An interrupt by the user, or an exception of `progress`.
+    let mut raised = None;
+    let mut shown = 0;
+    let mut watch = |finished: usize| {
+        if raised.is_some() {
+            return false;
+        }
+        Python::attach(|py| {
+            let mut look = || {
+                py.check_signals()?;
+                if finished != shown
+                    && let Some(progress) = &progress
+                {
+                    shown = finished;
+                    progress.call1(py, (finished,))?;
+                }
+                Ok(())
+            };
+            raised = look().err();
+        });
+        raised.is_none()
+    };
+    let ended = py.detach(|| parallel::each_watched(sets.len(), threads, || None, one, &mut watch));
+    let done = match ended {
+        Ok(done) => done,
+        Err(Ended::Failed(index, Failed::NoRun(error))) => {
+            return Err(variants::exception(py, index, &error));
+        }
+        Err(Ended::Failed(index, Failed::Step(error))) => {
+            return Err(variants::numbered(py, index, errors::of_simulation(py, &error)));
+        }
+        Err(Ended::Failed(_, Failed::Stopped) | Ended::Stopped) => {
+            return Err(raised.expect("the runs were stopped by an exception"));
+        }
+    };
+    if let Some(progress) = &progress {
+        progress.call1(py, (sets.len(),))?;
     }
     let bodies = common.base.setup.bodies.len();
     let mut states = vec![0.0; sets.len() * bodies * STATE];
     let mut summaries = Vec::with_capacity(sets.len());
-    for (index, done) in done.into_iter().enumerate() {
-        let (last, summary) = done.map_err(|failed| match failed {
-            Failed::NoRun(error) => variants::exception(py, index, &error),
-            Failed::Step(error) => variants::numbered(py, index, errors::of_simulation(py, &error)),
-        })?;
+    for (index, (last, summary)) in done.into_iter().enumerate() {
         write_states(&last, &mut states[index * bodies * STATE..][..bodies * STATE]);
         summaries.push(summary);
     }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use fenderline_scenario::Scenario;
-use fenderline_sim::{SetupError, SimError, Simulation, StepRecord};
+use fenderline_sim::{SetupError, SimError, Simulation, Start, StepRecord};
 
 use crate::controls::Control;
 
@@ -14,6 +14,8 @@ pub(crate) struct Run {
     pub(crate) controls: Arc<Vec<Control>>,
     /// NaN where a control was never set: an order of the scenario or a pilot keeps it.
     set: Vec<f64>,
+    /// The set-up is that of the scenario but for its start.
+    pub(crate) is_of_scenario: bool,
 }
 
 /// The reason why a run cannot start.
@@ -42,7 +44,13 @@ impl Run {
         }
         let simulation = Simulation::new(scenario.setup.clone()).map_err(CannotRun::Setup)?;
         let set = vec![f64::NAN; controls.len()];
-        Ok(Run { simulation, controls, set })
+        Ok(Run { simulation, controls, set, is_of_scenario: true })
+    }
+
+    /// Starts again; the controls are not set then. The set-up is one that restarts in place.
+    pub(crate) fn restart(&mut self, start: &Start) {
+        self.simulation.restart(start).expect("a restart in place");
+        self.set.fill(f64::NAN);
     }
 
     /// The first control whose value is out of its limits, in words. NaN is not: it leaves a control alone.
@@ -57,19 +65,24 @@ impl Run {
         })
     }
 
-    /// Orders the controls whose values have changed; NaN leaves a control alone. The values are within their limits.
-    pub(crate) fn order(&mut self, values: &[f64]) {
-        let at_s = self.simulation.time_s();
-        for ((control, set), &value) in self.controls.iter().zip(&mut self.set).zip(values) {
-            if value.is_nan() || value.to_bits() == set.to_bits() {
-                continue;
+    /// Orders the controls whose values have changed, and calls `ordered` with the number and value of each; NaN leaves a
+    /// control alone. The values are within their limits.
+    pub(crate) fn order(&mut self, values: &[f64], mut ordered: impl FnMut(usize, f64)) {
+        for (index, &value) in values.iter().enumerate() {
+            if !value.is_nan() && value.to_bits() != self.set[index].to_bits() {
+                self.order_one(index, value);
+                ordered(index, value);
             }
-            *set = value;
-            let order = control.order(value, at_s, self.simulation.setup());
-            let order =
-                order.expect("the controls belong to the set-up and are within their limits");
-            self.simulation.order(order).expect("an order that was checked");
         }
+    }
+
+    /// Orders one control.
+    pub(crate) fn order_one(&mut self, index: usize, value: f64) {
+        self.set[index] = value;
+        let at_s = self.simulation.time_s();
+        let order = self.controls[index].order(value, at_s, self.simulation.setup());
+        let order = order.expect("the controls belong to the set-up and are within their limits");
+        self.simulation.order(order).expect("an order that was checked");
     }
 
     /// One step.

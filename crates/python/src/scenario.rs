@@ -1,18 +1,25 @@
 //! Scenarios.
 
+use std::collections::BTreeMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use fenderline_scenario::{self as scenario, LoadError, Override, ScenarioError, read_text};
+use fenderline_scenario::{
+    self as scenario, LoadError, Override, ScenarioError, read_text, set_keys,
+};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 
 use crate::errors;
 
-/// A checked scenario. It is immutable: `with_set` returns another one.
+/// A checked scenario. It is immutable: `with_set` returns another one. Two are equal if their texts, replaced keys and files
+/// are. It can be pickled; its pickle holds the texts of the files that it names.
 ///
-/// Made with `Scenario.load(path)`, `Scenario.parse(text)` or `Scenario.from_tree(tree)`. `set` replaces keys as the
-/// program's `--set` does: a dictionary from dotted paths to values, or texts `KEY=VALUE`.
+/// `Scenario(source)` takes a path, a text of TOML (it has a line break), a tree of dictionaries or a scenario. `Scenario.load`,
+/// `Scenario.parse` and `Scenario.from_tree` take one of these each. `set` replaces keys as the program's `--set` does: a
+/// dictionary from dotted paths to values, or texts `KEY=VALUE`.
 ///
 /// >>> import fenderline
 /// >>> scenario = fenderline.example("tug_4kn").with_set({"time.step": "0.05 s"})
@@ -23,38 +30,126 @@ use crate::errors;
 /// >>> slower = fenderline.Scenario.from_tree(tree)
 #[pyclass(frozen, module = "fenderline")]
 pub(crate) struct Scenario {
-    pub(crate) source: Source,
+    pub(crate) source: Arc<Source>,
     pub(crate) checked: Arc<scenario::Scenario>,
 }
 
 /// The source of a scenario.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Source {
     text: Arc<str>,
     name: String,
     /// Folder of the files that it names.
     folder: Option<PathBuf>,
-    overrides: Vec<Override>,
+    replaced: Vec<Replacement>,
+    /// Texts of the files that it names, by their names in the scenario: as they were when it was read.
+    files: Files,
+}
+
+type Files = BTreeMap<String, Arc<str>>;
+
+/// A key that is replaced, as it was given and as it was read.
+#[derive(Clone, Debug)]
+pub(crate) struct Replacement {
+    /// How errors name it.
+    option: String,
+    key: String,
+    value: String,
+    pub(crate) read: Override,
+}
+
+impl PartialEq for Replacement {
+    fn eq(&self, other: &Replacement) -> bool {
+        self.key == other.key && self.value == other.value
+    }
+}
+
+impl Replacement {
+    fn new(option: String, key: String, value: String) -> Result<Replacement, ScenarioError> {
+        let read = Override::new(&option, &key, &value)?;
+        Ok(Replacement { option, key, value, read })
+    }
+
+    /// Of `KEY=VALUE`.
+    fn parse(text: &str) -> Result<Replacement, ScenarioError> {
+        let read = Override::parse(text)?;
+        let (key, value) = text.split_once('=').unwrap_or((text, ""));
+        Ok(Replacement {
+            option: format!("--set {text}"),
+            key: key.to_owned(),
+            value: value.to_owned(),
+            read,
+        })
+    }
 }
 
 impl Source {
     /// Reads the scenario with more overrides.
     pub(crate) fn check(&self, more: &[Override]) -> Result<scenario::Scenario, ScenarioError> {
-        let mut overrides = self.overrides.clone();
-        overrides.extend_from_slice(more);
-        scenario::Scenario::parse_among(&self.text, &self.name, &overrides, &mut |file| match &self
-            .folder
-        {
-            Some(folder) => read_text(&folder.join(file)),
-            None => Err(format!(
-                "{file}: the scenario's text has no folder, so no other file can be read"
-            )),
-        })
+        self.check_with_files(more).map(|(checked, _)| checked)
+    }
+
+    /// As `check`; with the texts of the files that were read.
+    fn check_with_files(
+        &self,
+        more: &[Override],
+    ) -> Result<(scenario::Scenario, Files), ScenarioError> {
+        let own = self.replaced.iter().map(|replaced| &replaced.read);
+        let overrides: Vec<Override> = own.chain(more).cloned().collect();
+        let mut files = Files::new();
+        let mut read = |file: &str| {
+            let text: Arc<str> = match (self.files.get(file), &self.folder) {
+                (Some(text), _) => Arc::clone(text),
+                (None, Some(folder)) => read_text(&folder.join(file))?.into(),
+                (None, None) => {
+                    return Err(format!(
+                        "{file}: the scenario's text has no folder, so no other file can be read"
+                    ));
+                }
+            };
+            let owned = text.to_string();
+            files.insert(file.to_owned(), text);
+            Ok(owned)
+        };
+        let checked =
+            scenario::Scenario::parse_among(&self.text, &self.name, &overrides, &mut read)?;
+        Ok((checked, files))
     }
 }
 
 #[pymethods]
 impl Scenario {
+    #[new]
+    #[pyo3(signature = (source, set=None))]
+    fn new(
+        py: Python<'_>,
+        source: &Bound<'_, PyAny>,
+        set: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Scenario> {
+        if let Ok(own) = source.cast::<Scenario>() {
+            let Scenario { source, checked } = own.get();
+            return match set {
+                Some(set) => own.get().with_set(py, set),
+                None => Ok(Scenario { source: Arc::clone(source), checked: Arc::clone(checked) }),
+            };
+        }
+        if let Ok(text) = source.extract::<String>()
+            && text.contains('\n')
+        {
+            return Scenario::of(py, text, "scenario.toml".to_owned(), None, set);
+        }
+        if source.hasattr("keys")? {
+            return Scenario::from_tree(py, source, "tree", None, set);
+        }
+        let path: PathBuf = source.extract().map_err(|_| {
+            let kind = source.get_type();
+            PyTypeError::new_err(format!(
+                "a scenario is a path, a text of TOML, a tree of dictionaries or a Scenario, not {kind}"
+            ))
+        })?;
+        Scenario::load(py, path, set)
+    }
+
     /// Reads and checks a scenario file; `set` replaces keys.
     #[staticmethod]
     #[pyo3(signature = (path, set=None))]
@@ -93,17 +188,19 @@ impl Scenario {
         Scenario::of(py, text, name.to_owned(), folder, set)
     }
 
-    /// This scenario with more keys replaced.
+    /// This scenario with more keys replaced. Files that it names are not read again.
     fn with_set(&self, py: Python<'_>, set: &Bound<'_, PyAny>) -> PyResult<Scenario> {
-        let mut source = self.source.clone();
-        source.overrides.extend(overrides(py, set)?);
+        let mut source = Source::clone(&self.source);
+        source.replaced.extend(replacements(py, set)?);
         Scenario::checked(py, source)
     }
 
     /// The scenario as a tree of dictionaries, with replaced keys; edit it, and make another scenario with `from_tree`.
     fn tree<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let set = self.source.overrides.iter().map(|set| (set.path().to_vec(), set.value_text()));
-        let set: Vec<(Vec<String>, &str)> = set.collect();
+        let Source { text, name, replaced, .. } = &*self.source;
+        let overrides: Vec<Override> = replaced.iter().map(|one| one.read.clone()).collect();
+        let set =
+            set_keys(text, name, &overrides).map_err(|error| errors::of_scenario(py, &error))?;
         let module = py.import("fenderline._tree")?;
         module.getattr("tree")?.call1((&*self.source.text, set))
     }
@@ -159,6 +256,64 @@ impl Scenario {
     fn __repr__(&self) -> String {
         format!("<fenderline.Scenario \"{}\" of {}>", self.checked.title, self.source.name)
     }
+
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("fenderline._html")?.getattr("scenario")?.call1((slf,))
+    }
+
+    fn __eq__(&self, other: &Scenario) -> bool {
+        Arc::ptr_eq(&self.source, &other.source) || self.source == other.source
+    }
+
+    fn __hash__(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        self.source.text.hash(&mut hasher);
+        hasher.finish()
+    }
+
+    // It is immutable.
+    fn __copy__(slf: Py<Self>) -> Py<Self> {
+        slf
+    }
+
+    fn __deepcopy__(slf: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
+        slf
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Parts)> {
+        let Source { text, name, folder, replaced, files } = &*self.source;
+        let folder = folder.as_ref().map(|folder| folder.display().to_string());
+        let replaced = replaced
+            .iter()
+            .map(|one| (one.option.clone(), one.key.clone(), one.value.clone()))
+            .collect();
+        let files = files.iter().map(|(name, text)| (name.clone(), text.to_string())).collect();
+        let parts = (text.to_string(), name.clone(), folder, replaced, files);
+        Ok((py.import("fenderline._pickling")?.getattr("scenario")?, parts))
+    }
+}
+
+/// A scenario in parts: text, name, folder, replaced keys (option, key, value), texts of files by name.
+type Parts =
+    (String, String, Option<String>, Vec<(String, String, String)>, BTreeMap<String, String>);
+
+/// A scenario of its parts, for `fenderline._pickling`.
+#[pyfunction]
+pub(crate) fn scenario_of_parts(
+    py: Python<'_>,
+    text: String,
+    name: String,
+    folder: Option<PathBuf>,
+    replaced: Vec<(String, String, String)>,
+    files: BTreeMap<String, String>,
+) -> PyResult<Scenario> {
+    let replaced = replaced
+        .into_iter()
+        .map(|(option, key, value)| Replacement::new(option, key, value))
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(|error| errors::of_scenario(py, &error))?;
+    let files = files.into_iter().map(|(name, text)| (name, text.into())).collect();
+    Scenario::checked(py, Source { text: text.into(), name, folder, replaced, files })
 }
 
 impl Scenario {
@@ -169,28 +324,31 @@ impl Scenario {
         folder: Option<PathBuf>,
         set: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Scenario> {
-        let overrides = set.map(|set| overrides(py, set)).transpose()?.unwrap_or_default();
-        Scenario::checked(py, Source { text: text.into(), name, folder, overrides })
+        let replaced = set.map(|set| replacements(py, set)).transpose()?.unwrap_or_default();
+        let files = Files::new();
+        Scenario::checked(py, Source { text: text.into(), name, folder, replaced, files })
     }
 
-    fn checked(py: Python<'_>, source: Source) -> PyResult<Scenario> {
-        let checked = source.check(&[]).map_err(|error| errors::of_scenario(py, &error))?;
-        Ok(Scenario { source, checked: Arc::new(checked) })
+    fn checked(py: Python<'_>, mut source: Source) -> PyResult<Scenario> {
+        let checked = source.check_with_files(&[]);
+        let (checked, files) = checked.map_err(|error| errors::of_scenario(py, &error))?;
+        source.files = files;
+        Ok(Scenario { source: Arc::new(source), checked: Arc::new(checked) })
     }
 }
 
 /// Keys and values that replace those of a scenario: a dictionary from dotted paths, or texts `KEY=VALUE`.
-pub(crate) fn overrides(py: Python<'_>, set: &Bound<'_, PyAny>) -> PyResult<Vec<Override>> {
+pub(crate) fn replacements(py: Python<'_>, set: &Bound<'_, PyAny>) -> PyResult<Vec<Replacement>> {
     let refused = |error: ScenarioError| errors::of_scenario(py, &error);
     let Ok(dict) = set.cast::<PyDict>() else {
         let texts = set.try_iter()?.map(|text| text?.extract::<String>());
-        return texts.map(|text| Override::parse(&text?).map_err(refused)).collect();
+        return texts.map(|text| Replacement::parse(&text?).map_err(refused)).collect();
     };
     dict.iter()
         .map(|(key, value)| {
             let key: String = key.extract()?;
             let value = value_text(&value)?;
-            Override::new(&format!("set {key} = {value}"), &key, &value).map_err(refused)
+            Replacement::new(format!("set {key} = {value}"), key, value).map_err(refused)
         })
         .collect()
 }

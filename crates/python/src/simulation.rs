@@ -14,15 +14,21 @@ use crate::arrays::{ReadOnly, STATE, Shared, WRENCH, read_wrenches, write_states
 use crate::contacts::{StepEvent, contact_event, contacts_array, world_event};
 use crate::controls::controls;
 use crate::errors;
+use crate::journal::{Input, Journal};
+use crate::pickled::Pickled;
 use crate::run::{CannotRun, Run};
 use crate::scenario::{Scenario, toml_of};
 use crate::summaries::{Summary, all_tables};
 use crate::tables;
+use crate::totals::Totals;
 
 /// Steps between two checks for an interrupt by the user.
 const STEPS_AT_A_TIME: u64 = 2000;
 
 /// A simulation of a whole scenario, step by step. With `record=True` it records the tables of `fenderline run`.
+///
+/// It can be copied and pickled. A pickle holds the scenario and all inputs since the start: loading it computes the steps again,
+/// with the same bits.
 ///
 /// >>> import fenderline
 /// >>> simulation = fenderline.Simulation(fenderline.example("docking"))
@@ -34,11 +40,16 @@ const STEPS_AT_A_TIME: u64 = 2000;
 /// True
 #[pyclass(module = "fenderline")]
 pub(crate) struct Simulation {
-    title: String,
+    scenario: Py<Scenario>,
     names: Arc<Names>,
     run: Run,
+    journal: Arc<Journal>,
     tables: Option<Tables<InMemory>>,
+    totals: Totals,
+    notices: Arc<Vec<String>>,
+    /// Those since the step with the number `events_from`.
     events: Vec<StepEvent>,
+    events_from: u64,
     controls: Py<PyArray1<f64>>,
     external_wrenches: Shared,
     external_rows: Vec<Wrench>,
@@ -46,12 +57,17 @@ pub(crate) struct Simulation {
     wrenches: ReadOnly,
 }
 
-/// A saved state of a simulation: see `Simulation.save`.
+/// A saved state of a simulation: see `Simulation.save`. It can be pickled, as a simulation can.
 #[pyclass(frozen, module = "fenderline")]
 pub(crate) struct SimulationState {
+    scenario: Py<Scenario>,
     names: Arc<Names>,
     run: Run,
+    journal: Arc<Journal>,
+    totals: Totals,
+    notices: Arc<Vec<String>>,
     events: Vec<StepEvent>,
+    events_from: u64,
     controls: Vec<f64>,
     external: Vec<Wrench>,
 }
@@ -69,53 +85,42 @@ struct Names {
 impl Simulation {
     #[new]
     #[pyo3(signature = (scenario, *, record=false))]
-    fn new(py: Python<'_>, scenario: &Scenario, record: bool) -> PyResult<Simulation> {
-        let setup = &scenario.checked.setup;
-        let run = Run::new(&scenario.checked, Arc::new(controls(setup)));
+    pub(crate) fn new(
+        py: Python<'_>,
+        scenario: Py<Scenario>,
+        record: bool,
+    ) -> PyResult<Simulation> {
+        let own = scenario.get();
+        let setup = &own.checked.setup;
+        let run = Run::new(&own.checked, Arc::new(controls(setup)));
         let run = run.map_err(|error| cannot_run(py, &error))?;
         let body = |index: usize| setup.bodies[index].name.clone();
         let names = Names {
-            bodies: scenario.bodies(),
-            fenders: scenario.fenders(),
+            bodies: own.bodies(),
+            fenders: own.fenders(),
             vessels: setup.world.vessels.iter().map(|vessel| body(vessel.body)).collect(),
             tugs: setup.world.tugs.iter().map(|tug| tug.tug.name.clone()).collect(),
             lines: setup.world.lines.iter().map(|line| line.line.name.clone()).collect(),
         };
         let tables = match record {
             true => {
-                let started = Tables::start(&InMemory, setup, run.simulation.energy());
+                let energy = run.simulation.energy();
+                let started = Tables::start(&InMemory, setup, energy, &own.checked.output);
                 Some(started.map_err(|error| errors::refused(py, error.to_string()))?)
             }
             false => None,
         };
-        Simulation::around(py, scenario.checked.title.clone(), Arc::new(names), run, tables)
+        let notices = own.checked.notices.iter().map(ToString::to_string).collect();
+        let totals = Totals::new(&own.checked);
+        Simulation::around(py, scenario, Arc::new(names), (run, totals), Arc::new(notices), tables)
     }
 
     /// Takes `steps` steps with the current controls and external wrenches.
     #[pyo3(signature = (steps=1))]
     fn step(&mut self, py: Python<'_>, steps: u64) -> PyResult<()> {
         self.read_inputs(py)?;
-        self.events.clear();
-        let mut left = steps;
-        while left > 0 {
-            let now = left.min(STEPS_AT_A_TIME);
-            left -= now;
-            let taken = match now {
-                // Letting other threads run costs more than a step.
-                1 => self.steps(1),
-                _ => py.detach(|| self.steps(now)),
-            };
-            if let Err(why) = taken {
-                self.show(py)?;
-                return Err(why.exception(py));
-            }
-            // Update the arrays before a possible interrupt.
-            self.show(py)?;
-            if left > 0 {
-                py.check_signals()?;
-            }
-        }
-        Ok(())
+        self.clear_events();
+        self.advance(py, steps)
     }
 
     /// Runs to the end of the scenario's duration, or to a time.
@@ -140,7 +145,16 @@ impl Simulation {
         let text = keys.map(|keys| toml_of(keys.as_any())).transpose()?.unwrap_or_default();
         let read = order(&text, "order", self.run.simulation.setup());
         let read = read.map_err(|error| errors::of_scenario(py, &error))?;
-        self.run.simulation.order(read).map_err(|error| errors::of_setup(py, &error))
+        self.run.simulation.order(read).map_err(|error| errors::of_setup(py, &error))?;
+        let step = self.run.simulation.steps_taken();
+        Arc::make_mut(&mut self.journal).add(step, Input::Order(text));
+        Ok(())
+    }
+
+    /// The scenario.
+    #[getter]
+    fn scenario(&self, py: Python<'_>) -> Py<Scenario> {
+        self.scenario.clone_ref(py)
     }
 
     /// Current time (s).
@@ -170,7 +184,7 @@ impl Simulation {
     /// The scenario's title.
     #[getter]
     fn title(&self) -> &str {
-        &self.title
+        &self.scenario.get().checked.title
     }
 
     /// Names of the bodies, in the order of the rows.
@@ -242,12 +256,16 @@ impl Simulation {
             ("load_work_j", e.load_work_j),
             ("normal_work_j", e.normal_work_j),
             ("tangential_work_j", e.tangential_work_j),
+            ("height_work_j", e.height_work_j),
             ("stored_j", e.stored_j),
             ("shear_stored_j", e.shear_stored_j),
             ("hysteresis_j", e.hysteresis_j),
             ("damping_j", e.damping_j),
             ("restitution_j", e.restitution_j),
             ("friction_j", e.friction_j),
+            ("pile_stored_j", e.pile_stored_j),
+            ("pile_damping_j", e.pile_damping_j),
+            ("pile_yield_j", e.pile_yield_j),
             ("contact_residual_j", e.contact_residual_j),
             ("residual_j", e.residual_j),
         ] {
@@ -267,12 +285,29 @@ impl Simulation {
         self.run.simulation.verdict().key()
     }
 
-    /// Summaries of the run so far: tables `pairs`, `fenders`, `verdicts` and `findings`.
+    /// Summaries of the run so far: tables `pairs`, `fenders`, `dolphins`, `berthings`, `verdicts` and `findings`.
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let simulation = &self.run.simulation;
         let summary = [Summary::of(simulation)];
         let setup = simulation.setup();
-        tables::results(py, &self.title, all_tables(setup, &summary))
+        tables::results(py, self.title(), all_tables(setup, &summary))
+    }
+
+    /// The summary of the run so far as a tree of dictionaries and lists: that of `summary.json`, with verdict and findings, fenders,
+    /// berthing energy, energy ledger, vessels, tugs, lines and events. Quantities that are not known have no key.
+    fn summary_tree<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.totals.tree(py, self.title(), &self.notices, &self.run.simulation)
+    }
+
+    /// The berthing energy by the formula and in the run, as a dictionary: `energy_j`, `added_mass`, `eccentricity`,
+    /// `fender_energy_j` of the first hit, `later_energy_j` of the largest later one and others, or `error`. `None` if the scenario has no
+    /// `[berthing]`, or before the first touch.
+    #[getter]
+    fn berthing<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
+        if self.run.simulation.berthing().is_none() {
+            return Ok(None);
+        }
+        Ok(Some(self.summary_tree(py)?.get_item("berthing")?))
     }
 
     /// Ends the recording and returns its tables: those of `fenderline run`, with the same numbers.
@@ -282,7 +317,7 @@ impl Simulation {
             return Err(errors::refused(py, message));
         };
         let kept = recorded.finish().map_err(|error| errors::refused(py, error.to_string()))?;
-        tables::results(py, &self.title, kept)
+        tables::results(py, self.title(), kept)
     }
 
     /// Saves the current state, for `restore`.
@@ -291,31 +326,44 @@ impl Simulation {
         let mut external = self.external_rows.clone();
         self.external_wrenches.read(py, |numbers| read_wrenches(numbers, &mut external))??;
         Ok(SimulationState {
+            scenario: self.scenario.clone_ref(py),
             names: Arc::clone(&self.names),
             run: self.run.clone(),
+            journal: Arc::clone(&self.journal),
+            totals: self.totals.clone(),
+            notices: Arc::clone(&self.notices),
             events: self.events.clone(),
+            events_from: self.events_from,
             controls: self.controls.bind(py).try_readonly()?.as_slice()?.to_vec(),
             external,
         })
     }
 
-    /// Restores a state from `save` of this simulation or of a copy of it.
+    /// Restores a state from `save` of this simulation, or of another one of an equal scenario.
     fn restore(&mut self, py: Python<'_>, state: &SimulationState) -> PyResult<()> {
         self.refuse_recording(py, "restored")?;
-        if !Arc::ptr_eq(&self.names, &state.names) {
-            let message = "the state is that of another simulation".to_owned();
+        let (own, other) = (&self.scenario.get().source, &state.scenario.get().source);
+        if !Arc::ptr_eq(own, other) && own != other {
+            let message = "the state is that of another scenario".to_owned();
             return Err(errors::refused(py, message));
         }
         self.take_over(py, state)
     }
 
-    /// A copy that continues independently.
+    /// A copy that continues independently. One that is recorded computes its steps again.
     fn copy(&self, py: Python<'_>) -> PyResult<Simulation> {
-        let state = self.save(py)?;
-        let names = Arc::clone(&self.names);
-        let mut copy = Simulation::around(py, self.title.clone(), names, state.run.clone(), None)?;
-        copy.take_over(py, &state)?;
-        Ok(copy)
+        if self.tables.is_some() {
+            return self.pickled(py)?.simulation(py);
+        }
+        self.save(py)?.simulation(py)
+    }
+
+    fn __reduce__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyAny>, (&'static str, Pickled))> {
+        let made = py.import("fenderline._pickling")?.getattr("simulation")?;
+        Ok((made, (env!("CARGO_PKG_VERSION"), self.pickled(py)?)))
     }
 
     fn __copy__(&self, py: Python<'_>) -> PyResult<Simulation> {
@@ -326,8 +374,49 @@ impl Simulation {
         self.copy(py)
     }
 
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("fenderline._html")?.getattr("simulation")?.call1((slf,))
+    }
+
     fn __repr__(&self) -> String {
-        format!("<fenderline.Simulation \"{}\" at {} s>", self.title, self.time_s())
+        format!("<fenderline.Simulation \"{}\" at {} s>", self.title(), self.time_s())
+    }
+}
+
+#[pymethods]
+impl SimulationState {
+    fn __reduce__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyAny>, (&'static str, Pickled))> {
+        let made = py.import("fenderline._pickling")?.getattr("simulation_state")?;
+        let pickled = Pickled {
+            scenario: self.scenario.clone_ref(py),
+            is_recorded: false,
+            inputs: self.journal.inputs.clone(),
+            steps: self.run.simulation.steps_taken(),
+            events_from: self.events_from,
+            controls: self.controls.clone(),
+            external: self.external.clone(),
+        };
+        Ok((made, (env!("CARGO_PKG_VERSION"), pickled)))
+    }
+
+    fn __repr__(&self) -> String {
+        let title = &self.scenario.get().checked.title;
+        format!("<fenderline.SimulationState \"{title}\" at {} s>", self.run.simulation.time_s())
+    }
+}
+
+impl SimulationState {
+    /// A simulation that goes on from here.
+    fn simulation(&self, py: Python<'_>) -> PyResult<Simulation> {
+        let run = (self.run.clone(), self.totals.clone());
+        let (names, notices) = (Arc::clone(&self.names), Arc::clone(&self.notices));
+        let scenario = self.scenario.clone_ref(py);
+        let mut made = Simulation::around(py, scenario, names, run, notices, None)?;
+        made.take_over(py, self)?;
+        Ok(made)
     }
 }
 
@@ -349,19 +438,24 @@ impl Stopped {
 impl Simulation {
     fn around(
         py: Python<'_>,
-        title: String,
+        scenario: Py<Scenario>,
         names: Arc<Names>,
-        run: Run,
+        (run, totals): (Run, Totals),
+        notices: Arc<Vec<String>>,
         tables: Option<Tables<InMemory>>,
     ) -> PyResult<Simulation> {
         let count = names.bodies.len();
         let controls = PyArray1::from_vec(py, vec![f64::NAN; run.controls.len()]).unbind();
         let made = Simulation {
-            title,
+            scenario,
             names,
             run,
+            journal: Arc::new(Journal::new(count)),
             tables,
+            totals,
+            notices,
             events: Vec::new(),
+            events_from: 0,
             controls,
             external_wrenches: Shared::zeros(py, count, WRENCH),
             external_rows: vec![Wrench::default(); count],
@@ -392,14 +486,124 @@ impl Simulation {
                 format!("the external wrench of {body} is not finite"),
             ));
         }
+        let step = self.run.simulation.steps_taken();
         self.run.simulation.set_external(rows);
-        self.run.order(values);
+        let Simulation { run, journal, external_rows, .. } = self;
+        // A journal is shared with the states that were saved: it is copied where it changes.
+        if journal.differs(external_rows) {
+            Arc::make_mut(journal).add_external(step, external_rows);
+        }
+        run.order(values, |control, value| {
+            Arc::make_mut(journal).add(step, Input::Control(control, value));
+        });
         Ok(())
+    }
+
+    fn clear_events(&mut self) {
+        self.events.clear();
+        self.events_from = self.run.simulation.steps_taken();
+    }
+
+    /// Takes steps, and notices an interrupt by the user.
+    fn advance(&mut self, py: Python<'_>, steps: u64) -> PyResult<()> {
+        let mut left = steps;
+        while left > 0 {
+            let now = left.min(STEPS_AT_A_TIME);
+            left -= now;
+            let taken = match now {
+                // Letting other threads run costs more than a step.
+                1 => self.steps(1),
+                _ => py.detach(|| self.steps(now)),
+            };
+            if let Err(why) = taken {
+                self.show(py)?;
+                return Err(why.exception(py));
+            }
+            // Update the arrays before a possible interrupt.
+            self.show(py)?;
+            if left > 0 {
+                py.check_signals()?;
+            }
+        }
+        Ok(())
+    }
+
+    /// What a pickle holds.
+    fn pickled(&self, py: Python<'_>) -> PyResult<Pickled> {
+        let mut external = self.external_rows.clone();
+        self.external_wrenches.read(py, |numbers| read_wrenches(numbers, &mut external))??;
+        Ok(Pickled {
+            scenario: self.scenario.clone_ref(py),
+            is_recorded: self.tables.is_some(),
+            inputs: self.journal.inputs.clone(),
+            steps: self.run.simulation.steps_taken(),
+            events_from: self.events_from,
+            controls: self.controls.bind(py).try_readonly()?.as_slice()?.to_vec(),
+            external,
+        })
+    }
+
+    /// Repeats the inputs and steps of a pickled simulation, from the start.
+    pub(crate) fn replay(&mut self, py: Python<'_>, pickled: &Pickled) -> PyResult<()> {
+        let mut external = vec![Wrench::default(); self.external_rows.len()];
+        for (step, input) in &pickled.inputs {
+            self.advance_to(py, *step)?;
+            match input {
+                Input::Control(index, value) => {
+                    if *index >= self.run.controls.len() {
+                        return Err(PyValueError::new_err("the pickle has a control too many"));
+                    }
+                    self.run.order_one(*index, *value);
+                }
+                Input::External(body, wrench) => {
+                    let row = external.get_mut(*body);
+                    let refused = || PyValueError::new_err("the pickle has a body too many");
+                    *row.ok_or_else(refused)? = *wrench;
+                    self.run.simulation.set_external(&external);
+                }
+                Input::Order(text) => {
+                    let read = order(text, "order", self.run.simulation.setup());
+                    let read = read.map_err(|error| errors::of_scenario(py, &error))?;
+                    let given = self.run.simulation.order(read);
+                    given.map_err(|error| errors::of_setup(py, &error))?;
+                }
+            }
+        }
+        self.advance_to(py, pickled.events_from)?;
+        self.clear_events();
+        self.advance_to(py, pickled.steps)?;
+        let mut journal = Journal::new(external.len());
+        journal.inputs.clone_from(&pickled.inputs);
+        journal.external = external;
+        self.journal = Arc::new(journal);
+        self.set_arrays(py, &pickled.controls, &pickled.external)?;
+        self.show(py)
+    }
+
+    fn advance_to(&mut self, py: Python<'_>, step: u64) -> PyResult<()> {
+        let left = step.saturating_sub(self.run.simulation.steps_taken());
+        self.advance(py, left)
+    }
+
+    fn set_arrays(
+        &mut self,
+        py: Python<'_>,
+        controls: &[f64],
+        external: &[Wrench],
+    ) -> PyResult<()> {
+        let mut array = self.controls.bind(py).try_readwrite()?;
+        let values = array.as_slice_mut()?;
+        if values.len() != controls.len() {
+            return Err(PyValueError::new_err("the array of controls has another length"));
+        }
+        values.copy_from_slice(controls);
+        self.external_wrenches.write(py, |rows| write_wrenches(external, rows))
     }
 
     fn steps(&mut self, count: u64) -> Result<(), Stopped> {
         for _ in 0..count {
             let record = self.run.step().map_err(Stopped::Step)?;
+            self.totals.add(&record);
             let Names { bodies, fenders, vessels, tugs, lines } = &*self.names;
             let contact = record.events.iter().map(|event| contact_event(event, bodies, fenders));
             self.events.extend(contact);
@@ -418,15 +622,12 @@ impl Simulation {
     }
 
     fn take_over(&mut self, py: Python<'_>, state: &SimulationState) -> PyResult<()> {
-        let mut controls = self.controls.bind(py).try_readwrite()?;
-        let values = controls.as_slice_mut()?;
-        if values.len() != state.controls.len() {
-            return Err(PyValueError::new_err("the array of controls has another length"));
-        }
-        values.copy_from_slice(&state.controls);
-        self.external_wrenches.write(py, |rows| write_wrenches(&state.external, rows))?;
+        self.set_arrays(py, &state.controls, &state.external)?;
         self.run = state.run.clone();
+        self.totals.clone_from(&state.totals);
+        self.journal = Arc::clone(&state.journal);
         self.events.clone_from(&state.events);
+        self.events_from = state.events_from;
         self.show(py)
     }
 

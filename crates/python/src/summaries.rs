@@ -3,13 +3,19 @@
 use std::collections::BTreeMap;
 
 use fenderline_results::{KeptColumn, KeptTable, KeptValues};
-use fenderline_sim::{FenderSummary, Finding, PairSummary, Setup, Simulation, Verdict};
+use fenderline_sim::berthing::BerthingOutcome;
+use fenderline_sim::{
+    DolphinSummary, FenderSummary, Finding, PairSummary, Setup, Simulation, Verdict,
+};
 
 /// The summary of one run.
 pub(crate) struct Summary {
     pub(crate) pairs: Vec<PairSummary>,
     pub(crate) fenders: Vec<FenderSummary>,
+    pub(crate) dolphins: Vec<DolphinSummary>,
     pub(crate) findings: Vec<Finding>,
+    /// One or none.
+    pub(crate) berthings: Vec<BerthingOutcome>,
 }
 
 impl Summary {
@@ -17,7 +23,9 @@ impl Summary {
         Summary {
             pairs: simulation.pair_summaries().to_vec(),
             fenders: simulation.fender_summaries().cloned().collect(),
+            dolphins: simulation.dolphin_summaries().to_vec(),
             findings: simulation.findings(),
+            berthings: simulation.berthing().and_then(Result::ok).cloned().into_iter().collect(),
         }
     }
 }
@@ -89,9 +97,119 @@ pub(crate) fn all_tables(setup: &Setup, summaries: &[Summary]) -> Vec<KeptTable>
     vec![
         pairs_table(setup, summaries),
         fenders_table(setup, summaries),
+        dolphins_table(setup, summaries),
+        berthings_table(summaries),
         verdicts_table(summaries),
         findings_table(setup, summaries),
     ]
+}
+
+/// Flexible dolphins, by run; the share of the yield load is NaN where that is not known.
+fn dolphins_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
+    let rows = rows(summaries, |summary| &summary.dolphins);
+    let bodies = setup.bodies.iter().map(|body| body.name.clone()).collect();
+    let columns = vec![
+        runs(&rows),
+        names(&rows, "dolphin", "name of the dolphin's body", bodies, |d| d.body),
+        column(&rows, ("peak_deflection_m", "m", "largest deflection of the head"), |d| {
+            d.peak_deflection_m
+        }),
+        column(&rows, ("peak_load_n", "N", "largest load on the pile"), |d| d.peak_load_n),
+        column(&rows, ("peak_energy_j", "J", "largest energy in the pile's bending"), |d| {
+            d.peak_energy_j
+        }),
+        column(
+            &rows,
+            ("share_of_yield_load", "1", "largest load over the yield load; NaN where not known"),
+            |d| d.share_of_yield_load.unwrap_or(f64::NAN),
+        ),
+        column(&rows, ("offset_m", "m", "permanent deflection"), |d| d.offset_m),
+        column(&rows, ("yield_j", "J", "energy lost to yielding"), |d| d.yield_j),
+        column(&rows, ("damping_j", "J", "energy lost to damping of the pile"), |d| d.damping_j),
+        flags(&rows, "yielded", "whether the pile yielded", |d| d.yielded_at_s.is_some()),
+    ];
+    KeptTable { name: "dolphins", columns }
+}
+
+/// The berthing energy of each run whose ship touched a fender, if the scenario has a `[berthing]`.
+fn berthings_table(summaries: &[Summary]) -> KeptTable {
+    let rows = rows(summaries, |summary| &summary.berthings);
+    let columns = vec![
+        runs(&rows),
+        column(&rows, ("first_touch_s", "s", "start of the step of the first touch"), |b| {
+            b.first_touch_s
+        }),
+        column(&rows, ("speed_mps", "m/s", "speed square to the face at the first touch"), |b| {
+            b.speed_mps
+        }),
+        column(
+            &rows,
+            (
+                "formula_speed_mps",
+                "m/s",
+                "speed in the formula: that of the approach, else at the touch",
+            ),
+            |b| b.formula_speed_mps(),
+        ),
+        column(
+            &rows,
+            ("angle_rad", "rad", "berthing angle, positive with the bow towards the berth"),
+            |b| b.angle_rad,
+        ),
+        column(
+            &rows,
+            ("along_m", "m", "point of contact from the centre of gravity, positive forward"),
+            |b| b.along_m,
+        ),
+        column(&rows, ("fenders", "1", "number of fenders that are met at once"), |b| {
+            b.fenders.len() as f64
+        }),
+        column(&rows, ("added_mass", "1", "the chosen Cm"), |b| b.chosen_added_mass),
+        column(&rows, ("eccentricity", "1", "Ce by the formula"), |b| b.eccentricity),
+        column(&rows, ("energy_j", "J", "energy by the formula, with the chosen Cm"), |b| {
+            b.energy_j
+        }),
+        column(&rows, ("energy_at_touch_j", "J", "the same with the speed at the touch"), |b| {
+            b.energy_at_touch_j
+        }),
+        column(
+            &rows,
+            ("abnormal_energy_j", "J", "energy of the abnormal berthing; NaN without a factor"),
+            |b| b.abnormal_energy_j.unwrap_or(f64::NAN),
+        ),
+        column(&rows, ("kinetic_j", "J", "kinetic energy square to the face in the run"), |b| {
+            b.kinetic_j
+        }),
+        column(
+            &rows,
+            ("fender_energy_j", "J", "energy that the fenders took in the first hit"),
+            |b| b.fender_energy_j,
+        ),
+        column(
+            &rows,
+            ("pile_energy_j", "J", "energy that the piles of dolphins took in the first hit"),
+            |b| b.pile_energy_j,
+        ),
+        column(&rows, ("eccentricity_measured", "1", "both over the kinetic energy"), |b| {
+            b.eccentricity_measured
+        }),
+        column(
+            &rows,
+            (
+                "later_energy_j",
+                "J",
+                "energy that the fenders took in the largest later hit; 0: none",
+            ),
+            |b| b.later.map_or(0.0, |later| later.energy_j),
+        ),
+        column(&rows, ("later_at_s", "s", "start of the step of that; NaN: none"), |b| {
+            b.later.map_or(f64::NAN, |later| later.at_s)
+        }),
+        column(&rows, ("later_hit", "1", "number of that hit, 2 for the second; 0: none"), |b| {
+            b.later.map_or(0.0, |later| f64::from(later.number))
+        }),
+    ];
+    KeptTable { name: "berthings", columns }
 }
 
 /// The verdict on each run.
@@ -201,13 +319,34 @@ fn fenders_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
         column(&rows, ("peak_reaction_n", "N", "largest reaction along its axis"), |f| {
             f.peak_reaction_n
         }),
-        column(&rows, ("peak_energy_j", "J", "largest energy stored"), |f| f.peak_energy_j),
+        column(&rows, ("peak_energy_j", "J", "largest energy absorbed"), |f| f.peak_energy_j),
+        column(&rows, ("peak_energy_at_s", "s", "start of the step of that energy"), |f| {
+            f.peak_energy_at_s
+        }),
         column(&rows, ("share_of_rated_energy", "1", "largest energy over the rated one"), |f| {
             share(f.share_of_rated_energy)
         }),
         column(&rows, ("share_of_rated_reaction", "1", "reaction over the rated one"), |f| {
             share(f.share_of_rated_reaction)
         }),
+        column(
+            &rows,
+            (
+                "share_of_catalogue_energy",
+                "1",
+                "largest energy over the rated one without the run's factors",
+            ),
+            |f| share(f.share_of_catalogue_energy(&setup.fenders[f.fender])),
+        ),
+        column(
+            &rows,
+            (
+                "share_of_catalogue_reaction",
+                "1",
+                "reaction over the rated one without the run's factors",
+            ),
+            |f| share(f.share_of_catalogue_reaction()),
+        ),
         column(&rows, ("share_of_rated_deflection", "1", "deflection over the rated one"), |f| {
             share(f.share_of_rated_deflection)
         }),

@@ -3,18 +3,18 @@
 use std::sync::Arc;
 
 use fenderline_scenario::{self as scenario, Override, ScenarioError};
-use fenderline_sim::Setup;
+use fenderline_sim::{Setup, Start};
 use pyo3::prelude::*;
 
 use crate::controls::{Control, controls};
 use crate::errors;
 use crate::run::{CannotRun, Run};
-use crate::scenario::{Scenario, Source, overrides};
+use crate::scenario::{Scenario, Source, replacements};
 use crate::simulation::cannot_run;
 
 /// A scenario, and the controls that its variants share.
 pub(crate) struct Common {
-    source: Source,
+    source: Arc<Source>,
     pub(crate) base: Arc<scenario::Scenario>,
     pub(crate) controls: Arc<Vec<Control>>,
 }
@@ -31,10 +31,23 @@ impl Common {
     pub(crate) fn of(scenario: &Scenario) -> Common {
         let base = Arc::clone(&scenario.checked);
         let controls = Arc::new(controls(&base.setup));
-        Common { source: scenario.source.clone(), base, controls }
+        Common { source: Arc::clone(&scenario.source), base, controls }
     }
 
-    /// A run of the variant with these overrides.
+    /// What the variant with these overrides starts from. Where only its start differs from the scenario's, no simulation is
+    /// made.
+    pub(crate) fn variant(&self, set: &[Override]) -> Result<Variant, NoRun> {
+        let setup = &self.base.setup;
+        if setup.world.providers.is_empty() && setup.restarts_in_place() {
+            let mut start = setup.start();
+            if self.base.start_with(set, &mut start) {
+                return Ok(Variant::Start(Box::new(start)));
+            }
+        }
+        self.run(set).map(|run| Variant::Run(Box::new(run)))
+    }
+
+    /// A run of the variant with these overrides, made anew.
     pub(crate) fn run(&self, set: &[Override]) -> Result<Run, NoRun> {
         let varied;
         let scenario = match set {
@@ -58,13 +71,52 @@ impl Common {
         if *self.controls != controls(other) {
             return Err(NoRun::Other("controls"));
         }
-        Run::new(scenario, Arc::clone(&self.controls)).map_err(NoRun::Cannot)
+        let mut run = Run::new(scenario, Arc::clone(&self.controls)).map_err(NoRun::Cannot)?;
+        run.is_of_scenario = set.is_empty();
+        Ok(run)
+    }
+}
+
+/// What a variant starts from.
+pub(crate) enum Variant {
+    /// The scenario with another start.
+    Start(Box<Start>),
+    /// A run of its own.
+    Run(Box<Run>),
+}
+
+impl Variant {
+    /// Begins a new run.
+    pub(crate) fn begin(self, common: &Common) -> Result<Run, NoRun> {
+        match self {
+            Variant::Run(own) => Ok(*own),
+            Variant::Start(start) => {
+                let mut run = common.run(&[])?;
+                run.restart(&start);
+                Ok(run)
+            }
+        }
+    }
+
+    /// Begins it in the memory of another run of the scenario's variants. The result is that of a new run.
+    pub(crate) fn begin_in(self, common: &Common, run: &mut Run) -> Result<(), NoRun> {
+        match self {
+            Variant::Start(start) if run.is_of_scenario => run.restart(&start),
+            other => *run = other.begin(common)?,
+        }
+        Ok(())
     }
 }
 
 /// The overrides of each variant.
 pub(crate) fn read(variants: &Bound<'_, PyAny>) -> PyResult<Vec<Vec<Override>>> {
-    variants.try_iter()?.map(|set| overrides(variants.py(), &set?)).collect()
+    let read = |set| -> PyResult<Vec<Override>> {
+        let replaced = replacements(variants.py(), &set)?;
+        Ok(replaced.into_iter().map(|one| one.read).collect())
+    };
+    let each = variants.try_iter()?.enumerate();
+    each.map(|(number, set)| read(set?).map_err(|error| numbered(variants.py(), number, error)))
+        .collect()
 }
 
 /// The exception for a variant, with its number.
@@ -79,8 +131,13 @@ pub(crate) fn exception(py: Python<'_>, number: usize, error: &NoRun) -> PyErr {
     numbered(py, number, exception)
 }
 
-/// Adds a note with the number of the run.
+/// Puts the number of the run before the exception's message, and into its attribute `run`.
 pub(crate) fn numbered(py: Python<'_>, number: usize, error: PyErr) -> PyErr {
-    let noted = error.value(py).call_method1("add_note", (format!("in run {number}"),));
-    noted.map_or_else(|error| error, |_| error)
+    let value = error.value(py);
+    let set = (|| {
+        let message = value.str()?;
+        value.setattr("args", (format!("run {number}: {message}"),))?;
+        value.setattr("run", number)
+    })();
+    set.map_or_else(|error| error, |()| error)
 }

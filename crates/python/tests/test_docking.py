@@ -9,8 +9,58 @@ from gymnasium.utils.env_checker import check_env
 
 
 def test_check_env_passes() -> None:
-    env = gymnasium.make(docking.ENV_ID)
-    check_env(env.unwrapped, skip_render_check=True)
+    pytest.importorskip("matplotlib", reason="Matplotlib is not installed").use("Agg")
+    for render_mode in (None, *DockingEnv.metadata["render_modes"]):
+        env = gymnasium.make(docking.ENV_ID, render_mode=render_mode)
+        check_env(env.unwrapped)
+        env.close()
+
+
+def test_the_picture_shows_the_ship() -> None:
+    pytest.importorskip("matplotlib", reason="Matplotlib is not installed")
+    env = DockingEnv(render_mode="rgb_array")
+    env.reset(seed=1)
+    image = env.render()
+    assert (image.shape, image.dtype) == ((320, 640, 3), np.uint8)
+    red = (image == (0xB5, 0x45, 0x2C)).all(axis=2)
+    # 130 by 20 m at 4/3 pixels per metre.
+    assert 2000 < red.sum() < 5000
+    for _ in range(60):
+        env.step(np.array([0, 0.5, 0, 0], dtype=np.float32))
+    later = (env.render() == (0xB5, 0x45, 0x2C)).all(axis=2)
+    # Ahead of her is to the right.
+    assert np.flatnonzero(later.any(axis=0)).max() > np.flatnonzero(red.any(axis=0)).max() + 50
+    env.close()
+    vector = DockingVectorEnv(2, render_mode="rgb_array")
+    vector.reset(seed=1)
+    first, second = vector.render() or ()
+    assert (first == image).all()
+    assert (first != second).any()
+    vector.close()
+    with pytest.raises(ValueError, match="render_mode is 'ansi', but must be None or one of"):
+        DockingEnv(render_mode="ansi")
+
+
+def test_the_master_berths() -> None:
+    vector = DockingVectorEnv(20)
+    seen, _ = vector.reset(seed=500)
+    ended: dict[int, str] = {}
+    while len(ended) < 20:
+        seen, _, terminated, truncated, info = vector.step(docking.master(seen))
+        for ship in np.flatnonzero(terminated | truncated).tolist():
+            ended.setdefault(ship, str(info["final_info"]["ended"][ship]))
+    assert list(ended.values()).count("alongside") >= 19
+
+
+def test_observations_are_quantities_over_their_scales() -> None:
+    env = DockingEnv()
+    seen, _ = env.reset(seed=4)
+    si = docking.physical(seen)
+    north, east, heading, *_ = env._berth.fleet.states[0, 0]
+    assert si[0] == pytest.approx(-north, rel=1e-6)
+    assert si[2] == pytest.approx(heading, rel=1e-6)
+    assert 25.0 < si[1] < -east
+    assert seen[14:].tolist() == [1.0, 1.0, pytest.approx(np.clip(heading / 0.05, -1, 1))]
 
 
 def test_the_seed_determines_the_episode() -> None:

@@ -1,6 +1,11 @@
 """Many runs: the order of the variants, the same bits for any number of threads, mistakes with their run."""
 
+import signal
+import sys
 import threading
+import time
+from pathlib import Path
+from typing import Any
 
 import fenderline
 import numpy as np
@@ -42,16 +47,115 @@ def test_each_run_equals_a_simulation() -> None:
         assert found == ["ship and tug touched; no permissible load is known for them"]
 
 
+def test_variants_of_the_start_and_of_other_keys_in_any_order_equal_simulations() -> None:
+    # Runs that differ in their start alone share one simulation; the others have their own.
+    sets: list[dict[str, Any]] = [
+        {"body.tug.velocity.surge": "3 kn"},
+        {"material.paper.stiffness": "1 MN/m^2"},
+        {},
+        {"body.tug.velocity": {"surge": 1.0}, "body.tug.heading": "85 deg"},
+        {"material.paper.stiffness": "1 MN/m^2", "body.tug.position": [1, -41]},
+        {"body.tug.velocity.surge": "3 kn"},
+    ]
+    runs = fenderline.run_many(SCENARIO, sets, threads=1)
+    fleet = Fleet(SCENARIO, [{}] * len(sets))
+    fleet.step(100)
+    fleet.reset(list(range(len(sets))), sets)
+    fleet.reset([0, 1], [sets[1], sets[0]])
+    fleet.reset([0, 1], sets[:2])
+    fleet.step(80)
+    for index, own in enumerate(sets):
+        simulation = Simulation(SCENARIO.with_set(own))
+        simulation.run()
+        assert (simulation.states == runs.states[index]).all()
+        assert (simulation.states == fleet.states[index]).all()
+
+
 def test_a_mistake_names_its_run() -> None:
     sets = [{}, {"body.tug.velocity.surge": "1 kn"}, {"body.tug.velocity.surge": "1 t"}]
-    with pytest.raises(ScenarioError) as raised:
-        fenderline.run_many(SCENARIO, sets)
-    assert raised.value.__notes__ == ["in run 2"]
-    with pytest.raises(SimulationError, match="other bodies"):
+    for threads in (1, 4):
+        with pytest.raises(ScenarioError, match="^run 2: error: `body.tug.velocity.surge`") as raised:
+            fenderline.run_many(SCENARIO, [*sets, *sets], threads=threads)
+        assert (raised.value.run, raised.value.key) == (2, "body.tug.velocity.surge")
+    with pytest.raises(SimulationError, match="^run 0: .*other bodies"):
         fenderline.run_many(
             SCENARIO,
             [{"body": {"a": {"outline": [[0, 0], [1, 0], [1, 1]], "fixed": True}}, "pair": []}],
         )
+    with pytest.raises(TypeError, match="^run 1: set cannot be used"):
+        fenderline.run_many(SCENARIO, [{}, {"time.step": {1}}])
+    with pytest.raises(ValueError, match="one value per run"):
+        fenderline.run_many(SCENARIO, {"time.step": [0.1], "time.duration": [1.0, 2.0]})
+
+
+LONG = SCENARIO.with_set({"time.duration": "5000000 s"})
+
+
+@pytest.mark.parametrize("runs", [1, 500])
+@pytest.mark.parametrize("threads", [1, 3])
+def test_an_interrupt_stops_many_runs_at_once(threads: int, runs: int) -> None:
+    raised_s: list[float] = []
+
+    def interrupt() -> None:
+        raised_s.append(time.monotonic())
+        signal.raise_signal(signal.SIGINT)
+
+    timer = threading.Timer(0.3, interrupt)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        fenderline.run_many(LONG, [{}] * runs, threads=threads)
+    late_s = time.monotonic() - raised_s[0]
+    timer.join()
+    print(f"noticed after {late_s:.3f} s")
+    # Looked for each 0.02 s; a machine that is busy with other work takes longer.
+    assert late_s < 1.0
+
+
+def test_progress_is_told() -> None:
+    told: list[tuple[int, int]] = []
+    fenderline.run_many(
+        SCENARIO, speeds(20_000), progress=lambda done, total: told.append((done, total))
+    )
+    assert told[-1] == (20_000, 20_000)
+    assert [done for done, _ in told] == sorted(done for done, _ in told)
+    assert len(told) >= 2
+    assert fenderline.run_many(SCENARIO, [], progress=lambda *_: None).states.shape == (0, 2, 6)
+
+
+def test_an_exception_of_progress_stops_the_runs() -> None:
+    def stop(done: int, total: int) -> None:
+        raise RuntimeError(f"enough after {done}")
+
+    with pytest.raises(RuntimeError, match="enough after"):
+        fenderline.run_many(SCENARIO, speeds(5000), progress=stop)
+
+
+def test_progress_as_a_bar(capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("tqdm", reason="tqdm is not installed")
+    fenderline.run_many(SCENARIO, speeds(20), progress=True)
+    assert "20/20" in capsys.readouterr().err
+
+
+def test_progress_as_a_line(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setitem(sys.modules, "tqdm.auto", None)
+    fenderline.run_many(SCENARIO, speeds(20), progress=True)
+    assert "20 of 20 runs" in capsys.readouterr().err
+
+
+def test_runs_as_a_data_frame(scenarios: Path) -> None:
+    path = scenarios / "berth" / "eight_cones_at_5_deg.toml"
+    runs = fenderline.run_many(path, [{"time.duration": "30 s"}, {"time.duration": "40 s"}])
+    frame = runs.to_pandas()
+    assert frame.index.name == "run"
+    assert frame["time.duration"].tolist() == ["30 s", "40 s"]
+    for run in range(2):
+        own = runs.fenders["run"] == run
+        assert frame["peak_energy_j"][run] == runs.fenders["peak_energy_j"][own].max()
+        assert frame["fender"][run] in runs.fenders["fender"][own]
+    assert (frame["berthing_energy_j"] > 0).all()
+    assert "2 runs" in runs._repr_html_()
 
 
 def test_other_python_threads_run_meanwhile() -> None:

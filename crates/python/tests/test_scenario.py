@@ -41,6 +41,22 @@ def test_properties_of_a_scenario() -> None:
     assert (scenario.step_s, scenario.duration_s) == (0.1, 20.0)
 
 
+def test_a_scenario_is_made_of_anything(scenarios: Path) -> None:
+    path = scenarios / "paper" / "experiment_2_4kn.toml"
+    loaded = Scenario.load(path)
+    step = {"time.step": "0.05 s"}
+    for source in (path, str(path), path.read_text("utf-8"), loaded.tree(), loaded):
+        assert Scenario(source).bodies == ["ship", "tug"]
+        assert Scenario(source, step).step_s == 0.05
+    short = {"time.duration": "3 s"}
+    runs = [fenderline.run(source, short) for source in (path, str(path), loaded.tree(), loaded)]
+    assert all((run["bodies"]["x_m"] == runs[0]["bodies"]["x_m"]).all() for run in runs)
+    with pytest.raises(TypeError, match="a scenario is a path, a text of TOML, .* not <class 'int'>"):
+        Scenario(3)  # type: ignore[arg-type]
+    with pytest.raises(ScenarioError, match=r"cannot read nowhere\.toml"):
+        fenderline.run("nowhere.toml")
+
+
 def test_keys_are_replaced_as_on_the_command_line(scenarios: Path) -> None:
     path = scenarios / "paper" / "experiment_2_4kn.toml"
     assert Scenario.load(path, {"time.step": "0.05 s"}).step_s == 0.05

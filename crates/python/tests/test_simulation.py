@@ -138,8 +138,13 @@ def test_save_restore_and_copy(scenarios: Path) -> None:
         ends.append(run.states.copy())
     assert (ends[0] == ends[1]).all()
     assert (ends[0] == ends[2]).all()
-    with pytest.raises(SimulationError, match="another simulation"):
-        Simulation(berth(scenarios)).restore(saved)
+    equal = Simulation(berth(scenarios))
+    equal.restore(saved)
+    equal.controls[0] = -0.2
+    equal.step(100)
+    assert (equal.states == ends[0]).all()
+    with pytest.raises(SimulationError, match="another scenario"):
+        Simulation(berth(scenarios, **{"time.step": "0.05 s"})).restore(saved)
 
 
 def test_a_recorded_simulation_gives_its_tables_once(scenarios: Path) -> None:

@@ -29,6 +29,16 @@ pub fn table_head(columns: &[Head<'_>]) -> Markup {
     }
 }
 
+/// A name, which may be broken after its underscores.
+pub(crate) fn breakable(name: &str) -> Markup {
+    html! {
+        @for (index, part) in name.split_inclusive('_').enumerate() {
+            @if index > 0 { wbr; }
+            (part)
+        }
+    }
+}
+
 fn label(text: &str, unit: &str) -> Markup {
     let (base, subscript) = text.split_once('_').unwrap_or((text, ""));
     html! {

@@ -4,6 +4,8 @@ use fenderline_contact::EventKind;
 use fenderline_results::Interrupted;
 use fenderline_sim::WorldEventKind;
 
+use maud::{Markup, html};
+
 use crate::plot::plain;
 
 /// Where a run was interrupted.
@@ -60,5 +62,33 @@ pub fn world_event_text(kind: WorldEventKind) -> &'static str {
         }
         WorldEventKind::LineParted => "PARTED",
         WorldEventKind::LineRenders => "the brake of the winch rendered",
+    }
+}
+
+/// A text in which names of keys and commands stand between backticks, with those as code.
+pub fn with_code(text: &str) -> Markup {
+    let parts: Vec<&str> = text.split('`').collect();
+    // An odd number of backticks: the last one is a backtick.
+    let pairs = (parts.len() - 1) / 2;
+    html! {
+        @for (index, part) in parts.iter().enumerate() {
+            @if index % 2 == 1 && index < 2 * pairs { code { (part) } }
+            @else if index > 2 * pairs { "`" (part) }
+            @else { (part) }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_between_backticks_are_code() {
+        assert_eq!(with_code("a `b` <c>").into_string(), "a <code>b</code> &lt;c&gt;");
+        assert_eq!(with_code("`b` and `c`").into_string(), "<code>b</code> and <code>c</code>");
+        assert_eq!(with_code("one ` only").into_string(), "one ` only");
+        assert_eq!(with_code("`b` and `").into_string(), "<code>b</code> and `");
+        assert_eq!(with_code("none").into_string(), "none");
     }
 }

@@ -1,6 +1,6 @@
 //! The results of a run: tables, events, totals, verdicts and `summary.json`. Nothing here reads or writes files.
 //!
-//! [`Tables`] makes the rows of every step. A [`Medium`] decides how a table is kept: the program writes files,
+//! [`Tables`] makes the rows of every step, or of every interval of several steps. A [`Medium`] decides how a table is kept: the program writes files,
 //! [`InMemory`] keeps columns in memory. [`reference()`] lists every column with its unit and meaning. [`Outcome`] is a run at
 //! its end, from which [`summary()`] and the report are made.
 //!
@@ -9,7 +9,8 @@
 //! # let scenario = fenderline_scenario::Scenario::load(file.as_ref(), &[])?;
 //! use fenderline_results::{InMemory, Tables};
 //! let mut simulation = fenderline_sim::Simulation::new(scenario.setup)?;
-//! let mut tables = Tables::start(&InMemory, simulation.setup(), simulation.energy())?;
+//! let energy = simulation.energy();
+//! let mut tables = Tables::start(&InMemory, simulation.setup(), energy, &scenario.output)?;
 //! while !simulation.is_done() {
 //!     tables.write(&simulation.step()?)?;
 //! }
@@ -22,10 +23,12 @@
 mod accuracy;
 mod columns;
 mod events;
+mod interval;
 mod medium;
 mod memory;
 mod outcome;
 mod provider_notices;
+mod row;
 mod run_events;
 mod summary;
 mod tables;
@@ -47,5 +50,5 @@ pub use tables::Tables;
 pub use touched::{TouchedFender, add_parts, touched};
 pub use verdict::{FenderVerdict, worst_first};
 pub use world_totals::{
-    LineTotals, LineVerdict, TugTotals, VesselTotals, Who, WorldEvents, WorldTotals,
+    LineTotals, LineVerdict, Peak, TugTotals, VesselTotals, Who, WorldEvents, WorldTotals,
 };

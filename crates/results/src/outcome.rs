@@ -2,7 +2,9 @@
 
 use fenderline_contact::BodyState;
 use fenderline_sim::berthing::{BerthingError, BerthingOutcome};
-use fenderline_sim::{Energy, FenderSummary, Finding, PairSummary, Setup, Simulation};
+use fenderline_sim::{
+    DolphinSummary, Energy, FenderSummary, Finding, PairSummary, Setup, Simulation,
+};
 
 use crate::accuracy::EstimateError;
 use crate::provider_notices::ProviderNotices;
@@ -39,6 +41,8 @@ impl Interrupted {
 pub struct Outcome<'a> {
     /// The scenario's title.
     pub title: &'a str,
+    /// Key and text of the lines of the report's title page, such as `client`.
+    pub report: &'a [(&'static str, String)],
     /// Name of the scenario file, without its folder.
     pub scenario_file: &'a str,
     /// The set-up.
@@ -61,6 +65,8 @@ pub struct Outcome<'a> {
     pub findings: &'a [Finding],
     /// Fenders that were touched, in the order of the scenario.
     pub fenders: &'a [FenderSummary],
+    /// The flexible dolphins, in the order of the scenario.
+    pub dolphins: &'a [DolphinSummary],
     /// Berthing energy by formula and in the run; `None` if the scenario does not ask for it or no fender was touched.
     pub berthing: Option<Result<&'a BerthingOutcome, &'a BerthingError>>,
     /// Vessels, tugs and lines.

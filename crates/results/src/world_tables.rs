@@ -1,21 +1,23 @@
 //! The tables of vessels, thrusters, azimuth units, tugs and lines, if the set-up has any.
 
-use fenderline_sim::{StepRecord, WorldSetup};
+use fenderline_sim::{OutputPlan, OutputTable, StepRecord, WorldSetup};
 
 use crate::columns::{
     AzimuthRow, Layout, LineRow, Names, ThrusterRow, TugRow, VesselRow, azimuths_table,
     lines_table, thrusters_table, tugs_table, vessels_table,
 };
-use crate::medium::{Counted, Medium};
+use crate::interval::{Interval, Rows};
+use crate::medium::Medium;
+use crate::row::Row;
 
 /// These tables of a run.
 pub(crate) struct WorldTables<M: Medium> {
     setup: WorldSetup,
-    vessels: Option<Counted<M, VesselRow>>,
-    thrusters: Option<Counted<M, ThrusterRow>>,
-    azimuths: Option<Counted<M, AzimuthRow>>,
-    tugs: Option<Counted<M, TugRow>>,
-    lines: Option<Counted<M, LineRow>>,
+    vessels: Option<Rows<M, VesselRow>>,
+    thrusters: Option<Rows<M, ThrusterRow>>,
+    azimuths: Option<Rows<M, AzimuthRow>>,
+    tugs: Option<Rows<M, TugRow>>,
+    lines: Option<Rows<M, LineRow>>,
 }
 
 impl<M: Medium> WorldTables<M> {
@@ -23,31 +25,43 @@ impl<M: Medium> WorldTables<M> {
         medium: &M,
         names: &Names,
         setup: &WorldSetup,
+        plan: &OutputPlan,
     ) -> Result<WorldTables<M>, M::Error> {
-        let has_thrusters = setup.vessels.iter().any(|vessel| !vessel.thrusters.is_empty());
-        let has_azimuths = setup.vessels.iter().any(|vessel| !vessel.azimuths.is_empty());
-        let has_vessels = !setup.vessels.is_empty();
+        let has_thrusters = plan.has(OutputTable::Thrusters)
+            && setup.vessels.iter().any(|vessel| !vessel.thrusters.is_empty());
+        let has_azimuths = plan.has(OutputTable::Azimuths)
+            && setup.vessels.iter().any(|vessel| !vessel.azimuths.is_empty());
+        let has_vessels = plan.has(OutputTable::Vessels) && !setup.vessels.is_empty();
+        let has_tugs = plan.has(OutputTable::Tugs) && !setup.tugs.is_empty();
+        let has_lines = plan.has(OutputTable::Lines) && !setup.lines.is_empty();
         let of = (medium, names);
         Ok(WorldTables {
             vessels: table(has_vessels, of, vessels_table)?,
             thrusters: table(has_thrusters, of, thrusters_table)?,
             azimuths: table(has_azimuths, of, azimuths_table)?,
-            tugs: table(!setup.tugs.is_empty(), of, tugs_table)?,
-            lines: table(!setup.lines.is_empty(), of, lines_table)?,
+            tugs: table(has_tugs, of, tugs_table)?,
+            lines: table(has_lines, of, lines_table)?,
             setup: setup.clone(),
         })
     }
 
-    /// Adds the rows of one step.
-    pub(crate) fn write(&mut self, step: &StepRecord<'_>) -> Result<(), M::Error> {
-        let t_s = step.t_s;
+    /// Adds one step of an interval.
+    pub(crate) fn write(
+        &mut self,
+        step: &StepRecord<'_>,
+        interval: &Interval,
+    ) -> Result<(), M::Error> {
+        let t_s = interval.start_s;
         let environment = &self.setup.environment;
         if let Some(table) = &mut self.vessels {
             for (index, vessel) in self.setup.vessels.iter().enumerate() {
                 let state = &step.states[vessel.body];
                 let (now, forces) = (&step.vessels[index], &step.vessel_forces[index]);
                 let of = (vessel, environment);
-                table.push(&VesselRow::new(t_s, index, of, state, now, forces))?;
+                table.push(
+                    interval,
+                    VesselRow::new(step.t_s, index, of, state, now, forces).at(t_s),
+                )?;
             }
         }
         if let Some(table) = &mut self.thrusters {
@@ -55,7 +69,8 @@ impl<M: Medium> WorldTables<M> {
             for (vessel, now) in step.vessels.iter().enumerate() {
                 let each = now.orders.thrusters.iter().zip(&now.thrusters);
                 for ((&order, lag), thruster) in each.zip(numbers.by_ref()) {
-                    table.push(&ThrusterRow { t_s, vessel, thruster, order, power: lag.value })?;
+                    let power = lag.value;
+                    table.push(interval, ThrusterRow { t_s, vessel, thruster, order, power })?;
                 }
             }
         }
@@ -64,33 +79,42 @@ impl<M: Medium> WorldTables<M> {
             for (vessel, now) in step.vessels.iter().enumerate() {
                 let each = now.orders.azimuths.iter().zip(&now.azimuths);
                 for ((&order, &now), azimuth) in each.zip(numbers.by_ref()) {
-                    table.push(&AzimuthRow { t_s, vessel, azimuth, order, now })?;
+                    table.push(interval, AzimuthRow { t_s, vessel, azimuth, order, now })?;
                 }
             }
         }
         if let Some(table) = &mut self.tugs {
             for (index, now) in step.tugs.iter().enumerate() {
-                table.push(&TugRow::new(t_s, index, now))?;
+                table.push(interval, TugRow::new(t_s, index, now))?;
             }
         }
         if let Some(table) = &mut self.lines {
             for (index, now) in step.lines.iter().enumerate() {
                 if let Some(row) = LineRow::new(t_s, index, now) {
-                    table.push(&row)?;
+                    table.push(interval, row)?;
                 }
             }
         }
         Ok(())
     }
 
+    /// Writes the rows of an interval that is over.
+    pub(crate) fn close(&mut self, interval: &Interval) -> Result<(), M::Error> {
+        self.vessels.as_mut().map_or(Ok(()), |table| table.close(interval))?;
+        self.thrusters.as_mut().map_or(Ok(()), |table| table.close(interval))?;
+        self.azimuths.as_mut().map_or(Ok(()), |table| table.close(interval))?;
+        self.tugs.as_mut().map_or(Ok(()), |table| table.close(interval))?;
+        self.lines.as_mut().map_or(Ok(()), |table| table.close(interval))
+    }
+
     /// Names of the tables, with their numbers of rows.
     pub(crate) fn rows(&self) -> Vec<(&'static str, u64)> {
         let rows = [
-            self.vessels.as_ref().map(Counted::rows),
-            self.thrusters.as_ref().map(Counted::rows),
-            self.azimuths.as_ref().map(Counted::rows),
-            self.tugs.as_ref().map(Counted::rows),
-            self.lines.as_ref().map(Counted::rows),
+            self.vessels.as_ref().map(Rows::rows),
+            self.thrusters.as_ref().map(Rows::rows),
+            self.azimuths.as_ref().map(Rows::rows),
+            self.tugs.as_ref().map(Rows::rows),
+            self.lines.as_ref().map(Rows::rows),
         ];
         rows.into_iter().flatten().collect()
     }
@@ -98,20 +122,20 @@ impl<M: Medium> WorldTables<M> {
     /// Ends the tables.
     pub(crate) fn finish(self) -> Result<Vec<M::Done>, M::Error> {
         let done = [
-            self.vessels.map(Counted::finish),
-            self.thrusters.map(Counted::finish),
-            self.azimuths.map(Counted::finish),
-            self.tugs.map(Counted::finish),
-            self.lines.map(Counted::finish),
+            self.vessels.map(Rows::finish),
+            self.thrusters.map(Rows::finish),
+            self.azimuths.map(Rows::finish),
+            self.tugs.map(Rows::finish),
+            self.lines.map(Rows::finish),
         ];
         done.into_iter().flatten().collect()
     }
 }
 
-fn table<M: Medium, R>(
+fn table<M: Medium, R: Row>(
     is_wanted: bool,
     (medium, names): (&M, &Names),
     layout: fn() -> Layout<R>,
-) -> Result<Option<Counted<M, R>>, M::Error> {
-    is_wanted.then(|| Counted::start(medium, names, layout())).transpose()
+) -> Result<Option<Rows<M, R>>, M::Error> {
+    is_wanted.then(|| Rows::start(medium, names, layout())).transpose()
 }

@@ -1,25 +1,41 @@
 //! From checked tables to a simulation set-up: rules that hold between keys, which the key
 //! table cannot express.
 
+mod approach;
 mod azimuth;
 mod berthing;
 mod bodies;
+mod chains;
 mod current;
+mod dolphins;
+mod draught;
+mod edge;
 mod environment;
+mod fender_sense;
 mod fenders;
+mod flexible;
+mod hull;
 mod loads;
 mod materials;
 mod orders;
+mod output;
 mod pairs;
+mod panel;
+mod particulars;
 mod performance;
+mod plausible;
 mod providers;
 mod response;
+mod rollers;
+mod rows;
 mod unused;
 mod vessel;
 mod windage;
 mod world;
 
 pub(crate) use self::azimuth::azimuths;
+pub(crate) use self::bodies::velocity as read_velocity;
+pub(crate) use self::dolphins::add_dolphins;
 use self::vessel::Decks;
 use crate::checked::{Item, Table};
 use crate::error::{Notice, ScenarioError};
@@ -28,9 +44,11 @@ use crate::library::FenderLibrary;
 use crate::sources::{Sources, quoted};
 use crate::suggest::nearest;
 use crate::vessels::VesselLibrary;
-use fenderline_sim::environment::wind::ShipWindage;
+use fenderline_sim::environment::current::Current;
+use fenderline_sim::environment::wind::{ShipWindage, Wind};
 use fenderline_sim::hydro::Particulars;
-use fenderline_sim::{BodySetup, Integrator, NamedMaterial, Order, Setup, WorldSetup};
+use fenderline_sim::{BodySetup, Integrator, NamedMaterial, Order, OutputPlan, Setup, WorldSetup};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use self::orders::OrderNames;
@@ -43,8 +61,8 @@ const MOST_STEPS: f64 = 1e9;
 
 /// The data that a scenario may name.
 pub(crate) struct Libraries {
-    pub(crate) fenders: FenderLibrary,
-    pub(crate) vessels: VesselLibrary,
+    pub(crate) fenders: Cow<'static, FenderLibrary>,
+    pub(crate) vessels: Cow<'static, VesselLibrary>,
 }
 
 /// Wind areas of a vessel from her table.
@@ -57,6 +75,20 @@ pub(crate) fn windage(
     Assembly { sources, files: &files, notices: &mut Vec::new() }.windage(table, ship)
 }
 
+/// The wind in a table of the environment that names no file; `None` if it is refused.
+pub(crate) fn read_wind(sources: &Sources<'_>, environment: &Table) -> Option<Wind> {
+    let files = Files::default();
+    let assembly = Assembly { sources, files: &files, notices: &mut Vec::new() };
+    assembly.wind(environment, environment.item("wind")?).ok()
+}
+
+/// The current in a table of the environment that names no file; `None` if it is refused.
+pub(crate) fn read_current(sources: &Sources<'_>, environment: &Table) -> Option<Current> {
+    let files = Files::default();
+    let assembly = Assembly { sources, files: &files, notices: &mut Vec::new() };
+    assembly.current(environment, environment.item("current")?).ok()
+}
+
 /// Builds the set-up from the checked file, and adds notices in the order of the file.
 pub(crate) fn setup(
     sources: &Sources<'_>,
@@ -64,28 +96,46 @@ pub(crate) fn setup(
     files: &Files,
     libraries: &Libraries,
     notices: &mut Vec<Notice>,
-) -> Checked<Setup> {
+) -> Checked<(Setup, OutputPlan)> {
     let mut assembly = Assembly { sources, files, notices };
     let (step_s, duration_s, integrator) = assembly.time(file.given("time").table())?;
-    let materials = assembly.materials(file.given("material").named())?;
+    let output = assembly.output(file.item("output").map(Item::table), step_s, duration_s)?;
+    let mut materials = assembly.materials(file.given("material").named())?;
     let environment = assembly.environment(file.given("environment").table())?;
     let kinds = assembly.kinds(file, &libraries.vessels, &environment)?;
     assembly.note_unvalidated(file, &environment, &kinds);
-    let bodies = assembly.bodies(file.given("body"), &kinds)?;
+    let mut bodies = assembly.bodies(file.given("body"), &kinds)?;
     let names = Names::new(&bodies, &materials);
     let decks: vessel::Decks<'_> = kinds.of_bodies().collect();
     let pairs = assembly.pairs(file.given("pair").list(), &bodies, &names)?;
     let loads = assembly.loads(file.given("load").list(), &bodies, &names)?;
-    let parts = FenderParts { library: &libraries.fenders, materials: &materials, decks: &decks };
-    let fenders = assembly.fenders(file.given("fender").named(), &parts, &names)?;
+    let fender_tables = assembly.fender_tables(file, &bodies, &names)?;
+    let parts = FenderParts {
+        library: &libraries.fenders,
+        materials: &materials,
+        decks: &decks,
+        bodies: &bodies,
+    };
+    let mut fenders = assembly.fenders(&fender_tables, &parts, &names)?;
+    assembly.roll(&fender_tables, &mut fenders, &mut materials);
+    let of_bodies = file.given("body").named();
+    let approaches = assembly.approaches(of_bodies, &mut bodies, &fenders, &pairs, &names)?;
     let vessels = assembly.vessels(file.given("body").named(), &kinds)?;
     let tugs = assembly.tugs(file.given("tug").named(), &vessels, &names)?;
     let lines =
         assembly.lines(file.given("line").named(), (&bodies, &environment.tide), &decks, &names)?;
     let providers = assembly.providers(file.given("provider").list(), &bodies, &names)?;
-    let berthing = file.item("berthing").map(Item::table);
-    let berthing = assembly.berthing(berthing, &bodies, &names)?;
-    assembly.note_unused(file, &bodies, &pairs, &fenders);
+    let study = file.item("berthing").map(Item::table);
+    let of_ships = (bodies.as_slice(), vessels.as_slice(), fenders.as_slice());
+    let berthing = assembly.berthing(study, of_ships, &approaches, &environment, &names)?;
+    assembly.check_heights(&fender_tables, &fenders, &environment)?;
+    assembly.note_odd_fenders(&fender_tables, &fenders, &libraries.fenders);
+    assembly.note_overlaps(&fender_tables, &fenders);
+    assembly.note_masses(of_bodies, &bodies, &environment);
+    if let (Some(table), Some(study)) = (study, &berthing) {
+        assembly.note_particulars(table, study, &bodies, &environment);
+    }
+    assembly.note_unused(file, &bodies, &pairs, (&fenders, &fender_tables));
     let mut setup = Setup {
         step_s,
         duration_s,
@@ -96,13 +146,17 @@ pub(crate) fn setup(
         pairs: pairs.named,
         all_other_pairs: pairs.every_other,
         fenders,
+        approaches,
         berthing,
         loads,
         world: WorldSetup { environment, vessels, orders: vec![], tugs, lines, providers },
     };
+    assembly.note_outside_hulls(&fender_tables, &setup);
+    assembly.note_late_arrivals(of_bodies, &setup);
+    assembly.note_draughts(file, &fender_tables, &setup);
     let orders = file.given("order").list();
     setup.world.orders = assembly.orders(orders, &OrderNames::new(&setup, &names))?;
-    Ok(setup)
+    Ok((setup, output))
 }
 
 /// An order to a vessel, tug or line of a set-up.
@@ -136,6 +190,7 @@ struct FenderParts<'p> {
     library: &'p FenderLibrary,
     materials: &'p [NamedMaterial],
     decks: &'p Decks<'p>,
+    bodies: &'p [BodySetup],
 }
 
 struct Assembly<'s, 'a> {

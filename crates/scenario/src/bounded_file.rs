@@ -95,10 +95,15 @@ pub fn open_regular(path: &Path, largest_bytes: u64) -> Result<File, FileError> 
 /// # Errors
 /// As [`open_regular`], and for a file that grows beyond that while it is read.
 pub fn read_bytes(path: &Path, largest_bytes: u64) -> Result<Vec<u8>, FileError> {
-    let file = open_regular(path, largest_bytes)?;
+    bounded(open_regular(path, largest_bytes)?, path, largest_bytes)
+}
+
+/// All of a stream of at most `largest_bytes`; `path` is its name in errors.
+fn bounded(stream: impl io::Read, path: &Path, largest_bytes: u64) -> Result<Vec<u8>, FileError> {
     let mut bytes = Vec::new();
     // Reading one byte more than allowed detects a file that is larger than its metadata say, as in /proc.
-    file.take(largest_bytes.saturating_add(1))
+    stream
+        .take(largest_bytes.saturating_add(1))
         .read_to_end(&mut bytes)
         .map_err(|e| FileError::system(path, &e))?;
     if bytes.len() as u64 > largest_bytes {
@@ -112,7 +117,24 @@ pub fn read_bytes(path: &Path, largest_bytes: u64) -> Result<Vec<u8>, FileError>
 /// # Errors
 /// As [`read_bytes`], and for a file that is not UTF-8 text.
 pub fn read_text_of(path: &Path, largest_bytes: u64) -> Result<String, FileError> {
-    String::from_utf8(read_bytes(path, largest_bytes)?).map_err(|e| {
+    text(read_bytes(path, largest_bytes)?, path)
+}
+
+/// The text of a stream of at most `largest_bytes`, such as standard input; `name` is its name in errors. Waits for its end.
+///
+/// # Errors
+/// A stream that cannot be read, is larger, or is not UTF-8 text.
+pub(crate) fn read_stream_of(
+    stream: impl io::Read,
+    name: &str,
+    largest_bytes: u64,
+) -> Result<String, FileError> {
+    let name = Path::new(name);
+    text(bounded(stream, name, largest_bytes)?, name)
+}
+
+fn text(bytes: Vec<u8>, path: &Path) -> Result<String, FileError> {
+    String::from_utf8(bytes).map_err(|e| {
         let whole = &e.as_bytes()[..e.utf8_error().valid_up_to()];
         let line = whole.iter().filter(|b| **b == b'\n').count() + 1;
         FileError::new(path, FileFault::NotText { line })

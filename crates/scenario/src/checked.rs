@@ -9,7 +9,7 @@ use crate::sources::Span;
 use crate::spec::TableSpec;
 
 /// A table that has been read.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Table {
     pub(crate) spec: &'static TableSpec,
     /// Dotted path of the table; empty for the whole file.
@@ -20,7 +20,7 @@ pub(crate) struct Table {
 }
 
 /// A key and its value.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Item {
     pub(crate) name: &'static str,
     /// The span of the key; the table's span for a default.
@@ -33,7 +33,7 @@ pub(crate) struct Item {
 }
 
 /// A value that has been read.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) enum Value {
     Text(String),
     Texts(Vec<String>),

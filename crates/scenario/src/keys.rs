@@ -3,16 +3,23 @@
 //! The bounds are beyond anything that floats, and keep all computed numbers far from overflow. To add a key, add it
 //! here, then use it in [`crate::assemble`].
 
+mod approach;
 mod azimuth;
 mod berthing;
 mod body;
+mod dolphin;
 mod environment;
 mod fender;
+pub(crate) mod fender_row;
+mod hull;
 mod load;
 mod material;
 pub(crate) mod order;
+mod output;
+mod panel;
 mod provider;
 pub(crate) mod quantities;
+pub(crate) mod report;
 mod run;
 mod standing;
 mod vessel;
@@ -28,9 +35,11 @@ pub(crate) use standing::STANDINGS;
 pub(crate) use vessel::{STABILITY, THRUSTER};
 pub(crate) use windage::WINDAGE;
 
-use self::body::BODY;
+pub(crate) use self::body::BODY;
+pub(crate) use self::fender::FENDER;
 use self::load::LOAD;
 use self::material::{MATERIAL, PAIR};
+use self::output::OUTPUT;
 use self::run::{CONTACT, TIME};
 
 /// The whole file.
@@ -47,7 +56,15 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             "Title of reports.",
             &["\"Tug against a container ship's side, 4 kn\""],
         ),
+        key("report", Kind::Table(&report::REPORT), Is("{}"), "Title page of reports.", &[]),
         key("time", Kind::Table(&TIME), Refused, "Time step and length of the run.", &[]),
+        key(
+            "output",
+            Kind::Table(&OUTPUT),
+            Is("{}"),
+            "Which result tables the run writes, and how often.",
+            &[],
+        ),
         key("contact", Kind::Table(&CONTACT), Is("{}"), "How contact forces are computed.", &[]),
         key("material", Kind::Named(&MATERIAL), Is("{}"), "Contact parameters, by name.", &[]),
         key(
@@ -69,6 +86,13 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             Kind::Named(&fender::FENDER),
             Is("{}"),
             "Fenders on the bodies, by name.",
+            &[],
+        ),
+        key(
+            "fender_row",
+            Kind::Named(&fender_row::FENDER_ROW),
+            Is("{}"),
+            "Rows of equal fenders, by name.",
             &[],
         ),
         key(

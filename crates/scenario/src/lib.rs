@@ -55,6 +55,7 @@
 
 mod assemble;
 mod bounded_file;
+mod campaign;
 mod checked;
 mod choices;
 mod csv;
@@ -67,10 +68,13 @@ mod keys;
 mod library;
 mod load;
 mod nesting;
+mod option_value;
 mod order;
 mod overrides;
 mod printable;
+mod rating;
 mod reader;
+mod row_names;
 mod scenario;
 mod schema;
 mod sources;
@@ -78,22 +82,27 @@ mod spec;
 mod suggest;
 mod syntax;
 mod units;
+mod variant;
 mod vessels;
 
 pub use bounded_file::{
     FileError, FileFault, irregular, open_regular, read_bytes, read_text_of, without_following,
 };
+pub use campaign::{Campaign, Change, Choice, MOST_CASES, Variable};
 pub use error::{Notice, Place, ScenarioError};
 pub use fenderline_sim::hydro::vessels::Standing;
-pub use fit::{Branch, FenderCurves, FitError, FitOptions, FittedFender, LoadingCurve};
+pub use fit::{
+    Branch, CatalogueScale, FenderCurves, FitError, FitOptions, FittedFender, LoadingCurve,
+};
 pub use library::{
     CatalogueFender, FactorTable, Family, FamilyUnloading, FenderLibrary, FenderSize,
     HullPressureLimit, LookUpError, Tolerance,
 };
-pub use load::{LoadError, read_text};
+pub use load::{LoadError, read_stream, read_text};
+pub use option_value::{LengthOrShare, force_n, length_m, length_or_share, percent};
 pub use order::order;
-pub use overrides::Override;
+pub use overrides::{Override, set_keys};
 pub use printable::{escaped_json, printable_line, printable_number, printable_text};
 pub use scenario::Scenario;
-pub use schema::{fender_schema, schema, vessel_schema};
+pub use schema::{campaign_schema, fender_schema, schema, vessel_schema};
 pub use vessels::{Belting, DeckPoint, Shaft, Stability, VesselData, VesselLibrary};

@@ -1,9 +1,10 @@
 //! Scenario files from the disk.
 
 use core::fmt;
+use std::io::Read;
 use std::path::Path;
 
-use crate::bounded_file::read_text_of;
+use crate::bounded_file::{read_stream_of, read_text_of};
 use crate::error::ScenarioError;
 use crate::overrides::Override;
 use crate::scenario::Scenario;
@@ -44,8 +45,21 @@ impl Scenario {
         let text = read_text(path).map_err(LoadError::Unreadable)?;
         let folder = path.parent().unwrap_or(Path::new(""));
         let name = path.display().to_string();
-        Scenario::parse_among(&text, &name, overrides, &mut |file| read_text(&folder.join(file)))
-            .map_err(LoadError::Refused)
+        Scenario::parse_beside(&text, &name, overrides, folder).map_err(LoadError::Refused)
+    }
+
+    /// As [`Scenario::parse_with`]; the files that the scenario names lie in `folder`.
+    ///
+    /// # Errors
+    /// As [`Scenario::parse_among`].
+    pub fn parse_beside(
+        text: &str,
+        file_name: &str,
+        overrides: &[Override],
+        folder: &Path,
+    ) -> Result<Scenario, ScenarioError> {
+        let mut read = |file: &str| read_text(&folder.join(file));
+        Scenario::parse_among(text, file_name, overrides, &mut read)
     }
 }
 
@@ -55,4 +69,12 @@ impl Scenario {
 /// The file's name and why it cannot be read, in words.
 pub fn read_text(path: &Path) -> Result<String, String> {
     read_text_of(path, LARGEST_FILE).map_err(|error| error.to_string())
+}
+
+/// The text of a stream of at most 16 MiB, such as standard input; `name` is its name in errors. Waits for its end.
+///
+/// # Errors
+/// The stream's name and why it cannot be read, in words.
+pub fn read_stream(stream: impl Read, name: &str) -> Result<String, String> {
+    read_stream_of(stream, name, LARGEST_FILE).map_err(|error| error.to_string())
 }

@@ -1,8 +1,12 @@
 //! Overrides of single keys from the command line, applied to the file's tables before they are checked.
 
+mod paths;
+pub(crate) mod pattern;
+
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
+use self::pattern::{is_pattern, with_quotes};
 use crate::error::{Place, ScenarioError};
 use crate::key_path;
 use crate::keys::SCENARIO;
@@ -13,8 +17,9 @@ use crate::suggest::nearest;
 
 /// One key of a scenario and the value that replaces the file's, as `--set KEY=VALUE` gives them.
 ///
-/// The key is a dotted path; an item of a list goes by its number from 0, as in `load.0.force`. The
-/// value is TOML, or a text without quotes: `0.5`, `4 kn`, `["0 kN", "-500 kN"]`, `paper`.
+/// The key is a dotted path; an item of a list goes by its number from 0, as in `load.0.force`. A `*` in a name stands for
+/// any text: `fender.*.temperature` sets this key of all fenders. A fender of a row goes by its own name, as in
+/// `fender.a_3.tolerance`, the whole row as in `fender_row.a.tolerance`. The value is TOML, or a text without quotes: `0.5`, `4 kn`, `["0 kN", "-500 kN"]`, `paper`.
 ///
 /// ```
 /// use fenderline_scenario::Override;
@@ -81,7 +86,7 @@ impl Override {
     }
 
     /// The value as TOML, or as a text if it is not TOML.
-    fn value(&self) -> Result<Spanned<DeValue<'_>>, ScenarioError> {
+    pub(crate) fn value(&self) -> Result<Spanned<DeValue<'_>>, ScenarioError> {
         match DeValue::parse(&self.value) {
             Ok(value) => Ok(value),
             Err(error) if self.value.starts_with(['[', '{', '"', '\'']) => Err(option_error(
@@ -110,7 +115,7 @@ fn split_path(key: &str) -> Option<Vec<String>> {
     if key.contains(['=', '\n', '\r']) || key.len() > 1000 {
         return None;
     }
-    let probe = format!("{key} = 0");
+    let probe = format!("{} = 0", with_quotes(key));
     let document = DeTable::parse(&probe).ok()?.into_inner();
     let mut table = &document;
     let mut path = Vec::new();
@@ -125,18 +130,52 @@ fn split_path(key: &str) -> Option<Vec<String>> {
     }
 }
 
-/// Applies every override to the document, in their order.
+/// Applies every override to the document, in their order. Returns the path of each key that was set, and the index of
+/// its override.
 pub(crate) fn apply<'a>(
     sources: &Sources<'a>,
     document: &mut DeTable<'a>,
-) -> Result<(), ScenarioError> {
+) -> Result<Vec<(Vec<String>, usize)>, ScenarioError> {
+    let mut set = Vec::new();
     for (index, change) in sources.overrides.iter().enumerate() {
         let span = sources.override_span(index);
-        let setter = Setter { sources, index, value: respan(&change.value()?, &span) };
-        let (name, deeper) = change.path.split_first().expect("a path has a name");
-        setter.in_table(document, &SCENARIO, "", (name, deeper))?;
+        let value = respan(&change.value()?, &span);
+        let refused = |message: String| {
+            let key = change.path.join(".");
+            sources.error(&span, &key, format!("`{key}` {message}"))
+        };
+        if change.path.last().is_some_and(|name| is_pattern(name)) {
+            let error = refused("ends in a pattern, which stands for whole tables".to_owned());
+            return Err(error.with_help("add the key to be set"));
+        }
+        let paths = paths::paths(document, &change.path, &span);
+        if paths.is_empty() {
+            return Err(refused("fits nothing in the file".to_owned()));
+        }
+        for path in paths {
+            let setter = Setter { sources, index, value: value.clone() };
+            let (name, deeper) = path.split_first().expect("a path has a name");
+            setter.in_table(document, &SCENARIO, "", (name, deeper))?;
+            set.push((path, index));
+        }
     }
-    Ok(())
+    Ok(set)
+}
+
+/// The keys of a scenario's text that overrides set, in their order, and the value of each as the user wrote it. A path
+/// with a `*` becomes that of every key for which it stands.
+///
+/// # Errors
+/// A text that is not TOML, or an override of a key that there is not.
+pub fn set_keys(
+    text: &str,
+    file_name: &str,
+    overrides: &[Override],
+) -> Result<Vec<(Vec<String>, String)>, ScenarioError> {
+    let sources = Sources::new(file_name, text, overrides);
+    let mut document = crate::syntax::parse(&sources)?;
+    let set = apply(&sources, &mut document)?;
+    Ok(set.into_iter().map(|(path, index)| (path, overrides[index].value.clone())).collect())
 }
 
 /// The next name of a dotted path, and the names after it.

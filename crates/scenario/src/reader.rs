@@ -2,6 +2,7 @@
 //! first mistake in the file is reported.
 
 mod errors;
+mod meant;
 mod values;
 
 use toml::Spanned;
@@ -16,7 +17,8 @@ use crate::spec::{Absent, KeySpec, Kind, TableSpec};
 pub(crate) use self::errors::unknown_key;
 use self::errors::{missing_key, wrong_type};
 use self::values::{
-    check_text, choice, curve, flag, number, outline, text, texts, two_names, vector,
+    any_values, check_text, choice, curve, flag, name_or, number, outline, points, text, texts,
+    two_names, vector,
 };
 
 type Read<T> = Result<T, ScenarioError>;
@@ -47,12 +49,23 @@ pub(crate) fn table(
         };
         items.push(item);
     }
+    with_defaults(sources, spec, path, &span, items)
+}
+
+/// A table of these items and the defaults of all other keys.
+pub(crate) fn with_defaults(
+    sources: &Sources<'_>,
+    spec: &'static TableSpec,
+    path: &str,
+    span: &Span,
+    mut items: Vec<Item>,
+) -> Read<Table> {
     for key in spec.keys {
         if items.iter().all(|item| item.name != key.name) {
-            items.extend(absent_key(sources, spec, key, path, &span)?);
+            items.extend(absent_key(sources, spec, key, path, span)?);
         }
     }
-    Ok(Table { spec, path: path.to_owned(), span, items })
+    Ok(Table { spec, path: path.to_owned(), span: span.clone(), items })
 }
 
 /// The default of a key that the file does not give.
@@ -83,12 +96,19 @@ fn in_file_order<'t, 'i>(table: &'t DeTable<'i>) -> Vec<(&'t Spanned<DeString<'i
     entries
 }
 
-fn read_value(sources: &Sources<'_>, key: &KeySpec, path: &str, node: &Node<'_>) -> Read<Value> {
+/// Reads the value of one key.
+pub(crate) fn read_value(
+    sources: &Sources<'_>,
+    key: &KeySpec,
+    path: &str,
+    node: &Node<'_>,
+) -> Read<Value> {
     match &key.kind {
         Kind::Text | Kind::FileName => text(sources, path, node).map(Value::Text),
         Kind::Flag => flag(sources, path, node).map(Value::Flag),
         Kind::Choice(choices) => choice(sources, *choices, path, node).map(Value::Choice),
         Kind::Quantity(quantity) => number(sources, quantity, path, node).map(Value::Number),
+        Kind::NameOr(quantity) => name_or(sources, quantity, path, node),
         Kind::Vector(quantity) => {
             vector(sources, quantity, path, node, ["north", "east"]).map(Value::Vector)
         }
@@ -96,12 +116,17 @@ fn read_value(sources: &Sources<'_>, key: &KeySpec, path: &str, node: &Node<'_>)
             vector(sources, quantity, path, node, ["forward", "starboard"]).map(Value::Vector)
         }
         Kind::Texts => texts(sources, path, node).map(Value::Texts),
+        Kind::Values => any_values(sources, path, node).map(Value::Texts),
         Kind::Outline(quantity) => outline(sources, quantity, path, node).map(Value::Outline),
+        Kind::Points(quantity, fewest, most) => {
+            points(sources, quantity, [*fewest, *most], path, node).map(Value::Outline)
+        }
         Kind::Curve(spec) => curve(sources, spec, path, node).map(Value::Curve),
         Kind::MaterialName | Kind::BodyName => text(sources, path, node).map(Value::Name),
         Kind::TwoBodyNames => two_names(sources, path, node).map(Value::TwoNames),
         Kind::Table(spec) => {
-            let inner = as_table(sources, spec.what, path, node)?;
+            let inner = as_table(sources, spec.what, path, node)
+                .map_err(|error| error.with_help(as_written(key.name, spec)))?;
             table(sources, spec, path, node.span(), inner).map(Value::Table)
         }
         Kind::Named(spec) => named(sources, spec, path, node).map(Value::Named),
@@ -165,6 +190,20 @@ fn as_table<'t, 'i>(
         DeValue::Table(table) => Ok(table),
         _ => Err(wrong_type(sources, &format!("a table: {wanted}"), path, node)),
     }
+}
+
+/// How a table is written, with the keys that it must have, or else its first ones.
+fn as_written(name: &str, spec: &TableSpec) -> String {
+    const SHOWN: usize = 3;
+    let must = spec.keys.iter().filter(|key| matches!(key.absent, Absent::Refused));
+    let shown: Vec<&KeySpec> = match must.clone().count() {
+        0 => spec.keys.iter().take(SHOWN).collect(),
+        _ => must.collect(),
+    };
+    let entry =
+        |key: &&KeySpec| format!("{} = {}", key.name, key.examples.first().copied().unwrap_or("…"));
+    let entries = shown.iter().map(entry).collect::<Vec<_>>().join(", ");
+    format!("write {name} = {{ {entries} }}")
 }
 
 /// A copy of a value, with everything in it placed at one span of the sources.

@@ -1,12 +1,15 @@
 //! A scenario that can be run.
 
-use fenderline_sim::Setup;
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+
+use fenderline_sim::{OutputPlan, Setup};
 
 use crate::assemble::{self, Libraries};
 use crate::checked::Table;
 use crate::error::{Notice, ScenarioError};
 use crate::files::{FILE_HELP, Files};
-use crate::keys::SCENARIO;
+use crate::keys::{self, SCENARIO};
 use crate::library::FenderLibrary;
 use crate::overrides::{self, Override};
 use crate::reader;
@@ -19,8 +22,12 @@ use crate::vessels::VesselLibrary;
 pub struct Scenario {
     /// Title of reports: from the file, or the file's name without its extension.
     pub title: String,
+    /// Key and text of the lines of the report's title page that are given, in the order of that page.
+    pub report: Vec<(&'static str, String)>,
     /// The simulation, in SI units; bodies and materials in the order of the file.
     pub setup: Setup,
+    /// The result tables that a run writes.
+    pub output: OutputPlan,
     /// Warnings: what was corrected or looks unintended, in the order of the file.
     pub notices: Vec<Notice>,
 }
@@ -71,7 +78,8 @@ impl Scenario {
         overrides::apply(&sources, &mut document)?;
         // A key that is missing at the top level is reported at the end of the file.
         let end = text.trim_end().len();
-        let file = reader::table(&sources, &SCENARIO, "", end..end, &document)?;
+        let mut file = reader::table(&sources, &SCENARIO, "", end..end, &document)?;
+        assemble::add_dolphins(&sources, &mut file)?;
         let mut notices = Vec::new();
         let mut left = LARGEST_TOTAL;
         let mut read = |name: &str| {
@@ -84,11 +92,25 @@ impl Scenario {
         };
         let libraries = libraries(&sources, &file, &mut read)?;
         let files = Files::read(&sources, &file, &mut read)?;
-        let setup = assemble::setup(&sources, &file, &files, &libraries, &mut notices)?;
+        let (setup, output) = assemble::setup(&sources, &file, &files, &libraries, &mut notices)?;
+        forget_repeated(&mut notices);
         let title =
             file.item("title").map_or_else(|| stem(file_name), |item| item.text().to_owned());
-        Ok(Scenario { title, setup, notices })
+        Ok(Scenario { title, report: report(&file), setup, output, notices })
     }
+}
+
+/// The lines of the report's title page.
+fn report(file: &Table) -> Vec<(&'static str, String)> {
+    let given = file.item("report").map(|item| item.table());
+    let line = |name| Some((name, given?.item(name)?.text().to_owned()));
+    keys::report::names().filter_map(line).collect()
+}
+
+/// Keeps one of equal notices: what is found on each fender of a row is about the row.
+fn forget_repeated(notices: &mut Vec<Notice>) {
+    let mut known = BTreeSet::new();
+    notices.retain(|notice| known.insert(notice.to_string()));
 }
 
 /// The fender and vessel libraries: built-in data and the files that the scenario names.
@@ -103,12 +125,15 @@ fn libraries(
             sources.error(&file.given(key).span, key, message).with_help(FILE_HELP)
         })
     };
-    let (mut fenders, mut vessels) = (FenderLibrary::built_in(), VesselLibrary::built_in());
+    let mut fenders = Cow::Borrowed(FenderLibrary::of_program());
+    let mut vessels = Cow::Borrowed(VesselLibrary::of_program());
     for name in file.given("fender_files").texts() {
-        fenders = fenders.with_file(&read_text("fender_files", name)?, name)?;
+        let text = read_text("fender_files", name)?;
+        fenders = Cow::Owned(fenders.into_owned().with_file(&text, name)?);
     }
     for name in file.given("vessel_files").texts() {
-        vessels = vessels.with_file(&read_text("vessel_files", name)?, name)?;
+        let text = read_text("vessel_files", name)?;
+        vessels = Cow::Owned(vessels.into_owned().with_file(&text, name)?);
     }
     Ok(Libraries { fenders, vessels })
 }

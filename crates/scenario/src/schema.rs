@@ -3,6 +3,7 @@
 use serde_json::{Map, Value as Json, json};
 use toml::de::DeValue;
 
+use crate::campaign::CAMPAIGN_FILE;
 use crate::choices::{AnyChoices, Word};
 use crate::keys::SCENARIO;
 use crate::library::FENDER_FILE;
@@ -34,6 +35,17 @@ pub fn schema() -> Json {
 #[must_use]
 pub fn fender_schema() -> Json {
     whole_file(&FENDER_FILE, "Fenderline fender data")
+}
+
+/// The JSON Schema (draft 2020-12) of campaign files, which [`crate::Campaign::parse`] reads.
+///
+/// ```
+/// let schema = fenderline_scenario::campaign_schema();
+/// assert_eq!(schema["title"], "Fenderline campaign");
+/// ```
+#[must_use]
+pub fn campaign_schema() -> Json {
+    whole_file(&CAMPAIGN_FILE, "Fenderline campaign")
 }
 
 /// The JSON Schema (draft 2020-12) of vessel files, which [`crate::VesselLibrary::with_file`] reads.
@@ -107,11 +119,25 @@ fn kind(kind: &Kind) -> Map<String, Json> {
         Kind::Flag => object(json!({ "type": "boolean" })),
         Kind::Choice(choices) => choice(*choices),
         Kind::Quantity(value) => quantity(value),
+        Kind::NameOr(value) => object(json!({
+            "anyOf": [{ "type": "number", "minimum": value.low, "maximum": value.high }, name()]
+        })),
         Kind::Vector(value) | Kind::Point(value) => object(two(&Json::Object(quantity(value)))),
         Kind::Texts => object(json!({ "type": "array", "items": name() })),
+        Kind::Values => object(json!({
+            "type": "array",
+            "items": { "anyOf": [{ "type": "number" }, { "type": "boolean" }, name()] },
+            "minItems": 1
+        })),
         Kind::Outline(value) => {
             let point = two(&Json::Object(quantity(value)));
             object(json!({ "type": "array", "items": point, "minItems": 3 }))
+        }
+        Kind::Points(value, fewest, most) => {
+            let point = two(&Json::Object(quantity(value)));
+            object(json!({
+                "type": "array", "items": point, "minItems": fewest, "maxItems": most
+            }))
         }
         Kind::Curve(spec) => {
             let columns = [&spec.from.1, &spec.to.1].map(|column| Json::Object(quantity(column)));
@@ -157,9 +183,12 @@ fn two(item: &Json) -> Json {
 /// The SI unit of a key's plain numbers.
 fn unit(kind: &Kind) -> Option<&'static str> {
     match kind {
-        Kind::Quantity(value) | Kind::Vector(value) | Kind::Point(value) | Kind::Outline(value) => {
-            Some(value.measure.unit).filter(|unit| !unit.is_empty())
-        }
+        Kind::Quantity(value)
+        | Kind::Vector(value)
+        | Kind::Point(value)
+        | Kind::Outline(value)
+        | Kind::NameOr(value)
+        | Kind::Points(value, ..) => Some(value.measure.unit).filter(|unit| !unit.is_empty()),
         _ => None,
     }
 }

@@ -76,6 +76,8 @@ pub(crate) enum Kind {
     Choice(&'static dyn AnyChoices),
     /// A number with a unit.
     Quantity(Quantity),
+    /// A name, or a number with a unit.
+    NameOr(Quantity),
     /// Two quantities: north and east.
     Vector(Quantity),
     /// A point in a body's axes: forward and to starboard.
@@ -84,8 +86,12 @@ pub(crate) enum Kind {
     FileName,
     /// A list of texts.
     Texts,
+    /// A list of values of any kind: numbers, or texts with their units.
+    Values,
     /// A list of points, forward and to starboard.
     Outline(Quantity),
+    /// A list of points, with the least and the greatest number of them.
+    Points(Quantity, usize, usize),
     /// A curve in rows of two numbers.
     Curve(&'static CurveSpec),
     /// The name of a material.

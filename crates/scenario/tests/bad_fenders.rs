@@ -109,11 +109,11 @@ const CASES: &[Case] = &[
     case("hull = \"bulk carrier\"", "hull = \"bulker\"", "hull = ", "fender.cone.hull", "there is no type of ship named \"bulker\""),
     case("temperature = -15", "temperature = -55", "temperature = -55", "fender.cone.temperature", "must be between -30 and 50 °C"),
     case("temperature = -15", "temperature = 99", "temperature = 99", "fender.cone.temperature", "must be at most 80 °C, but is 99 °C"),
-    case("temperature = -15", "temperature = \"15 m\"", "temperature = ", "fender.cone.temperature", "must be a plain number"),
+    case("temperature = -15", "temperature = \"15 m\"", "temperature = ", "fender.cone.temperature", "`m` is not a unit of temperature"),
     case("height = \"1 m\"\nrated_reaction = \"600 kN\"", "", "[fender.cone]", "fender.cone.size", "is missing"),
     case("height = \"1 m\"", "height = \"1 m\"\nsize = \"1050 F1.1\"", "height = ", "fender.cone.height", "does not go together with `size`"),
     case("type = \"cone\"", "type = \"cone\"\nstiffness = \"1 MN/m\"", "stiffness = \"1 MN/m\"", "fender.cone.stiffness", "does not go together with `type`"),
-    case("type = \"cone\"", "type = \"unit element\"", "temperature = ", "fender.cone.temperature", "no temperature factors are known"),
+    case("type = \"cone\"", "type = \"unit element\"", "temperature = ", "fender.cone.temperature", "put the maker's factors into the fender file: [family.\"unit element\".temperature]"),
     case("type = \"cone\"\nheight = \"1 m\"\nrated_reaction", "type = \"unit element\"\nheight = \"1 m\"\n#", "height = \"1 m\"", "fender.cone.height", "give the rated reaction yourself"),
     case("rated_deflection = \"0.5 m\"", "returned_energy = 1.2", "returned_energy = 1.2", "fender.table.returned_energy", "must be at most 1, but is 1.2"),
     case("rated_deflection = \"0.5 m\"", "returned_energy = -0.1", "returned_energy = -0.1", "fender.table.returned_energy", "must be at least 0.05, but is -0.1"),
@@ -122,7 +122,7 @@ const CASES: &[Case] = &[
     case("rated_deflection = \"0.5 m\"", "unloading = [[0, 0], [\"0.2 m\", \"50 kN\"], [\"0.2 m\", \"60 kN\"]]", "unloading = ", "fender.table.unloading[2]", "the deflection must rise"),
     case("rated_deflection = \"0.5 m\"", "unloading = [[0, 0], [\"0.2 m\", \"-50 kN\"]]", "unloading = ", "fender.table.unloading[1][1]", "must be"),
     case("rated_deflection = \"0.5 m\"", "unloading = [[0, \"1 N\"], [\"0.2 m\", \"50 kN\"]]", "unloading = ", "fender.table.unloading", "must begin with [0, 0]"),
-    case("rated_deflection = \"0.5 m\"", "unloading_law = false", "unloading_law = ", "fender.table.unloading_law", "is for fenders of a `type`"),
+    case("rated_deflection = \"0.5 m\"", "unloading = [[0, 0], [\"0.2 m\", \"50 kN\"]]\nunloading_law = false", "unloading_law = ", "fender.table.unloading_law", "does not go together with `unloading`"),
     case("hull = \"bulk carrier\"", "unloading = [[0, 0], [1, 1]]", "unloading = ", "fender.cone.unloading", "does not go together with `type`"),
     case("hull = \"bulk carrier\"", "returned_energy = 0.5\nunloading_law = true", "unloading_law = ", "fender.cone.unloading_law", "does not go together with `returned_energy`"),
     case("projection = \"1 m\"\nmaterial = \"rubber\"", "projection = \"1 m\"\nunloading = [[0, 0], [1, 1]]\nmaterial = \"rubber\"", "unloading = ", "fender.area.unloading", "is for fenders with a `stiffness` or a `curve`"),
@@ -138,9 +138,12 @@ const CASES: &[Case] = &[
     case("width = \"2 m\"\ntype", "width = 0\ntype", "width = 0", "fender.cone.width", "must be"),
     case("width = \"2 m\"\ntype", "width = nan\ntype", "width = nan", "fender.cone.width", "not a finite number"),
     case("position = [-20, 0]", "position = [-20]", "position = [-20]", "fender.cone.position", "is [forward, starboard], but has 1 numbers"),
-    case("facing = \"-90 deg\"\nwidth = \"2 m\"\ntype", "width = \"2 m\"\ntype", "[fender.cone]", "fender.cone.facing", "is missing"),
+    case("position = [-20, 0]\nfacing = \"-90 deg\"", "position = [-20, 1]", "[fender.cone]", "fender.cone.facing", "is missing"),
     case("ship = \"ship\"", "ship = \"quay\"", "ship = \"quay\"", "berthing.ship", "is fixed"),
     case("block_coefficient = 0.7", "block_coefficient = 1.2", "block_coefficient = ", "berthing.block_coefficient", "must be"),
+    case("block_coefficient = 0.7", "block_coefficient = 0.7\nadded_mass = \"pianc\"", "added_mass = ", "berthing.added_mass", "pianc_2002"),
+    case("block_coefficient = 0.7", "block_coefficient = 0.7\nadded_mass_factor = 0.9", "added_mass_factor = ", "berthing.added_mass_factor", "at least 1"),
+    case("block_coefficient = 0.7", "block_coefficient = 0.7\nadded_mass = \"ufc\"\nadded_mass_factor = 1.8", "added_mass_factor = ", "berthing.added_mass_factor", "does not go together with `added_mass`"),
     case("beam = \"20 m\"\n", "", "[berthing]", "berthing.beam", "is missing"),
     case("[berthing]", "fender_files = [\"x\"]\n[berthing]", "fender_files", "pair.0.fender_files", "not a key of a pair"),
 ];
@@ -204,6 +207,7 @@ fn an_unknown_hull_pressure_stays_unknown() {
     let own = "height = \"3.3 m\"\nrated_reaction = \"3 MN\"";
     let setup = Scenario::parse(&GOOD.replacen(good, own, 1), "x.toml").unwrap().setup;
     assert_eq!(setup.fenders[1].hull_pressure, HullPressure::Unknown);
+    assert_eq!(setup.fenders[1].height_m, 3.3);
 
     let text = format!("fender_files = [\"own.toml\"]\n{GOOD}");
     let mut read = |_: &str| {
@@ -230,6 +234,8 @@ fn fenders_become_the_expected_set_up() {
     assert_eq!(cone.energy_by_angle.len(), 7);
     assert_eq!(cone.hull_pressure, HullPressure::OverFace);
     assert_eq!(pneumatic.projection_m, 3.3);
+    // It has no panel: its diameter.
+    assert_eq!(pneumatic.height_m, 3.3);
     let HullPressure::Inner { initial_npm2, rated_npm2, .. } = pneumatic.hull_pressure else {
         panic!("pneumatic")
     };
@@ -238,6 +244,8 @@ fn fenders_become_the_expected_set_up() {
     let FenderLaw::Curve(points) = &table.law else { panic!("a curve") };
     assert_eq!(points[2], [0.6, 500e3]);
     assert_eq!(table.factors.constant, 0.9);
+    // Neither height nor limit of a panel: no pressure over an area that nobody gave.
+    assert_eq!(table.hull_pressure, HullPressure::Unknown);
     assert_eq!(table.rated.unwrap().deflection_m, 0.5);
     // 50 times the mean stiffness of 500 kN over 0.6 m.
     let Some(Stop { from_m, stiffness_npm }) = table.stop else { panic!("a stop") };

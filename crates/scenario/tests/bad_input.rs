@@ -100,6 +100,15 @@ const CASES: &[Case] = &[
     case("[-20, 0]", "[nan, 0]", "body.tug.position[0]", "not a finite number"),
     case("[16, 6.5]", "[16, inf]", "body.tug.outline[2][1]", "not a finite number"),
     case("\"-500 kN\"", "-inf", "load.0.force[1]", "not a finite number"),
+    // output
+    case("title = \"Tug against a quay\"", "output = { interval = \"0.25 s\" }", "output.interval", "0.25 s is not a whole number of time steps of 0.1 s"),
+    case("title = \"Tug against a quay\"", "output = { interval = \"0.25 s\" }", "output.interval", "take 0.2 s or 0.3 s"),
+    case("title = \"Tug against a quay\"", "output = { interval = 0.05 }", "output.interval", "take 0.1 s or 0, which both write every step"),
+    case("title = \"Tug against a quay\"", "output = { interval = \"1 min\" }", "output.interval", "longer than `time.duration`, which is 20 s"),
+    case("title = \"Tug against a quay\"", "output = { interval = -1 }", "output.interval", "at least 0 s"),
+    case("title = \"Tug against a quay\"", "output = { tables = [\"fender\"] }", "output.tables", "did you mean \"fenders\"?"),
+    case("title = \"Tug against a quay\"", "output = { tables = [\"waves\"] }", "output.tables", "there is no result table \"waves\""),
+    case("title = \"Tug against a quay\"", "output = { tables = \"fenders\" }", "output.tables", "list"),
     // wrong units
     case(STIFFNESS, "\"4 kn\"", K, "must be a stiffness per area or pressure [N/m²], but \"4 kn\" is a speed [m/s]"),
     case("\"4 kn\"", "\"4 kN\"", "body.tug.velocity.surge", "must be a speed [m/s], but \"4 kN\" is a force [N]"),
@@ -216,7 +225,8 @@ const CASES: &[Case] = &[
     case("[-20, 0]", "[\"200000 km\", 0]", "body.tug.position[0]", "must be at most 1e8 m"),
     case("\"4 kn\"", "1e5", "body.tug.velocity.surge", "must be at most 10000 m/s"),
     case("\"3 deg/s\"", "1e5", "body.tug.velocity.yaw", "must be at most 1000 rad/s"),
-    case("\"0 deg\"", "1e9", "body.tug.heading", "must be at most 1000000 rad"),
+    case("\"0 deg\"", "1e9", "body.tug.heading", "must be at most 6.3 rad (361 deg)"),
+    case("\"0 deg\"", "90", "body.tug.heading", "write \"90 deg\" if that was meant"),
     // loads
     case("body = \"tug\"", "body = \"quay\"", "load.0.body", "is fixed, no load moves it"),
     case_at("force = [\"0 kN\", \"-500 kN\"]\n", "", "[[load]]", "load.0.force", "and so is `moment`"),

@@ -1,6 +1,10 @@
 //! Keys set from the command line.
 
+use std::path::Path;
+
+use fenderline_contact::Wrench;
 use fenderline_scenario::{Override, Place, Scenario, ScenarioError};
+use fenderline_sim::{Setup, Simulation};
 
 const TEXT: &str = r#"
 [time]
@@ -115,4 +119,144 @@ fn an_override_can_mend_the_file() {
     let step = Override::parse("time.step=1").unwrap();
     let text = TEXT.replace("0.1 s", "-0.1 s");
     assert!(Scenario::parse_with(&text, "x.toml", &[step]).is_ok());
+}
+
+/// The scenarios of the repository that need no other file, with their names.
+fn scenarios() -> Vec<(String, String)> {
+    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios")];
+    let mut found = vec![];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "toml") {
+                found.push((path.display().to_string(), std::fs::read_to_string(path).unwrap()));
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+fn overrides(settings: &[String]) -> Vec<Override> {
+    settings.iter().map(|text| Override::parse(text).unwrap()).collect()
+}
+
+/// Settings of the start of each body, and of the environment.
+fn starts(setup: &Setup) -> Vec<Vec<String>> {
+    let mut all: Vec<Vec<String>> = setup
+        .bodies
+        .iter()
+        .map(|body| {
+            let key = |name: &str| format!("body.\"{}\".{name}", body.name);
+            vec![
+                key("position = [\"1.5 km\", -3]"),
+                key("velocity.sway = -0.2 m/s"),
+                key("heading = 31 deg"),
+                key("velocity = { surge = \"1 kn\", yaw = 0.01 }"),
+                key("velocity.sway = 0.1"),
+            ]
+        })
+        .collect();
+    all.push(vec!["environment.wind = { speed = 7, from = \"200 deg\" }".to_owned()]);
+    all.push(vec!["environment.current = { speed = \"1 kn\", towards = 1 }".to_owned()]);
+    all
+}
+
+#[test]
+fn the_start_of_a_variant_is_that_of_the_scenario_read_anew() {
+    let mut in_place = 0;
+    for (name, text) in scenarios() {
+        // Some name files, which this text alone cannot read.
+        let Ok(scenario) = Scenario::parse(&text, &name) else { continue };
+        for settings in starts(&scenario.setup) {
+            let overrides = overrides(&settings);
+            let mut start = scenario.setup.start();
+            if scenario.start_with(&overrides, &mut start) {
+                let mut setup = scenario.setup.clone();
+                setup.set_start(&start);
+                let anew = Scenario::parse_with(&text, &name, &overrides).unwrap();
+                assert!(setup == anew.setup, "{name}: {settings:?}");
+                in_place += 1;
+            }
+        }
+    }
+    assert!(in_place > 30, "{in_place}");
+}
+
+#[test]
+fn what_changes_more_than_the_start_or_is_refused_is_read_anew() {
+    let scenario = Scenario::parse(TEXT, "x.toml").unwrap();
+    let mut start = scenario.setup.start();
+    for setting in [
+        "time.step = 0.5",
+        "material.rubber.stiffness = 1",
+        "body.tug.mass = 100 t",
+        "body.\"old quay\".position = [1, 2]",
+        "body.*.heading = 1",
+        "body.boat.heading = 1",
+        "body.tug.heading = 1 m",
+        "body.tug.heading = 1e9",
+        "body.tug.position = [1]",
+        "body.tug.velocity.surge = nan",
+        "body.tug.velocity = { ahead = 1 }",
+        "body.tug.velocity = 1",
+        "body.tug.velocity.ahead = 1",
+        "body.tug.position = [1",
+        "environment.wind = { speed = 1, from = 0 }",
+    ] {
+        assert!(!scenario.start_with(&overrides(&[setting.to_owned()]), &mut start), "{setting}");
+    }
+    assert!(scenario.start_with(&[], &mut start));
+    assert_eq!(start, scenario.setup.start());
+}
+
+/// All that a run reports at its end, with every bit: `{:?}` of a float is its shortest text that reads back the same bits.
+fn end_of(simulation: &mut Simulation) -> String {
+    for _ in 0..simulation.steps_total().min(150) {
+        if let Err(error) = simulation.step() {
+            return error.to_string();
+        }
+    }
+    let fenders: Vec<_> = simulation.fender_summaries().collect();
+    format!(
+        "{:?}",
+        (
+            (simulation.states(), simulation.energy(), simulation.memory().snapshot()),
+            (simulation.pair_summaries(), fenders, simulation.findings(), simulation.verdict()),
+            (simulation.vessels(), simulation.tugs(), simulation.lines(), simulation.berthing()),
+            (simulation.wrenches(), simulation.contacts(), simulation.dolphin_summaries()),
+            (simulation.time_s(), simulation.setup().start()),
+        )
+    )
+}
+
+#[test]
+fn a_restarted_simulation_is_a_new_one_to_the_bit() {
+    for (name, text) in scenarios() {
+        let Ok(scenario) = Scenario::parse(&text, &name) else { continue };
+        let setup = &scenario.setup;
+        let mut other = setup.start();
+        for body in &mut other.bodies {
+            body.velocity.surge_mps *= 0.75;
+            body.velocity.sway_mps *= 0.75;
+        }
+        let mut simulation = Simulation::new(setup.clone()).unwrap();
+        let first = end_of(&mut simulation);
+        simulation.set_wind(None);
+        let load = Wrench { moment_nm: 1e5, ..Wrench::default() };
+        simulation.set_external(&vec![load; setup.bodies.len()]);
+        simulation.restart(&other).unwrap();
+        let mut of_other = setup.clone();
+        of_other.set_start(&other);
+        let mut new = Simulation::new(of_other).unwrap();
+        assert_eq!(
+            format!("{:?}", simulation.start_findings()),
+            format!("{:?}", new.start_findings())
+        );
+        assert!(end_of(&mut simulation) == end_of(&mut new), "{name}");
+        simulation.restart(&setup.start()).unwrap();
+        assert!(end_of(&mut simulation) == first, "{name}");
+    }
 }

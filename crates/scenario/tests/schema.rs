@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use boon::{Compiler, SchemaIndex, Schemas};
-use fenderline_scenario::{Scenario, schema};
+use fenderline_scenario::{Campaign, Scenario, campaign_schema, schema};
 use serde_json::{Map, Value as Json, json};
 use toml::de::{DeTable, DeValue};
 
@@ -44,6 +44,45 @@ fn the_schema_is_a_schema() {
     broken["type"] = json!("tabel");
     assert!(Validator::of(broken).is_err(), "an invalid schema is refused");
     assert_eq!(schema()["$schema"], "https://json-schema.org/draft/2020-12/schema");
+}
+
+/// The campaign of the repository fits reader and schema; so do the two ways of giving a variable its values, and no third.
+#[test]
+fn campaigns_fit_reader_and_schema() {
+    let validator = Validator::of(campaign_schema()).expect("a schema");
+    let text = include_str!("../../../campaigns/quay_54_cases.toml");
+    let campaign = Campaign::parse(text, "quay_54_cases.toml").unwrap();
+    assert_eq!(campaign.cases(), 54);
+    assert_eq!(campaign.labels(53), ["0.18 m/s", "6 deg", "9.5 m", "18 m"]);
+    assert_eq!(campaign.settings_of(53).last(), Some(&"fender_row.fender.number=14"));
+    let start = "scenario = \"x.toml\"\n[variable.a]\n";
+    for (rest, good) in [
+        ("key = \"time.step\"\nvalues = [0.1, \"0.2 s\"]", true),
+        ("[variable.a.choice.b]\nset = [\"time.step=1\"]", true),
+        ("key = \"time.step\"", false),
+        ("values = [1]", false),
+        ("key = \"time.step\"\nvalues = []", false),
+        ("key = \"time.step\"\nvalues = 3", false),
+        ("key = \"time.step\"\nvalues = [[1]]", false),
+        (
+            "key = \"time.step\"\nvalues = [1]\n[variable.a.choice.b]\nset = [\"time.step=1\"]",
+            false,
+        ),
+        ("[variable.a.choice.b]\n", false),
+    ] {
+        let text = format!("{start}{rest}\n");
+        assert_eq!(Campaign::parse(&text, "c.toml").is_ok(), good, "{text}");
+        assert_eq!(validator.validate(&json_of(&text)).is_ok(), good, "{text}");
+    }
+    // Ten variables of ten values are 10^10 cases.
+    let ten = |name: usize| {
+        format!(
+            "[variable.v{name}]\nkey = \"time.step\"\nvalues = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9]\n"
+        )
+    };
+    let many = format!("scenario = \"x.toml\"\n{}", (0..10).map(ten).collect::<String>());
+    let error = Campaign::parse(&many, "c.toml").unwrap_err().to_string();
+    assert!(error.contains("are more than 1000000 cases"), "{error}");
 }
 
 /// All scenario files of the repository.
@@ -101,7 +140,88 @@ fn fulls() -> Vec<Json> {
         { "line": "spring", "pay_out": 0.1 },
         { "line": "spring", "hold": true }
     ]);
-    vec![full(), by_file, by_depth, on_winches]
+    let mut by_wall = full();
+    for row in by_wall["fender_row"].as_object_mut().unwrap().values_mut() {
+        let row = row.as_object_mut().unwrap();
+        row.remove("first");
+        row.remove("last");
+        row.insert("spacing".to_owned(), json!("9 m"));
+        row.insert("number".to_owned(), json!(2));
+        row.insert("wall".to_owned(), json!([[-100, 0], [100, 0]]));
+        row.insert("from_corner".to_owned(), json!("5 m"));
+    }
+    by_wall["body"]["coaster"]["approach"]["abnormal"] = json!({ "speed_factor": 1.25 });
+    let mut on_dolphins = full();
+    on_dolphins["body"]["coaster"].as_object_mut().unwrap().remove("approach");
+    for row in on_dolphins["fender_row"].as_object_mut().unwrap().values_mut() {
+        let row = row.as_object_mut().unwrap();
+        for key in ["on", "spacing", "number", "first", "last", "exception"] {
+            row.remove(key);
+        }
+        row.insert("dolphins".to_owned(), json!([[700, 0], [800, 0]]));
+        row.insert("outline".to_owned(), json!([[-2, 0], [2, 0], [2, 4], [-2, 4]]));
+        row.insert("heading".to_owned(), json!("30 deg"));
+        row.insert("dolphin".to_owned(), pile());
+    }
+    let mut on_tubes = on_dolphins.clone();
+    for row in on_tubes["fender_row"].as_object_mut().unwrap().values_mut() {
+        row["dolphin"] = tubes();
+    }
+    by_depth["berthing"]["added_mass_factor"] = json!(1.7);
+    by_depth["berthing"].as_object_mut().expect("a table").remove("added_mass");
+    vec![full(), by_file, by_depth, on_winches, by_wall, on_dolphins, on_tubes]
+}
+
+fn pile() -> Json {
+    json!({ "stiffness": "5 MN/m", "mass": "60 t", "yield_load": "1500 kN", "damping": 0.02 })
+}
+
+fn tubes() -> Json {
+    json!({
+        "diameter": "2.5 m", "wall": "40 mm", "length": "25 m", "piles": 2, "modulus": "210 GPa",
+        "yield_stress": "420 MPa", "head_mass": "40 t"
+    })
+}
+
+/// Rows with all keys of fenders: one for each fender of `full` that stands on a quay, with an exception that has all
+/// keys of that fender.
+fn with_rows(mut full: Json) -> Json {
+    let mut rows = Map::new();
+    for (name, fender) in full["fender"].as_object().unwrap() {
+        let mut row = fender.as_object().unwrap().clone();
+        if row.contains_key("belting") {
+            continue;
+        }
+        row.remove("position");
+        row.remove("facing");
+        let mut exception = row.clone();
+        exception.remove("on");
+        exception.insert("position".to_owned(), json!([50, 0]));
+        exception.insert("facing".to_owned(), json!("-80 deg"));
+        let member = format!("row {name}_1");
+        row.insert("on".to_owned(), json!("long quay"));
+        row.insert("first".to_owned(), json!([-70, 0]));
+        row.insert("facing".to_owned(), json!("-90 deg"));
+        match name.as_str() {
+            "of a type" => row.insert("last".to_owned(), json!([70, 0])),
+            _ => row.insert("number".to_owned(), json!(3)),
+        };
+        row.insert("spacing".to_owned(), json!("20 m"));
+        row.insert("exception".to_owned(), json!({ member: exception }));
+        rows.insert(format!("row {name}"), Json::Object(row));
+    }
+    full["fender_row"] = Json::Object(rows);
+    let outline = json!([[-100, 0], [100, 0], [100, 9], [-100, 9]]);
+    full["body"]["long quay"] = json!({ "fixed": true, "outline": outline, "position": [0, 300] });
+    full["body"]["coaster"] = json!({
+        "outline": [[-30, -5], [30, -5], [30, 5], [-30, 5]], "mass": "1500 t", "gyradius": "15 m",
+        "approach": {
+            "to": "long quay", "speed_normal": "0.15 m/s", "along": 0.1, "angle": "2 deg",
+            "side": "port", "contact": "quarter point", "fender": "row of a size_2",
+            "distance": "20 m", "abnormal": { "energy_factor": 1.5 }
+        }
+    });
+    full
 }
 
 /// The files that the scenarios name.
@@ -123,9 +243,10 @@ fn file_named(name: &str) -> Result<String, String> {
 /// `each_key_is_known_to_reader_and_schema`.
 fn full() -> Json {
     let square = json!([[-1, -1], [1, -1], [1, 1], [-1, 1]]);
-    json!({
+    with_rows(json!({
         "title": "All keys",
         "time": { "step": "0.1 s", "duration": 10, "integrator": "rk4" },
+        "output": { "interval": "1 s", "tables": ["fenders", "lines"] },
         "contact": { "method": "paper" },
         "material": { "m": {
             "stiffness": "500 kN/m^2", "damping": 0, "shear_stiffness": "3 MN/m",
@@ -139,18 +260,24 @@ fn full() -> Json {
                 "velocity": { "surge": "4 kn", "sway": -1, "yaw": "3 deg/s" }
             },
             "b": { "fixed": true, "outline": square },
+            "on a pile": { "outline": square, "position": [0, 2500], "dolphin": pile() },
+            "on a tube": { "outline": square, "position": [0, 2600], "dolphin": tubes() },
             "c": { "fixed": false, "outline": square, "mass": 1000, "yaw_inertia": "1e6 kg.m^2" },
             "d": { "outline": square, "vessel": "box ship", "position": [500, 0], "running": 0.25 },
             "e": { "outline": square, "vessel": "tanker", "position": [900, 0] },
             "f": { "vessel": "container-ship", "position": [0, 900] },
-            "g": { "vessel": "asd-tug", "position": [0, 1500] }
+            "g": { "vessel": "asd-tug", "position": [0, 1500] },
+            "h": {
+                "outlines": [{ "height": 0, "outline": square }, { "height": "12 m", "outline": square }],
+                "draught": "5 m", "mass": 1000, "gyradius": 1, "position": [0, 1800]
+            }
         },
         "environment": {
             "depth": "30 m", "tide": { "level": 1, "constituent": [
                 { "amplitude": "2 m", "period": "12.42 h", "lag": "90 deg" }
             ] },
             "water_density": 1025, "squat": "icorels",
-            "wind": { "speed": "12 m/s", "from": "270 deg", "gusts": true, "seed": 3 },
+            "wind": { "speed": "12 m/s", "from": "270 deg", "gusts": true, "gust_admittance": false, "seed": 3 },
             "current": { "speed": "1 kn", "towards": "10 deg" },
             "bank": [{ "from": [-500, 90], "to": [500, 90] }],
             "waves": {
@@ -242,30 +369,46 @@ fn full() -> Json {
         "fender": {
             "of a type": {
                 "on": "b", "position": [1, 0], "facing": "-90 deg", "width": "2 m",
-                "face_height": 3, "above_water": "2 m", "material": "m", "type": "cone", "height": "1.2 m",
+                "face_height": 3, "above_water": "2 m", "floating": true, "material": "m", "type": "cone", "height": "1.2 m",
                 "rated_reaction": "900 kN", "count": 2, "temperature": 10, "tolerance": "-10 %",
-                "velocity_factor": false, "angle_factor": true, "unloading_law": true, "hull": "large tanker"
+                "velocity_factor": false, "angle_factor": true, "unloading_law": true, "hull": "large tanker",
+                "rolling_resistance": 0.1
             },
             "of a size": {
-                "on": "b", "position": [0, 0], "facing": 0, "width": 6.5, "material": "m",
+                "on": "b", "position": [1, 0], "facing": 0, "width": 6.5, "material": "m",
                 "type": "pneumatic", "size": "3300x6500 50kPa", "projection": 3.3
             },
             "linear": {
-                "on": "b", "position": [0, 0], "facing": 0, "width": 1, "material": "m",
+                "on": "b", "position": [1, 0], "facing": 0, "width": 1, "material": "m",
                 "projection": 1, "stiffness": "2 MN/m", "rated_deflection": "0.5 m", "returned_energy": "60 %",
                 "stop": { "from": "0.9 m", "stiffness": "50 MN/m" },
                 "hull_pressure_limit": "200 kN/m^2"
             },
             "tabulated": {
-                "on": "a", "position": [0, 0], "facing": 0, "width": 1, "material": "m",
+                "on": "a", "position": [1, 0], "facing": 0, "width": 1, "material": "m",
                 "projection": 1, "curve": [[0, 0], ["0.5 m", "600 kN"]],
                 "unloading": [[0, 0], ["0.5 m", "300 kN"]]
+            },
+            "on cones": {
+                "on": "b", "position": [1, 0], "facing": 0, "width": 4, "face_height": "3 m", "material": "m",
+                "projection": 1, "stiffness": "2 MN/m",
+                "cones": [{ "at": "-1 m" }, { "at": 1.2, "height": "0.6 m" }],
+                "chains": [
+                    { "kind": "tension", "at": "1.5 m", "slack": "20 mm", "stiffness": "40 MN/m", "break_load": "300 kN" },
+                    { "kind": "shear", "length": "1.3 m", "span": "1.25 m", "stiffness": 4e7, "break_load": "300 kN" },
+                    {
+                        "kind": "shear", "length": "1.3 m", "span": "1.25 m", "diameter": "28 mm", "grade": "u2",
+                        "link": "stud"
+                    },
+                    { "kind": "weight", "break_load": "300 kN" }
+                ],
+                "panel_mass": "2.5 t"
             },
             "on a belting": {
                 "on": "g", "belting": "bow", "material": "m", "projection": 1
             },
             "by area": {
-                "on": "a", "position": [0, 0], "facing": 0, "width": 1, "material": "m",
+                "on": "a", "position": [1, 0], "facing": 0, "width": 1, "material": "m",
                 "projection": 1
             }
         },
@@ -274,10 +417,14 @@ fn full() -> Json {
         "provider": [
             { "body": "a", "command": ["python3", "x.py"], "timeout": "0.5 s", "hold": 2 }
         ],
+        "report": {
+            "project": "p", "client": "c", "number": "1", "revision": "B", "status": "draft", "date": "2026-11-23",
+            "author": "x", "checked_by": "y"
+        },
         "berthing": {
-            "ship": "a", "length_bp": 285, "beam": "46 m", "draught": 9, "block_coefficient": 0.75,
+            "ship": "d", "length_bp": 285, "beam": "46 m", "draught": 9, "block_coefficient": 0.75,
             "under_keel_clearance": 3, "softness": "hard", "configuration": "semi_open",
-            "abnormal_factor": 1.5
+            "abnormal_factor": 1.5, "added_mass": "ufc"
         },
         "pair": [
             { "bodies": ["a", "b"], "material": "m" },
@@ -287,7 +434,7 @@ fn full() -> Json {
             { "body": "a", "force": [0, "-5 kN"], "moment": "1 kN.m", "from": "1 s", "until": 1000 },
             { "body": "c", "moment": 1 }
         ]
-    })
+    }))
 }
 
 /// Whether reader and schema accept a document; they must agree.
@@ -399,6 +546,9 @@ fn absent_agrees(document: &Json, pointer: &str) {
         "/body/d/outline",
         "/vessel/box ship/azimuth",
         "/pair",
+        // The fenders that a ship approaches.
+        "/fender_row",
+        "/fender_row/row of a size",
     ]
     .contains(&pointer);
     if !referred_to {
@@ -489,6 +639,9 @@ fn examples_are_accepted() {
                 "/body/b/fixed",
                 "/material/m/friction_static",
                 "/fender/of a size/type",
+                "/fender_row",
+                "/fender_row/row of a size/type",
+                "/fender_row/row of a size/exception/row of a size_1/type",
                 "/fender_files",
                 "/vessel_files",
                 // And each method of wind coefficients with its own particulars.

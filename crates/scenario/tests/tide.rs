@@ -136,6 +136,35 @@ fn a_lower_tide_raises_the_fender_on_the_quay() {
     assert!((more_rad.abs() / by_hand_rad - 1.0).abs() < 0.02, "{more_rad} {by_hand_rad}");
 }
 
+/// A floating fender rides the tide: it acts 3 m above the water at any level.
+#[test]
+fn a_floating_fender_keeps_its_height_above_the_water() {
+    let roll = |fender: &str, level: &str| {
+        let tide = format!(
+            "wind = {{ speed = \"15 m/s\", from = \"270 deg\" }}\ntide = {{ level = {level} }}"
+        );
+        let alone = MOORED.find("[line.breast]").expect("a line");
+        let wind = "wind = { speed = \"15 m/s\", from = \"270 deg\" }";
+        let above = "above_water = \"3 m\"";
+        let changes = [
+            (&MOORED[alone..], ""),
+            (wind, tide.as_str()),
+            ("depth = \"16 m\"", ""),
+            ("\"20 min\"", "\"3 min\""),
+            (above, fender),
+        ];
+        let mut simulation = simulation(&changes, &[]);
+        while !simulation.is_done() {
+            simulation.step().expect("a good step");
+        }
+        simulation.vessels()[0].attitude.roll.value
+    };
+    let floating = "above_water = \"3 m\"\nfloating = true";
+    let fixed = "above_water = \"3 m\"";
+    assert_eq!(roll(floating, "2").to_bits(), roll(fixed, "0").to_bits());
+    assert!(roll(fixed, "2") != roll(fixed, "0"));
+}
+
 /// She drifts in the wind for two hours while the depth falls from 12 m to 7 m and rises back to 12 m. She passes 1.1
 /// draughts at 8.8 m and her draught at 8 m; each gives one event at its time. The bottom stops and holds her, then she
 /// floats and drifts again. Forces are continuous: with a quarter of the step they change about a quarter as much from

@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use fenderline_contact::Vec2;
+use fenderline_contact::{Unloading, Vec2};
 use fenderline_scenario::Scenario;
 use fenderline_sim::Simulation;
 
@@ -87,4 +87,81 @@ fn in_a_steady_wind_she_lies_where_she_is_for_a_day() {
     );
     assert!(drift_m < 1e-4, "{drift_m} m in 20 hours");
     assert!(farthest_m - nearest_m < 1e-3, "{nearest_m} to {farthest_m} m");
+}
+
+/// A fender of the user's own, of which no unloading is known. By restitution there were 1680 such jumps in twenty minutes: the
+/// limiter determines the sum of the eight forces alone, and each of them jumped from step to step.
+#[test]
+fn a_moored_ship_s_reactions_do_not_jump_by_10_kn_at_a_tenth_of_a_millimetre() {
+    const TYPE: &str =
+        "type = \"cone\"\nheight = \"1.6 m\"\nrated_reaction = \"1500 kN\"\ntemperature = 15\n";
+    const OWN: &str = "curve = [[0, 0], [0.16, 600e3], [0.4, 1400e3], [0.56, 1500e3], [0.8, 1250e3], \
+                       [1.0, 1400e3], [1.12, 1500e3]]\n";
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let file = root.join("scenarios/berth/moored_three_hours_in_gusts.toml");
+    let text = std::fs::read_to_string(file).unwrap();
+    let text = text.replacen("duration = \"3 h\"", "duration = \"20 min\"", 1);
+    assert_eq!(text.matches(TYPE).count(), 1, "one row of eight");
+    for (fenders, text) in [("cones", text.clone()), ("own", text.replace(TYPE, OWN))] {
+        let setup = Scenario::parse(&text, "moored.toml").expect("a good scenario").setup;
+        let mut simulation = Simulation::new(setup).expect("a good set-up");
+        let mut before = vec![None; 8];
+        let (mut samples, mut jumps) = (0_u32, 0_u32);
+        while !simulation.is_done() {
+            let mut now = vec![None; 8];
+            for contact in simulation.step().expect("a good step").contacts {
+                let Some(id) = contact.fender else { continue };
+                let (depth_m, force_n) = (contact.depth_m, contact.normal_force_n);
+                if let Some((depth_before_m, force_before_n)) = before[id.0 as usize] {
+                    let (moved_m, jump_n): (f64, f64) =
+                        (depth_m - depth_before_m, force_n - force_before_n);
+                    samples += 1;
+                    jumps += u32::from(jump_n.abs() > 10e3 && moved_m.abs() < 1e-4);
+                }
+                now[id.0 as usize] = Some((depth_m, force_n));
+            }
+            before = now;
+        }
+        assert!(samples > 90_000, "{fenders}: {samples}");
+        assert_eq!(jumps, 0, "{fenders}");
+    }
+}
+
+/// Of a fender of which nothing is known, 55 % of the energy is assumed to be returned, and the report marks it. What restitution
+/// does not do any more, the notice of the check says.
+#[test]
+fn a_fender_s_restitution_has_no_effect_and_the_notice_says_where_it_went() {
+    const TEXT: &str = r#"
+        time = { step = 0.1, duration = 1 }
+        material.facing = { stiffness = 0, restitution = 0.1, friction_static = 0.2 }
+        material.concrete = { stiffness = 1e6, restitution = 0.1 }
+        body.ship = { outline = [[-9, -3], [9, -3], [9, 3], [-9, 3]], mass = 5e5, gyradius = 5 }
+        body.quay = { outline = [[-9, 0], [9, 0], [9, 5], [-9, 5]], fixed = true, position = [0, 9] }
+        pair = [{ bodies = ["ship", "quay"], material = "concrete" }]
+        [fender.own]
+        on = "quay"
+        position = [0, 0]
+        facing = "-90 deg"
+        width = 1
+        projection = 1
+        stiffness = 1e6
+        material = "facing"
+    "#;
+    let parse = |text: &str| Scenario::parse(text, "own.toml").expect("a good scenario");
+    let scenario = parse(TEXT);
+    let told: Vec<_> = scenario.notices.iter().map(|n| (n.key.as_str(), &n.message)).collect();
+    let [("material.facing.restitution", message)] = told[..] else { panic!("{told:?}") };
+    assert!(message.contains("no effect") && message.contains("`returned_energy`"), "{message}");
+    let fender = &scenario.setup.fenders[0];
+    assert_eq!(fender.unloading, Some(Unloading::ReturnedEnergy(0.55)));
+    let source = &fender.source.as_ref().expect("a source").source;
+    assert!(source.contains("unloading (assumed)"), "{source}");
+    // It has an effect by the paper's method, and where the fender asks for it.
+    for other in ["contact.method = \"paper\"\n[fender.own]", "[fender.own]\nunloading_law = false"]
+    {
+        let scenario = parse(&TEXT.replace("[fender.own]", other));
+        assert_eq!(scenario.notices, [], "{other}");
+        let source = &scenario.setup.fenders[0].source.as_ref().expect("a source").source;
+        assert_eq!(source.contains("assumed"), !other.contains("unloading_law"), "{source}");
+    }
 }

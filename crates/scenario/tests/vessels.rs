@@ -477,6 +477,19 @@ fn every_mistake_in_a_vessel_file_names_file_key_and_line() {
     assert!(twice.unwrap_err().to_string().contains("there is a vessel named \"kcs\" already"));
 }
 
+/// A body's outline is a list of points, that of a vessel file a table.
+#[test]
+fn an_outline_that_is_a_list_of_points_is_told_the_keys_of_its_table() {
+    let (before, rest) = GOOD.split_once("[vessel.coaster.outline]\n").unwrap();
+    let (_, after) = rest.split_once("]]\n").unwrap();
+    let list = "length_bp = \"130 m\"\noutline = [[-65, -10], [65, -10], [65, 10], [-65, 10]]";
+    let text = format!("{before}{after}").replacen("length_bp = \"130 m\"", list, 1);
+    let error = VesselLibrary::built_in().with_file(&text, "ours.toml").unwrap_err();
+    assert_eq!(error.key(), Some("vessel.coaster.outline"), "{error}");
+    let help = "write outline = { origin = \"midship\", points = [[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]] }";
+    assert!(error.to_string().contains(help), "{error}");
+}
+
 /// A coaster of a user's file beside a quay and a tug of the library.
 const HARBOUR: &str = r#"vessel_files = ["ours.toml"]
 

@@ -21,12 +21,12 @@ use tokio::net::{TcpListener, TcpStream};
 use tokio::time::timeout;
 
 use super::client;
-use super::crowd::{Crowd, Peer};
-use super::door::Door;
+use super::connections::{Connections, Peer};
 use super::hub::Hub;
+use super::known_hosts::KnownHosts;
 use super::page::Page;
 
-/// Most connections that are not websockets yet. Beyond it an old one is closed (see `crowd`).
+/// Most connections that are not websockets yet. Beyond it an old one is closed (see `connections`).
 const MOST_CONNECTIONS: usize = 256;
 /// Most websockets that are open only to be told why they are closed.
 const MOST_TURNED_AWAY: usize = 64;
@@ -42,21 +42,21 @@ const MOST_WAITING: usize = 4 << 20;
 pub(crate) struct Site {
     pub(crate) hub: Arc<Hub>,
     pub(crate) page: Page,
-    pub(crate) door: Door,
+    pub(crate) known_hosts: KnownHosts,
     /// Websockets that are open only to be told why they are closed.
-    pub(crate) turned_away: Arc<Crowd>,
+    pub(crate) turned_away: Arc<Connections>,
 }
 
 impl Site {
-    pub(crate) fn new(hub: Arc<Hub>, page: Page, door: Door) -> Site {
-        Site { hub, page, door, turned_away: Crowd::of(MOST_TURNED_AWAY) }
+    pub(crate) fn new(hub: Arc<Hub>, page: Page, known_hosts: KnownHosts) -> Site {
+        Site { hub, page, known_hosts, turned_away: Connections::of(MOST_TURNED_AWAY) }
     }
 }
 
 /// Serves until the task is dropped.
 pub(crate) async fn serve(listener: TcpListener, site: Arc<Site>) {
     let app = Router::new().route("/live", any(live)).fallback(file).with_state(Arc::clone(&site));
-    let crowd = Crowd::of(MOST_CONNECTIONS);
+    let connections = Connections::of(MOST_CONNECTIONS);
     loop {
         let (stream, peer) = match listener.accept().await {
             Ok((stream, from)) => (stream, Peer::of(from.ip())),
@@ -67,7 +67,7 @@ pub(crate) async fn serve(listener: TcpListener, site: Arc<Site>) {
                 continue;
             }
         };
-        let place = crowd.enter(peer);
+        let place = connections.enter(peer);
         let (app, site) = (app.clone(), Arc::clone(&site));
         tokio::spawn(async move {
             tokio::select! {
@@ -112,7 +112,7 @@ async fn live(
     uri: Uri,
     upgrade: WebSocketUpgrade,
 ) -> Response {
-    if let Err(why) = site.door.origin(&headers) {
+    if let Err(why) = site.known_hosts.origin(&headers) {
         return refused(&site, why);
     }
     let upgrade = upgrade
@@ -160,7 +160,7 @@ fn turn_away<F: Future<Output = ()> + Send + 'static>(
 
 /// A file of the page.
 async fn file(State(site): State<Arc<Site>>, request: Request) -> Response {
-    let host = match site.door.host(request.headers()) {
+    let host = match site.known_hosts.host(request.headers()) {
         Ok(host) => host,
         Err(why) => return refused(&site, why),
     };

@@ -9,7 +9,7 @@ use fenderline_live::{Refusal, Request};
 use tokio::sync::{mpsc, watch};
 
 use super::claims::ClientId;
-use super::crowd::Peer;
+use super::connections::Peer;
 use super::log::{Log, Notify};
 use super::opening::Outcome;
 use super::seats::{Seat, Seats};

@@ -15,10 +15,10 @@
 //! | of the network | |
 //! |---|---|
 //! | `http`, `page` | requests, and the files of the page |
-//! | `door`, `tokens` | which hosts and origins are answered, and the links |
+//! | `known_hosts`, `tokens` | which hosts and origins are answered, and the links |
 //! | `client` | the task of one websocket |
 //! | `wire` | sentences to chart programs, over TCP and UDP |
-//! | `crowd`, `seats`, `rate`, `log` | limits on connections, clients, commands and log lines |
+//! | `connections`, `seats`, `rate`, `log` | limits on connections, clients, commands and log lines |
 //!
 //! The crate knows no command line: the program gives [`Options`], shows [`Server::greeting`] and decides when the
 //! server stops.
@@ -26,13 +26,13 @@
 
 mod claims;
 mod client;
-mod crowd;
-mod door;
+mod connections;
 mod engine;
 mod gallery;
 mod http;
 mod hub;
 mod instruments;
+mod known_hosts;
 mod log;
 mod opening;
 mod pacer;
@@ -57,11 +57,11 @@ use tokio::net::{TcpListener, TcpSocket, UdpSocket};
 use tokio::runtime::Runtime;
 use tokio::sync::oneshot;
 
-use self::door::Door;
 use self::engine::Engine;
 use self::gallery::Gallery;
 use self::http::Site;
 use self::hub::{Hub, ToEngine};
+use self::known_hosts::KnownHosts;
 pub use self::log::Notify;
 use self::page::Page;
 use self::saved::{Progress, ReplayFailure};
@@ -81,7 +81,7 @@ pub struct Options {
     pub allow_remote: bool,
     /// Names that other machines know this one by.
     pub host_names: Vec<String>,
-    /// Folder with a built page; `None`: the repository's page, built where needed.
+    /// Folder with built pages; `None`: those that the program carries.
     pub page: Option<PathBuf>,
     /// Folder with scenarios to open from the page; `None`: the scenario's folder.
     pub gallery: Option<PathBuf>,
@@ -176,7 +176,7 @@ impl Server {
             Some(folder) => {
                 Page::read(folder).map_err(|why| ServeError::input(format_args!("error: {why}")))?
             }
-            None => Page::of_repository(notify),
+            None => Page::embedded(notify),
         };
         let has_charts = options.nmea_tcp.is_some() || options.nmea_udp.is_some();
         let (to_engine, messages) = mpsc::channel();
@@ -217,8 +217,9 @@ impl Server {
             .map_err(|e| {
                 ServeError::failed(format_args!("error: no thread for the simulation: {e}"))
             })?;
-        let door = Door { remote: !options.bind.is_loopback(), names: options.host_names.clone() };
-        let site = Arc::new(Site::new(Arc::clone(&hub), page, door));
+        let known_hosts =
+            KnownHosts { remote: !options.bind.is_loopback(), names: options.host_names.clone() };
+        let site = Arc::new(Site::new(Arc::clone(&hub), page, known_hosts));
         let greeting = greeting(address, &links, &wires, &recording);
         Ok(Server {
             runtime,

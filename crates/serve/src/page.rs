@@ -1,22 +1,22 @@
-//! The page of the live server, in memory. It is built from the repository's `web` folder if it is missing or old.
+//! The pages of the live server, in memory: those that the program carries in itself, or a folder's.
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::time::SystemTime;
+use std::path::Path;
 
 use fenderline_scenario::{FileFault, read_bytes};
 use maud::{DOCTYPE, html};
 
 use super::log::Notify;
 
-/// The `web` folder of the sources that this program was built from.
-const WEB: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../web");
+include!(concat!(env!("OUT_DIR"), "/pages.rs"));
+
+/// What to do about missing pages.
+const GET_PAGES: &str = "Programs of a release have them. To build one: install Node 20.19 or later with npm, run `npm ci` \
+                         and `npm run build` in the folder `web` of the sources, and build the program again. Or serve a \
+                         folder of built pages with `--page FOLDER`.";
 /// Largest size of all files of a page together (bytes).
 const LARGEST: u64 = 64 << 20;
-/// Folders of `web` that hold no sources of the page.
-const NOT_SOURCES: [&str; 5] = ["node_modules", "dist", "e2e", "test", "screenshots"];
 
 /// A file as it is sent.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -44,27 +44,30 @@ impl Page {
         Ok(Page(files))
     }
 
-    /// The repository's page. It is built first if it is missing or older than its sources. If that fails, a page that
-    /// says why.
-    pub(crate) fn of_repository(notify: Notify) -> Page {
-        built(Path::new(WEB), notify).and_then(|dist| Page::read(&dist)).unwrap_or_else(|why| {
-            notify(&format!("no page: {why}"));
-            notify("The server works without it; only the pages are missing.");
-            Page::missing(&why)
-        })
+    /// The pages that this program carries. If it was built without them, a page that says how to get them.
+    pub(crate) fn embedded(notify: Notify) -> Page {
+        if let Some(why) = NO_PAGES {
+            notify(&format!("notice: this program was built without pages: {why}"));
+            notify(&format!("The server works without them. {GET_PAGES}"));
+            return Page::missing(why);
+        }
+        let file = |(path, bytes): &(&str, &[u8])| {
+            let file = PageFile { content_type: content_type(path), bytes: bytes.to_vec() };
+            ((*path).to_owned(), file)
+        };
+        Page(PAGES.iter().map(file).collect())
     }
 
-    /// A page that says why the real one is missing.
+    /// A page that says why the real ones are missing, and how to get them.
     fn missing(why: &str) -> Page {
         let text = html! {
             (DOCTYPE)
             html lang="en" {
-                head { meta charset="utf-8"; title { "fenderline: no page" } }
+                head { meta charset="utf-8"; title { "fenderline: no pages" } }
                 body {
-                    h1 { "There is no page here yet" }
-                    p { "The simulation runs and its websocket is open, but the page was not built: " (why) }
-                    p { "With Node and npm installed, start " code { "fenderline serve" } " again; it builds the page by \
-                        itself. A page that was built elsewhere is served with " code { "--page FOLDER" } "." }
+                    h1 { "This program was built without pages" }
+                    p { "The simulation runs and its websocket is open. The pages are missing: " (why) "." }
+                    p { (GET_PAGES) }
                 }
             }
         };
@@ -124,79 +127,6 @@ fn content_type(name: &str) -> &'static str {
     }
 }
 
-/// Builds the page in `web` if needed, and returns its folder.
-fn built(web: &Path, notify: Notify) -> Result<PathBuf, String> {
-    if !web.join("package.json").is_file() {
-        return Err(format!(
-            "{}: the page's sources are not there (the folder that this program was built from)",
-            web.display()
-        ));
-    }
-    let dist = web.join("dist");
-    if is_up_to_date(web, &dist) {
-        return Ok(dist);
-    }
-    notify("building the page (once; npm may fetch what it needs)...");
-    if !is_newer(&web.join("node_modules/.package-lock.json"), &web.join("package-lock.json")) {
-        npm(web, &["ci"], notify)?;
-    }
-    npm(web, &["run", "build"], notify)?;
-    Ok(dist)
-}
-
-/// Whether no source is newer than the built page.
-fn is_up_to_date(web: &Path, dist: &Path) -> bool {
-    let Some(built) = changed(&dist.join("index.html")) else { return false };
-    newest(web).is_some_and(|source| source <= built)
-}
-
-fn is_newer(file: &Path, than: &Path) -> bool {
-    match (changed(file), changed(than)) {
-        (Some(file), Some(than)) => file >= than,
-        (Some(_), None) => true,
-        (None, _) => false,
-    }
-}
-
-fn changed(path: &Path) -> Option<SystemTime> {
-    fs::metadata(path).and_then(|of| of.modified()).ok()
-}
-
-/// The last change of any source.
-fn newest(folder: &Path) -> Option<SystemTime> {
-    let mut newest_yet = None;
-    for entry in fs::read_dir(folder).ok()?.flatten() {
-        let name = entry.file_name();
-        if NOT_SOURCES.iter().any(|other| name == *other) || name.to_string_lossy().starts_with('.')
-        {
-            continue;
-        }
-        let path = entry.path();
-        let time = if path.is_dir() { newest(&path) } else { changed(&path) };
-        newest_yet = newest_yet.max(time);
-    }
-    newest_yet
-}
-
-fn npm(web: &Path, arguments: &[&str], notify: Notify) -> Result<(), String> {
-    let program = if cfg!(windows) { "npm.cmd" } else { "npm" };
-    let called = format!("npm {}", arguments.join(" "));
-    // Standard output is for the links, so that npm's output is captured.
-    let output = Command::new(program).args(arguments).current_dir(web).output();
-    let output = output.map_err(|e| match e.kind() {
-        std::io::ErrorKind::NotFound => {
-            "npm was not found: install Node (20.19 or newer) to build the page".to_owned()
-        }
-        _ => format!("{called}: {e}"),
-    })?;
-    if output.status.success() {
-        return Ok(());
-    }
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).trim().to_owned();
-    notify(&format!("{}\n{}", text(&output.stdout), text(&output.stderr)));
-    Err(format!("`{called}` failed in {}: see above", web.display()))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -220,6 +150,6 @@ mod tests {
         }
         let missing = Page::missing("<npm>");
         let text = String::from_utf8_lossy(&missing.file("/").expect("a page").bytes).into_owned();
-        assert!(text.contains("&lt;npm&gt;"));
+        assert!(text.contains("&lt;npm&gt;") && text.contains("npm run build"));
     }
 }

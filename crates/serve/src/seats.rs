@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::crowd::Peer;
+use super::connections::Peer;
 
 /// The share of the seats for one address: three of four.
 const OF_ONE: (usize, usize) = (3, 4);
@@ -61,12 +61,13 @@ mod tests {
     fn one_address_cannot_take_all_seats() {
         let peer = |text: &str| Peer::of(text.parse().expect("an address"));
         let seats = Seats::of(8);
-        let mut crowd: Vec<Seat> = (0..6).filter_map(|_| seats.take(peer("192.0.2.1"))).collect();
-        assert!(crowd.len() == 6 && seats.take(peer("192.0.2.1")).is_none());
+        let mut connections: Vec<Seat> =
+            (0..6).filter_map(|_| seats.take(peer("192.0.2.1"))).collect();
+        assert!(connections.len() == 6 && seats.take(peer("192.0.2.1")).is_none());
         let other = seats.take(peer("192.0.2.2")).expect("a seat is free");
         assert!(seats.take(peer("192.0.2.3")).is_some());
         drop(other);
-        crowd.pop();
+        connections.pop();
         assert!(seats.take(peer("192.0.2.1")).is_some());
     }
 }

@@ -9,23 +9,23 @@ use tokio::net::{TcpListener, TcpStream, UdpSocket};
 use tokio::sync::watch;
 use tokio::time::timeout;
 
-use super::crowd::{Crowd, Peer};
+use super::connections::{Connections, Peer};
 use super::hub::{Hub, Sentences};
 
-/// Most chart programs over TCP. Beyond it an old one is disconnected (see `crowd`).
+/// Most chart programs over TCP. Beyond it an old one is disconnected (see `connections`).
 const MOST: usize = 32;
 /// A chart program that does not read one round of sentences within this time is disconnected.
 const SEND_TIMEOUT: Duration = Duration::from_secs(10);
 
 /// Serves every chart program that connects.
 pub(crate) async fn tcp(listener: TcpListener, hub: Arc<Hub>) {
-    let crowd = Crowd::of(MOST);
+    let connections = Connections::of(MOST);
     loop {
         let Ok((stream, from)) = listener.accept().await else {
             tokio::time::sleep(Duration::from_millis(100)).await;
             continue;
         };
-        let place = crowd.enter(Peer::of(from.ip()));
+        let place = connections.enter(Peer::of(from.ip()));
         let hub = Arc::clone(&hub);
         tokio::spawn(async move {
             tokio::select! {

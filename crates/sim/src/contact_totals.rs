@@ -3,6 +3,7 @@
 use fenderline_contact::number::greater;
 use fenderline_contact::{Contact, ContactWork};
 
+use crate::hull::HeightWork;
 use crate::mean_velocity::MeanVelocity;
 use crate::record::ContactEnergy;
 
@@ -25,6 +26,8 @@ pub(crate) struct ContactTotals {
     /// Energy created by contacts that have ended (J).
     gained_j: f64,
     has_begun: bool,
+    /// The entry that was found last.
+    last: usize,
 }
 
 /// A contact at the start of a step.
@@ -38,9 +41,17 @@ struct AtStart {
 }
 
 impl ContactTotals {
+    /// Forgets the run.
+    pub(crate) fn restart(&mut self) {
+        let ContactTotals { all, at_start, gained_j, has_begun, last } = self;
+        all.clear();
+        at_start.clear();
+        (*gained_j, *has_begun, *last) = (0.0, false, 0);
+    }
+
     /// Begins a step: removes contacts that ended in the step before the last, clears the works, and compares the
     /// stored energy accumulated so far with the potential of the springs.
-    pub(crate) fn open(&mut self, contacts: &[Contact]) {
+    pub(crate) fn open(&mut self, contacts: &[Contact], works: &[HeightWork]) {
         let mut index = 0;
         let gained_j = &mut self.gained_j;
         self.all.retain(|energy| {
@@ -62,6 +73,12 @@ impl ContactTotals {
                 shear_stored_j: energy.shear_stored_j,
                 ..ContactEnergy::default()
             };
+        }
+        for work in works {
+            let index = self.index_of_pair(work.bodies, Some(work.fender));
+            let energy = &mut self.all[index];
+            energy.height_j += work.work_j;
+            energy.stored_j += work.work_j;
         }
         for contact in contacts {
             let index = self.index_of(contact);
@@ -111,7 +128,7 @@ impl ContactTotals {
     /// Ends a step: the friction loss is the work of the tangential force less what the shear spring stored.
     pub(crate) fn close(&mut self) {
         for (energy, at_start) in self.all.iter_mut().zip(&self.at_start) {
-            energy.since_began_j += energy.normal_j + energy.tangential_j;
+            energy.since_began_j += energy.normal_j + energy.tangential_j - energy.height_j;
             energy.friction_j =
                 -energy.tangential_j - (at_start.shear_stored_j - energy.shear_stored_j);
             energy.shear_stored_j = at_start.shear_stored_j;
@@ -128,9 +145,18 @@ impl ContactTotals {
 
     fn index_of(&mut self, contact: &Contact) -> usize {
         let bodies = [contact.body_1.0 as usize, contact.body_2.0 as usize];
-        let fender = contact.fender.map(|id| id.0 as usize);
+        self.index_of_pair(bodies, contact.fender.map(|id| id.0 as usize))
+    }
+
+    fn index_of_pair(&mut self, bodies: [usize; 2], fender: Option<usize>) -> usize {
         let same = |b: &ContactEnergy| b.bodies == bodies && b.fender == fender;
-        self.all.iter().position(same).unwrap_or_else(|| {
+        // Contacts come in the same order in every step: the entry after the last one, or that again for another patch of it.
+        // With 1,000 fenders, searching all of them takes longer than solving the contacts.
+        let is_at = |index: usize| self.all.get(index).is_some_and(same);
+        let near = [self.last + 1, self.last, 0].into_iter().find(|&index| is_at(index));
+        let found = near.or_else(|| self.all.iter().position(same));
+        self.last = found.unwrap_or(self.all.len());
+        found.unwrap_or_else(|| {
             // A contact that exists at the start of the run may have energy stored already.
             let since_began_j = if self.has_begun { 0.0 } else { f64::NEG_INFINITY };
             self.all.push(ContactEnergy {

@@ -50,6 +50,21 @@ pub enum SetupError {
         /// The index of her body.
         body: usize,
     },
+    /// A body with outlines by height and the paper's contact method.
+    HullByPaperMethod {
+        /// The index of the body.
+        body: usize,
+    },
+    /// A flexible dolphin with the paper's contact method, or with an integrator other than the semi-implicit one.
+    DolphinNeedsEngine {
+        /// The body.
+        body: String,
+    },
+    /// A flexible dolphin in a host that moves its bodies itself.
+    DolphinOfHost {
+        /// The body.
+        body: String,
+    },
     /// A body index that does not exist, or the index of a fixed body where a floating one is needed.
     BadBody {
         /// What refers to it.
@@ -79,6 +94,22 @@ impl fmt::Display for SetupError {
                     "body {body} is a vessel, but the paper's method has no mass matrix: use `method = \"coupled\"`"
                 )
             }
+            SetupError::HullByPaperMethod { body } => {
+                write!(
+                    f,
+                    "body {body} has outlines by height, which need the coupled method: use `method = \"coupled\"`"
+                )
+            }
+            SetupError::DolphinNeedsEngine { body } => write!(
+                f,
+                "body `{body}` is a flexible dolphin, which needs the coupled method and the semi-implicit integrator: use \
+                 `method = \"coupled\"` and `integrator = \"semi_implicit\"`"
+            ),
+            SetupError::DolphinOfHost { body } => write!(
+                f,
+                "body `{body}` is a flexible dolphin, which only a simulation moves, not a host that moves its bodies itself: \
+                 make it a fixed body"
+            ),
             SetupError::Berthing(error) => write!(f, "the berthing's {error}"),
             SetupError::BadBody { owner, body } => {
                 write!(f, "a {owner} refers to body {body}, which does not exist or is fixed")

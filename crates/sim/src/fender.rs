@@ -1,7 +1,18 @@
 //! Fenders: their set-up, and the summary of each one after a run.
 
 use fenderline_contact::number::greater;
-use fenderline_contact::{Contact, FenderLaw, ReactionFactors, Stop, Unloading, Vec2};
+use fenderline_contact::{
+    Contact, FenderLaw, Panel, ReactionFactors, Stop, Unloading, Vec2, combined_angle_rad,
+};
+
+use crate::chain::{
+    ChainKind, ChainLoad, ChainSetup, ChainSummary, ChainTension, add_others, add_tension,
+};
+use crate::constants::STANDARD_GRAVITY_MPS2;
+use crate::hull::{HullTouch, larger_force_n};
+use crate::panel::{ConeUse, PanelSummary};
+use crate::record::StepRecord;
+use crate::setup::NamedMaterial;
 
 /// A fender of a [`crate::Setup`].
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +32,8 @@ pub struct FenderSetup {
     /// Height of the middle of its face above the still waterline (m), or above datum if its body is fixed. The lever
     /// arm with which its force heels a vessel follows from it.
     pub above_water_m: f64,
+    /// It floats, as a pneumatic fender does: on a fixed body too `above_water_m` is above the water of the moment.
+    pub floating: bool,
     /// Distance from the mounting to the face, uncompressed (m).
     pub projection_m: f64,
     /// Reaction by deflection.
@@ -44,9 +57,22 @@ pub struct FenderSetup {
     pub hull_pressure_limit_npm2: Option<f64>,
     /// Where its data come from.
     pub source: Option<FenderSource>,
+    /// A panel on several cones. Law, stop and rated deflection are then those of each cone; rated reaction and energy are
+    /// the sums over all cones.
+    pub panel: Option<Panel>,
+    /// Its chains. Tension chains need a panel on several cones.
+    pub chains: Vec<ChainSetup>,
+    /// Mass that its weight chains carry (kg).
+    pub panel_mass_kg: f64,
 }
 
 impl FenderSetup {
+    /// Number of equal fenders behind a panel; 1 without one.
+    #[must_use]
+    pub fn cones(&self) -> f64 {
+        self.panel.as_ref().map_or(1.0, |panel| panel.cones_m.len() as f64)
+    }
+
     /// Pressure on the hull (N/m²) at a deflection (m) and a reaction (N); `None` if it is not known how the fender
     /// presses on the hull.
     #[must_use]
@@ -87,8 +113,11 @@ pub enum HullPressure {
 pub struct Rated {
     /// Deflection (m).
     pub deflection_m: f64,
-    /// Largest reaction up to the rated deflection (N).
+    /// The rated reaction (N): that of catalogue or user; of a curve without one, its largest reaction up to the rated deflection.
     pub reaction_n: f64,
+    /// The largest reaction of the curve up to the rated deflection (N), not less than the rated one. A curve that buckles can peak
+    /// a little above its rated reaction: within it the fender is not over-rated.
+    pub largest_reaction_n: f64,
     /// ∫ R dδ up to the rated deflection (J).
     pub energy_j: f64,
 }
@@ -100,7 +129,24 @@ impl Rated {
         let FenderLaw::Curve(points) = law else { return None };
         let within = points.iter().filter(|p| p[0] < deflection_m).map(|p| p[1]);
         let reaction_n = within.fold(law.reaction_n(deflection_m), greater);
-        Some(Rated { deflection_m, reaction_n, energy_j: law.energy_j(deflection_m) })
+        let energy_j = law.energy_j(deflection_m);
+        Some(Rated { deflection_m, reaction_n, largest_reaction_n: reaction_n, energy_j })
+    }
+
+    /// The same with the rated reaction of catalogue or user (N).
+    #[must_use]
+    pub fn with_reaction(self, reaction_n: f64) -> Rated {
+        Rated {
+            reaction_n,
+            largest_reaction_n: greater(self.largest_reaction_n, reaction_n),
+            ..self
+        }
+    }
+
+    /// The largest reaction of the curve over the rated one, 1 or a little more.
+    #[must_use]
+    pub fn curve_peak(&self) -> f64 {
+        self.largest_reaction_n / self.reaction_n
     }
 }
 
@@ -126,6 +172,8 @@ pub struct FenderSummary {
     pub approach_speed_mps: f64,
     /// Angle between face and hull in that step (rad).
     pub approach_angle_rad: f64,
+    /// How it meets a hull by height; `None` for hulls with one outline.
+    pub hull: Option<HullMet>,
     /// Factor on its reaction, fixed at first touch: temperature, tolerance, speed and angle.
     pub factor: f64,
     /// Largest deflection (m).
@@ -139,6 +187,8 @@ pub struct FenderSummary {
     pub peak_reaction_at_s: f64,
     /// Largest energy absorbed along the loading curve (J), the quantity that catalogues rate.
     pub peak_energy_j: f64,
+    /// Start of the step of that energy (s).
+    pub peak_energy_at_s: f64,
     /// Largest pressure on the hull (N/m²), by [`FenderSetup::hull_pressure_npm2`].
     pub peak_hull_pressure_npm2: Option<f64>,
     /// Energy capacity with the correction factors (J).
@@ -147,6 +197,8 @@ pub struct FenderSummary {
     pub share_of_rated_energy: Option<f64>,
     /// Peak reaction over the rated reaction with the correction factors.
     pub share_of_rated_reaction: Option<f64>,
+    /// The same over the largest reaction of the curve up to the rated deflection: above 1 the fender is over-rated.
+    pub share_of_largest_reaction: Option<f64>,
     /// Peak deflection over the rated deflection.
     pub share_of_rated_deflection: Option<f64>,
     /// Peak hull pressure over the permissible one.
@@ -157,25 +209,55 @@ pub struct FenderSummary {
     pub last_deflection_m: f64,
     /// Reaction in the last step; 0 if it is not touched (N).
     pub last_reaction_n: f64,
+    /// Its panel, if it has one on several cones. The shares of the rated energy, reaction and deflection are then those of
+    /// the most compressed cone, and the peak deflection is that cone's.
+    pub panel: Option<PanelSummary>,
+    /// Its chains, in the order of the set-up.
+    pub chains: Vec<ChainSummary>,
+}
+
+/// How a fender meets a hull with outlines by height.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HullMet {
+    /// Height of the first touch (m): above the keel of a floating body, above datum of a fixed one.
+    pub height_m: f64,
+    /// Angle by which the hull's side leans out over the fender at the first touch (rad), positive for flare.
+    pub vertical_angle_rad: f64,
+    /// The vertical force on the hull of the largest size: its mean over a step (N), positive up.
+    pub peak_vertical_force_n: f64,
 }
 
 impl FenderSummary {
+    /// Peak energy over the rated energy of the catalogue: without the factors of this run for temperature, tolerance, speed and
+    /// angle. `None` without a rating.
+    #[must_use]
+    pub fn share_of_catalogue_energy(&self, setup: &FenderSetup) -> Option<f64> {
+        let (capacity_j, rated) = self.capacity_j.zip(setup.rated)?;
+        self.share_of_rated_energy.map(|share| share * capacity_j / rated.energy_j)
+    }
+
+    /// Peak reaction over the rated reaction of the catalogue, without the factors of this run. `None` without a rating.
+    #[must_use]
+    pub fn share_of_catalogue_reaction(&self) -> Option<f64> {
+        self.share_of_rated_reaction.map(|share| share * self.factor)
+    }
+
     /// The quantity that governs, `energy`, `deflection` or `reaction`, and its peak over the rated one; `None` without a
     /// rating.
     ///
     /// A fender that buckles reaches its rated reaction at about a third of its travel and stays near it, so its
-    /// reaction governs only where it is above the rated one.
+    /// reaction governs only where it is above the largest that its curve has up to the rated deflection.
     #[must_use]
     pub fn governing(&self) -> Option<(&'static str, f64)> {
         let energy = self.share_of_rated_energy?;
         let deflection = self.share_of_rated_deflection?;
-        let reaction = self.share_of_rated_reaction?;
+        let reaction = self.share_of_largest_reaction?;
         let mut governing = ("energy", energy);
         if deflection > governing.1 {
             governing = ("deflection", deflection);
         }
         if reaction > 1.0 && reaction > governing.1 {
-            governing = ("reaction", reaction);
+            governing = ("reaction", self.share_of_rated_reaction?);
         }
         Some(governing)
     }
@@ -187,41 +269,95 @@ pub(crate) struct FenderSummaries {
     pub(crate) all: Vec<Option<FenderSummary>>,
     /// Reaction and energy of each fender in this step.
     now: Vec<(f64, f64)>,
+    /// Chains of the fenders that are touched in this step.
+    pub(crate) chains: Vec<ChainTension>,
 }
 
 impl FenderSummaries {
     pub(crate) fn new(fenders: usize) -> FenderSummaries {
-        FenderSummaries { all: vec![None; fenders], now: vec![(0.0, 0.0); fenders] }
+        FenderSummaries {
+            all: vec![None; fenders],
+            now: vec![(0.0, 0.0); fenders],
+            chains: Vec::new(),
+        }
+    }
+
+    /// Forgets the run.
+    pub(crate) fn restart(&mut self) {
+        self.all.fill(None);
+        self.now.fill((0.0, 0.0));
+        self.chains.clear();
     }
 
     /// Adds one step.
-    pub(crate) fn add(&mut self, setups: &[FenderSetup], contacts: &[Contact], t_s: f64) {
+    pub(crate) fn add(
+        &mut self,
+        (setups, materials): (&[FenderSetup], &[NamedMaterial]),
+        step: &StepRecord<'_>,
+        sinking_mps: impl Fn(&Contact, usize) -> f64,
+    ) {
+        let t_s = step.t_s;
         if setups.is_empty() {
             return;
         }
         self.now.fill((0.0, 0.0));
+        self.chains.clear();
         for summary in self.all.iter_mut().flatten() {
             (summary.last_deflection_m, summary.last_reaction_n) = (0.0, 0.0);
+            summary.chains.iter_mut().for_each(|chain| chain.last_tension_n = 0.0);
         }
-        for contact in contacts {
+        for (number, contact) in step.contacts.iter().enumerate() {
             let Some(id) = contact.fender else { continue };
+            let touch = step.hull_touches.get(number).copied().flatten();
             let index = id.0 as usize;
             let setup = &setups[index];
-            let summary =
-                self.all[index].get_or_insert_with(|| first_touch(index, setup, contact, t_s));
+            let summary = self.all[index]
+                .get_or_insert_with(|| first_touch(index, setup, (contact, touch), t_s));
             let (reaction_n, energy_j) = &mut self.now[index];
             // Forces of several hulls on one fender add up. The reaction is the component along the fender's axis.
             *reaction_n += contact.peak_normal_force_n * libm::cos(contact.tilt_rad);
             *energy_j += contact.energy.peak_absorbed_j;
             add_contact(summary, setup, contact, t_s);
+            if let (Some(met), Some(touch)) = (&mut summary.hull, touch) {
+                let up_n = contact.normal_force_n * touch.slope;
+                met.peak_vertical_force_n = larger_force_n(met.peak_vertical_force_n, up_n);
+            }
             update_peaks(summary, setup, *reaction_n, *energy_j, t_s);
+            if setup.chains.iter().any(|chain| chain.kind != ChainKind::Tension) {
+                let material = &materials[setup.material].material;
+                let load = ChainLoad::of(contact, material, sinking_mps(contact, setup.body));
+                let weight_n = STANDARD_GRAVITY_MPS2 * setup.panel_mass_kg;
+                let by = (material.shear_stiffness_npm, weight_n);
+                add_others(&mut summary.chains, &setup.chains, load, by, t_s);
+            }
+        }
+        for motion in step.panels {
+            let index = motion.fender.0 as usize;
+            let Some(summary) = &mut self.all[index] else { continue };
+            if let Some(panel) = &mut summary.panel {
+                panel.add(motion, t_s);
+            }
+            add_tension(&mut summary.chains, &setups[index].chains, motion, t_s);
+        }
+        for summary in self.all.iter().flatten().filter(|summary| !summary.chains.is_empty()) {
+            let index = summary.fender;
+            if step.contacts.iter().any(|c| c.fender.is_some_and(|id| id.0 as usize == index)) {
+                let setups = &setups[index].chains;
+                self.chains.extend(ChainTension::of(index, setups, &summary.chains));
+            }
         }
     }
 }
 
 /// The summary of a fender at its first touch.
-fn first_touch(index: usize, setup: &FenderSetup, contact: &Contact, t_s: f64) -> FenderSummary {
-    let angle_rad = contact.tilt_rad;
+fn first_touch(
+    index: usize,
+    setup: &FenderSetup,
+    (contact, touch): (&Contact, Option<HullTouch>),
+    t_s: f64,
+) -> FenderSummary {
+    let slope = touch.map_or(0.0, |touch| touch.slope);
+    let angle_rad = combined_angle_rad(contact.tilt_rad, slope);
     let capacity_j = setup.rated.map(|rated| {
         let energy_factor = match setup.energy_by_angle.as_slice() {
             [] => contact.factor,
@@ -241,22 +377,31 @@ fn first_touch(index: usize, setup: &FenderSetup, contact: &Contact, t_s: f64) -
         fender: index,
         first_touch_s: t_s,
         approach_speed_mps: contact.v_normal_mps,
-        approach_angle_rad: angle_rad,
+        approach_angle_rad: contact.tilt_rad,
+        hull: touch.map(|touch| HullMet {
+            height_m: touch.height_m,
+            vertical_angle_rad: libm::atan(touch.slope),
+            peak_vertical_force_n: 0.0,
+        }),
         factor: contact.factor,
         peak_deflection_m: 0.0,
         peak_deflection_at_s: t_s,
         peak_reaction_n: 0.0,
         peak_reaction_at_s: t_s,
         peak_energy_j: 0.0,
+        peak_energy_at_s: t_s,
         peak_hull_pressure_npm2: None,
         capacity_j,
         share_of_rated_energy: setup.rated.map(|_| 0.0),
         share_of_rated_reaction: setup.rated.map(|_| 0.0),
+        share_of_largest_reaction: setup.rated.map(|_| 0.0),
         share_of_rated_deflection: setup.rated.map(|_| 0.0),
         share_of_hull_pressure: None,
         failed: false,
         last_deflection_m: 0.0,
         last_reaction_n: 0.0,
+        panel: setup.panel.as_ref().map(|panel| PanelSummary::new(panel, t_s)),
+        chains: setup.chains.iter().map(|chain| ChainSummary::new(chain, t_s)).collect(),
     }
 }
 
@@ -282,6 +427,7 @@ fn update_peaks(
 ) {
     if energy_j > summary.peak_energy_j {
         summary.peak_energy_j = energy_j;
+        summary.peak_energy_at_s = t_s;
         summary.share_of_rated_energy = summary.capacity_j.map(|capacity_j| energy_j / capacity_j);
     }
     if reaction_n > summary.peak_reaction_n {
@@ -290,10 +436,22 @@ fn update_peaks(
         summary.share_of_rated_reaction =
             setup.rated.map(|rated| reaction_n / (rated.reaction_n * summary.factor));
     }
+    if setup.panel.is_some() {
+        let (energy, reaction) = shares_of_cone(setup, summary);
+        (summary.share_of_rated_energy, summary.share_of_rated_reaction) = (energy, reaction);
+    }
+    let largest = summary.share_of_rated_reaction.zip(setup.rated);
+    summary.share_of_largest_reaction = largest.map(|(share, rated)| share / rated.curve_peak());
     // Hull pressure grows with deflection and reaction, so its peak is at their peaks.
     let pressure_npm2 =
         setup.hull_pressure_npm2(summary.peak_deflection_m, summary.peak_reaction_n);
     summary.peak_hull_pressure_npm2 = pressure_npm2;
     summary.share_of_hull_pressure =
         pressure_npm2.zip(setup.hull_pressure_limit_npm2).map(|(pressure, limit)| pressure / limit);
+}
+
+/// Energy and reaction of the most compressed cone of a panel over its rated ones.
+fn shares_of_cone(setup: &FenderSetup, summary: &FenderSummary) -> (Option<f64>, Option<f64>) {
+    let worst = ConeUse::of(setup, summary, summary.peak_deflection_m);
+    worst.map_or((None, None), |cone| (cone.share_of_rated_energy, cone.share_of_rated_reaction))
 }

@@ -4,6 +4,7 @@ use fenderline_contact::BodyState;
 use fenderline_contact::number::greater;
 
 use crate::contact_totals::ContactTotals;
+use crate::dolphin::DolphinMotion;
 use crate::record::{Energy, LoadWork};
 use crate::rigid_body::Inertia;
 
@@ -35,16 +36,29 @@ impl Ledger {
     }
 
     /// Adds one step: the bodies after it, the works of the loads and of the contacts in it.
-    pub(crate) fn add(&mut self, bodies: Bodies<'_>, loads: &LoadWork, contacts: &ContactTotals) {
+    pub(crate) fn add(
+        &mut self,
+        bodies: Bodies<'_>,
+        loads: &LoadWork,
+        contacts: &ContactTotals,
+        dolphins: &[DolphinMotion],
+    ) {
         let energy = &mut self.energy;
         energy.kinetic_j = bodies.kinetic_j();
         energy.loads.add(loads);
         energy.load_work_j = energy.loads.total_j();
+        energy.pile_stored_j = 0.0;
+        for DolphinMotion { pile, .. } in dolphins {
+            energy.pile_stored_j += pile.stored_j;
+            energy.pile_damping_j += pile.damping_j;
+            energy.pile_yield_j += pile.yield_j;
+        }
         (energy.stored_j, energy.shear_stored_j) = (0.0, 0.0);
         energy.contact_gained_j = contacts.gained_j();
         for contact in &contacts.all {
             energy.contact_taken_j += greater(-(contact.normal_j + contact.tangential_j), 0.0);
             energy.normal_work_j += contact.normal_j;
+            energy.height_work_j += contact.height_j;
             energy.tangential_work_j += contact.tangential_j;
             energy.stored_j += contact.stored_j;
             energy.shear_stored_j += contact.shear_stored_j;

@@ -25,6 +25,7 @@
 //! // A ship of 200 m heading north. The quay is to starboard, with its face 1.5 m from her side.
 //! let ship = BodySetup {
 //!     name: "ship".into(),
+//!     hull: None,
 //!     outline: rectangle(200.0, 32.0)?,
 //!     mass: Some(MassProperties {
 //!         mass_kg: 4e7,
@@ -36,6 +37,7 @@
 //!     position_m: vec2(0.0, 0.0),
 //!     heading_rad: 0.0,
 //!     velocity: BodyVelocity::default(),
+//!     dolphin: None,
 //! };
 //! let quay = BodySetup {
 //!     name: "quay".into(),
@@ -64,6 +66,7 @@
 //!     width_m: 2.0,
 //!     height_m: 2.0,
 //!     above_water_m: 2.0,
+//!     floating: false,
 //!     projection_m: 1.2,
 //!     law: FenderLaw::Curve(vec![[0.0, 0.0], [0.6, 1e6], [0.9, 1.5e6]]),
 //!     unloading: None,
@@ -75,6 +78,9 @@
 //!     hull_pressure: HullPressure::OverFace,
 //!     hull_pressure_limit_npm2: None,
 //!     source: None,
+//!     panel: None,
+//!     chains: vec![],
+//!     panel_mass_kg: 0.0,
 //! };
 //! // The force of a westerly wind of 15 m/s on the ship.
 //! let windage = ShipWindage {
@@ -105,6 +111,7 @@
 //!     materials: vec![rubber],
 //!     pairs: vec![PairSetup { bodies: [0, 1], material: 0 }],
 //!     all_other_pairs: None,
+//!     approaches: vec![],
 //!     fenders: vec![fender],
 //!     berthing: None,
 //!     loads: vec![load],
@@ -160,34 +167,48 @@ pub mod environment;
 pub mod external;
 pub mod hydro;
 
+mod approach;
+mod chain;
 mod contact_totals;
+mod dolphin;
 mod error;
 mod fender;
 mod fixed_order;
 mod gain;
 mod gather;
+mod hull;
 mod integrate;
 mod ledger;
 mod load_work;
 mod mean_velocity;
 pub mod mooring;
 pub mod order;
+mod output_plan;
+mod panel;
 mod random;
 mod range;
 mod record;
 mod rigid_body;
 mod setup;
 mod simulation;
+mod start;
 mod summary;
 pub mod tug;
 mod turning;
 mod verdict;
 mod world;
 
+pub use approach::{Approach, Side};
+pub use chain::size::{ChainGrade, ChainLink, ChainSize};
+pub use chain::{ChainKind, ChainSetup, ChainSummary, ChainTension};
+pub use dolphin::{DolphinMotion, DolphinSetup, DolphinSummary, SteelPiles};
 pub use error::{SetupError, SimError};
-pub use fender::{FenderSetup, FenderSource, FenderSummary, HullPressure, Rated};
+pub use fender::{FenderSetup, FenderSource, FenderSummary, HullMet, HullPressure, Rated};
 pub use gain::EnergyGain;
+pub use hull::{HullByHeight, HullError, HullTouch, Level, SideMissed};
 pub use order::{Action, LineAction, Order, OrderError, OrderName, Station, VesselAction};
+pub use output_plan::{OutputPlan, OutputTable};
+pub use panel::{ConeSummary, ConeUse, PanelSummary};
 pub use range::OutOfRange;
 pub use record::{ContactEnergy, Energy, LoadWork, StepRecord};
 pub use setup::{
@@ -195,8 +216,9 @@ pub use setup::{
     Setup,
 };
 pub use simulation::Simulation;
+pub use start::{BodyStart, Start};
 pub use summary::PairSummary;
-pub use verdict::{Finding, Gravity, Verdict};
+pub use verdict::{Finding, Gravity, Verdict, called};
 pub use world::{
     Assist, AssistPilot, AzimuthOrder, AzimuthSetup, AzimuthState, Environment, Faults, Float, Job,
     LineEnd, Mooring, MooringSetup, NotAtTheSide, Pilots, ProviderSetup, PushJob, ThrusterSetup,

@@ -2,6 +2,7 @@
 
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
+use crate::dolphin::DolphinMotion;
 use crate::fixed_order::SumOrder;
 use crate::hydro::Force;
 use crate::mean_velocity::MeanVelocity;
@@ -23,6 +24,7 @@ pub(crate) struct LoadedStep<'a> {
     pub(crate) water_inertia: &'a [WaterInertia],
     pub(crate) tugs: &'a [TugAtWork],
     pub(crate) lines: &'a [Mooring],
+    pub(crate) dolphins: &'a [DolphinMotion],
     pub(crate) order: &'a SumOrder,
     pub(crate) step_s: f64,
 }
@@ -45,6 +47,7 @@ impl LoadedStep<'_> {
                 works.lines_j += self.of_line_end(end);
             }
         }
+        works.piles_j += self.dolphins.iter().map(|dolphin| dolphin.pile.work_j).sum::<f64>();
         works
     }
 

@@ -1,7 +1,10 @@
 //! The record of one time step, and the energies in it.
 
-use fenderline_contact::{BodyState, Contact, Event, Wrench};
+use fenderline_contact::{BodyState, Contact, Event, PanelMotion, Wrench};
 
+use crate::chain::ChainTension;
+use crate::dolphin::DolphinMotion;
+use crate::hull::HullTouch;
 use crate::world::{Mooring, TugAtWork, VesselForces, VesselState, WorldEvent};
 
 /// The record of one step: states before and after it, and the forces that acted in it.
@@ -20,6 +23,13 @@ pub struct StepRecord<'a> {
     /// Work and energy of each contact in this step: one entry per fender and hull, or per pair of outlines. Contacts
     /// that ended after the last step are included.
     pub contact_energies: &'a [ContactEnergy],
+    /// For each contact, how its fender meets a hull with outlines by height; `None` for other contacts, and empty in a run
+    /// without such hulls.
+    pub hull_touches: &'a [Option<HullTouch>],
+    /// Panels on several cones that hulls press in this step.
+    pub panels: &'a [PanelMotion],
+    /// Chains of the fenders that are touched in this step.
+    pub chains: &'a [ChainTension],
     /// Contact wrenches of the step, one per body.
     pub wrenches: &'a [Wrench],
     /// Contact events of this step.
@@ -34,6 +44,8 @@ pub struct StepRecord<'a> {
     pub tugs: &'a [TugAtWork],
     /// The lines at the end of the step, in the order of the set-up.
     pub lines: &'a [Mooring],
+    /// The flexible dolphins, in the order of the set-up.
+    pub dolphins: &'a [DolphinMotion],
     /// Events of vessels, tugs and lines.
     pub world_events: &'a [WorldEvent],
 }
@@ -42,7 +54,7 @@ pub struct StepRecord<'a> {
 /// the engine are included.
 ///
 /// The energy that the normal force takes from the bodies is stored or lost in one of three ways:
-/// `-normal_j = Δstored + hysteresis_j + damping_j + restitution_j`. The energy that the tangential force takes is
+/// `height_j - normal_j = Δstored + hysteresis_j + damping_j + restitution_j`. The energy that the tangential force takes is
 /// stored or lost: `-tangential_j = Δshear_stored + friction_j`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ContactEnergy {
@@ -56,7 +68,10 @@ pub struct ContactEnergy {
     pub normal_j: f64,
     /// Work of the tangential force on the two bodies (J).
     pub tangential_j: f64,
-    /// Work of both forces on the two bodies since the contact began (J). It is positive if the contact returned more
+    /// Energy that tide, heave, roll and pitch put into the fender by changing the outline that it meets of a hull by
+    /// height (J); negative where they took some out.
+    pub height_j: f64,
+    /// Work of both forces on the two bodies since the contact began, less [`ContactEnergy::height_j`] (J). It is positive if the contact returned more
     /// energy than it absorbed, and −∞ for a contact that exists at the start of the run, whose stored energy is not
     /// known.
     pub since_began_j: f64,
@@ -107,6 +122,8 @@ pub struct LoadWork {
     pub tugs_j: f64,
     /// Mooring and tow lines, winches included.
     pub lines_j: f64,
+    /// Piles of flexible dolphins: less what they store, and less their losses.
+    pub piles_j: f64,
     /// Loads of the set-up, and external wrenches.
     pub other_j: f64,
 }
@@ -114,7 +131,7 @@ pub struct LoadWork {
 impl LoadWork {
     /// Each work with its name in tables.
     #[must_use]
-    pub fn parts(&self) -> [(&'static str, f64); 12] {
+    pub fn parts(&self) -> [(&'static str, f64); 13] {
         [
             ("hull", self.hull_j),
             ("propeller", self.propeller_j),
@@ -127,6 +144,7 @@ impl LoadWork {
             ("current", self.current_j),
             ("tugs", self.tugs_j),
             ("lines", self.lines_j),
+            ("piles", self.piles_j),
             ("other", self.other_j),
         ]
     }
@@ -149,6 +167,7 @@ impl LoadWork {
         self.current_j += step.current_j;
         self.tugs_j += step.tugs_j;
         self.lines_j += step.lines_j;
+        self.piles_j += step.piles_j;
         self.other_j += step.other_j;
     }
 }
@@ -159,7 +178,7 @@ impl LoadWork {
 /// Work is force times mean velocity times Δt, which gives the change of kinetic energy exactly:
 ///
 /// kinetic = kinetic at the start + load_work + normal_work + tangential_work + residual, and
-/// −(normal_work + tangential_work) = stored + shear_stored + hysteresis + damping + restitution + friction +
+/// height_work − (normal_work + tangential_work) = stored + shear_stored + hysteresis + damping + restitution + friction +
 /// contact_residual.
 ///
 /// A contact that returns more energy than it absorbed has positive `normal_work_j` and negative
@@ -176,6 +195,9 @@ pub struct Energy {
     pub normal_work_j: f64,
     /// Work of tangential contact forces on the bodies.
     pub tangential_work_j: f64,
+    /// Energy put into fenders by changes of the height at which they meet hulls: tide, heave, roll and pitch. The motion
+    /// in the plane gives the rest. Zero where all hulls have one outline.
+    pub height_work_j: f64,
     /// Currently stored in springs and stops.
     pub stored_j: f64,
     /// Currently stored in shear springs.
@@ -188,6 +210,12 @@ pub struct Energy {
     pub restitution_j: f64,
     /// Friction losses.
     pub friction_j: f64,
+    /// Currently stored in the bending of dolphins' piles. `loads.piles_j` is less this and less the next two, but for rounding.
+    pub pile_stored_j: f64,
+    /// Losses to damping of piles.
+    pub pile_damping_j: f64,
+    /// Losses to yielding of piles.
+    pub pile_yield_j: f64,
     /// Sum of the contacts' residuals: see [`ContactEnergy::residual_j`].
     pub contact_residual_j: f64,
     /// Energy absorbed by contacts: the sum over all steps and contacts in which the bodies lost energy.
@@ -206,6 +234,6 @@ impl Energy {
     #[must_use]
     pub fn exchanged_j(&self) -> f64 {
         let loads_j: f64 = self.loads.parts().iter().map(|(_, work_j)| work_j.abs()).sum();
-        loads_j + self.normal_work_j.abs() + self.tangential_work_j.abs()
+        loads_j + self.normal_work_j.abs() + self.tangential_work_j.abs() + self.height_work_j.abs()
     }
 }

@@ -1,8 +1,9 @@
 //! A rigid body in the plane: inertia, acceleration, kinetic energy.
 
 use fenderline_contact::number::lesser;
-use fenderline_contact::{BodyState, Mobility, Vec2, Wrench, vec2};
+use fenderline_contact::{BodyState, Mobility, Pile, Vec2, Wrench, vec2};
 
+use crate::dolphin::DolphinSetup;
 use crate::setup::{BodySetup, BodyVelocity, MassProperties, Method};
 
 /// Inertia of a body, rigid-body and added mass; a fixed body has none.
@@ -16,6 +17,8 @@ pub(crate) struct Inertia {
     /// The contact engine moves the body and adds its Coriolis terms.
     pub(crate) engine_turns: bool,
     pub(crate) fixed: bool,
+    /// The pile that holds the body, which does not turn then.
+    pub(crate) pile: Option<Pile>,
 }
 
 impl Inertia {
@@ -33,6 +36,7 @@ impl Inertia {
                 coupling_kgm: 0.0,
                 engine_turns: false,
                 fixed: true,
+                pile: None,
             };
         };
         let (added_surge_kg, added_sway_kg) = match method {
@@ -49,6 +53,7 @@ impl Inertia {
             coupling_kgm: 0.0,
             engine_turns,
             fixed: false,
+            pile: None,
         }
     }
 
@@ -61,6 +66,20 @@ impl Inertia {
             coupling_kgm: matrix[1][2],
             engine_turns: false,
             fixed: false,
+            pile: None,
+        }
+    }
+
+    /// The inertia of a flexible dolphin that stands here.
+    pub(crate) fn of_dolphin(dolphin: &DolphinSetup, place_m: Vec2) -> Inertia {
+        Inertia {
+            surge_kg: dolphin.mass_kg,
+            sway_kg: dolphin.mass_kg,
+            yaw_kgm2: 0.0,
+            coupling_kgm: 0.0,
+            engine_turns: false,
+            fixed: false,
+            pile: Some(dolphin.pile(place_m)),
         }
     }
 
@@ -68,6 +87,9 @@ impl Inertia {
     pub(crate) fn mobility(&self) -> Mobility {
         if self.fixed {
             return Mobility::Fixed;
+        }
+        if let Some(pile) = self.pile {
+            return Mobility::OnPile { mass_kg: self.surge_kg, pile };
         }
         if self.surge_kg == self.sway_kg && self.coupling_kgm == 0.0 {
             return Mobility::Free { mass_kg: self.surge_kg, yaw_inertia_kgm2: self.yaw_kgm2 };

@@ -2,8 +2,11 @@
 
 use fenderline_contact::{Material, Outline, Vec2};
 
+use crate::approach::Approach;
 use crate::berthing::BerthingSetup;
+use crate::dolphin::DolphinSetup;
 use crate::fender::FenderSetup;
+use crate::hull::HullByHeight;
 use crate::world::WorldSetup;
 
 /// The constant part of a simulation.
@@ -27,6 +30,8 @@ pub struct Setup {
     pub all_other_pairs: Option<usize>,
     /// Fenders on the bodies.
     pub fenders: Vec<FenderSetup>,
+    /// Approaches of ships to berths, which gave the start of these bodies.
+    pub approaches: Vec<Approach>,
     /// Particulars for the berthing formulas, if the comparison is wanted.
     pub berthing: Option<BerthingSetup>,
     /// External loads.
@@ -74,8 +79,12 @@ pub struct BodySetup {
     pub name: String,
     /// Outline in the body's frame, origin at the centre of gravity.
     pub outline: Outline,
-    /// Mass and inertia; `None` for a fixed body.
+    /// The hull by height, which fenders meet instead; `None`: vertical sides of the outline. By the coupled method only.
+    pub hull: Option<HullByHeight>,
+    /// Mass and inertia; `None` for a body that stands on the ground.
     pub mass: Option<MassProperties>,
+    /// The pile that it stands on, if it is a flexible dolphin; by the coupled method and the semi-implicit integrator only.
+    pub dolphin: Option<DolphinSetup>,
     /// Initial position of the centre of gravity, north and east (m).
     pub position_m: Vec2,
     /// Initial heading (rad).
@@ -85,7 +94,7 @@ pub struct BodySetup {
 }
 
 impl BodySetup {
-    /// True if the body is fixed to the ground, so that the water level around it changes with the tide.
+    /// True if the body stands on the ground, fixed or on a pile, so that the water level around it changes with the tide.
     #[must_use]
     pub fn is_fixed(&self) -> bool {
         self.mass.is_none()

@@ -9,6 +9,7 @@
 //! | `simulation/model.rs` | set-up to inertias and contact model |
 //! | `simulation/check.rs` | checks of a set-up |
 //! | `simulation/buffers.rs` | arrays that are reused from step to step |
+//! | `simulation/restart.rs` | starting again in the same memory |
 
 mod access;
 mod accounts;
@@ -16,18 +17,24 @@ mod buffers;
 mod check;
 mod model;
 mod motion;
+mod restart;
 
-use fenderline_contact::{self as contact, BodyState, Memory, Model, Workspace};
+use fenderline_contact::{
+    self as contact, BodyState, Contact, Memory, Model, Rotation, Vec2, Workspace,
+};
 
 use self::buffers::Buffers;
 use self::check::{berthing_study, check_lines, check_load, count_steps};
-use self::model::{build_model, inertias};
+use self::model::{Fenders, build_model, inertias};
+use crate::attitude::Attitude;
 use crate::berthing::{Study, StudyStep};
 use crate::contact_totals::ContactTotals;
+use crate::dolphin::Dolphins;
 use crate::error::{SetupError, SimError};
 use crate::fender::FenderSummaries;
 use crate::fixed_order::sort_loads;
 use crate::gather::{add_external, gather, gather_loads};
+use crate::hull::Sides;
 use crate::integrate::{euler, semi_implicit};
 use crate::ledger::{Bodies, Ledger};
 use crate::record::StepRecord;
@@ -35,7 +42,7 @@ use crate::rigid_body::Inertia;
 use crate::setup::{Integrator, Load, Method, Setup};
 use crate::summary::Summaries;
 use crate::verdict::{Watch, starts_inside};
-use crate::world::World;
+use crate::world::{VesselSetup, VesselState, World};
 
 /// A simulation run. A clone continues independently from the same state.
 #[derive(Clone, Debug)]
@@ -52,6 +59,8 @@ pub struct Simulation {
     states: Vec<BodyState>,
     memory: Memory,
     world: World,
+    /// What fenders meet of hulls by height.
+    sides: Sides,
     // Results of the last step, and totals of the run.
     work: Workspace,
     ledger: Ledger,
@@ -59,6 +68,7 @@ pub struct Simulation {
     summaries: Summaries,
     fender_summaries: FenderSummaries,
     watch: Watch,
+    dolphins: Dolphins,
     study: Option<Study>,
     buffers: Buffers,
 }
@@ -72,14 +82,17 @@ impl Simulation {
         let steps_total = count_steps(&setup)?;
         setup.loads.iter().try_for_each(|load| check_load(load, &setup))?;
         let inertias = inertias(&setup)?;
-        let model = build_model(&setup, &inertias)?;
+        let mut model = build_model(&setup, &inertias, Fenders::MeetSlices)?;
         let states = setup.initial_states();
         setup.world.environment.check().map_err(SetupError::Environment)?;
         check_lines(&setup)?;
         let mut loads = setup.loads.clone();
         sort_loads(&mut loads);
-        let memory = Memory::new(&model);
+        let mut memory = Memory::new(&model);
         let world = World::new(&setup.world, &setup.bodies);
+        let mut sides = Sides::new(&setup);
+        let heights = world.heights(&setup.world, (0.0, setup.step_s));
+        sides.renew(&setup, (&mut model, &mut memory), &states, &heights);
         let bodies = Bodies { order: &world.order.bodies, inertias: &inertias, states: &states };
         Ok(Simulation {
             ledger: Ledger::new(bodies),
@@ -89,10 +102,13 @@ impl Simulation {
             summaries: Summaries::default(),
             fender_summaries: FenderSummaries::new(setup.fenders.len()),
             watch: Watch::new(&setup, |is_protected| {
-                starts_inside(&setup, &model, &states, is_protected)
+                let fresh = (&mut Memory::new(&model), &mut Workspace::new(&model));
+                starts_inside(&setup, &model, &states, fresh, is_protected)
             }),
+            dolphins: Dolphins::new(&setup, &model),
             study: berthing_study(&setup)?,
             world,
+            sides,
             index: 0,
             loads,
             setup,
@@ -111,33 +127,38 @@ impl Simulation {
     /// simulation is then unchanged.
     pub fn step(&mut self) -> Result<StepRecord<'_>, SimError> {
         let t_s = self.time_s();
-        let world_before = self.backup();
+        self.backup();
         self.gather_loads(t_s);
+        self.cut_hulls(t_s);
         self.turn_momentum();
         if let Err(cause) = self.advance_bodies() {
-            self.restore(world_before);
+            self.restore();
             return Err(SimError { t_s, cause });
         }
         self.update_world(t_s);
+        self.dolphins.take(self.work.piles());
         self.account_energy();
         Ok(self.record(t_s))
     }
 
     /// Copies what a failing step would leave half-changed. The world is copied only if steps change it.
-    fn backup(&mut self) -> Option<World> {
-        if self.setup.integrator == Integrator::Rk4 {
+    fn backup(&mut self) {
+        if self.setup.integrator == Integrator::Rk4 || !self.sides.is_empty() {
             self.buffers.backup.copy_from(&self.memory);
         }
-        self.setup.world.changes().then(|| self.world.clone())
+        if self.setup.world.changes() {
+            self.world.back_up(&mut self.buffers.world);
+        }
     }
 
     /// Restores the state before a step that failed.
-    fn restore(&mut self, world_before: Option<World>) {
-        if self.setup.integrator == Integrator::Rk4 {
+    fn restore(&mut self) {
+        if self.setup.integrator == Integrator::Rk4 || !self.sides.is_empty() {
             self.memory.copy_from(&self.buffers.backup);
         }
-        if let Some(world) = world_before {
-            self.world = world;
+        self.sides.restore(&mut self.model);
+        if self.setup.world.changes() {
+            self.world.put_back(&mut self.buffers.world);
         }
     }
 
@@ -151,6 +172,16 @@ impl Simulation {
         let times = (t_s, velocity_time_s, step_s);
         self.world.step(&self.setup.world, &self.states, times, loads);
         before.clone_from(&self.states);
+    }
+
+    /// Renews the outlines that fenders meet of hulls by height.
+    fn cut_hulls(&mut self, t_s: f64) {
+        if self.sides.is_empty() {
+            return;
+        }
+        let heights = self.world.heights(&self.setup.world, (t_s, self.setup.step_s));
+        let engine = (&mut self.model, &mut self.memory);
+        self.sides.renew(&self.setup, engine, &self.states, &heights);
     }
 
     /// Contact forces and the new states. With the coupled method and the semi-implicit integrator the contact
@@ -192,12 +223,15 @@ impl Simulation {
     /// Updates what depends on the contact forces and the new states: heel and trim of the vessels.
     fn update_world(&mut self, t_s: f64) {
         let contacts = self.work.contacts();
+        self.sides.find_touches(&self.setup, &self.model, &self.buffers.before, contacts);
         let (world, fenders) = (&self.setup.world, &self.setup.fenders);
-        self.world.settle(world, fenders, contacts, &self.states, (t_s, self.setup.step_s));
+        let touched = (contacts, self.sides.touches.as_slice());
+        self.world.settle(world, fenders, touched, &self.states, (t_s, self.setup.step_s));
     }
 
     /// Adds the step to the summaries of the run, and gives its record.
     fn record(&mut self, t_s: f64) -> StepRecord<'_> {
+        self.dolphins.summarise(&self.setup, t_s);
         let record = StepRecord {
             index: self.index,
             t_s,
@@ -205,22 +239,58 @@ impl Simulation {
             states_after: &self.states,
             contacts: self.work.contacts(),
             contact_energies: &self.contact_totals.all,
+            hull_touches: &self.sides.touches,
+            panels: self.work.panels(),
+            chains: &[],
             wrenches: self.work.wrenches(),
             events: self.work.events(),
             energy: self.ledger.energy,
             vessels: &self.world.vessels,
             vessel_forces: &self.world.forces,
             lines: &self.world.lines,
+            dolphins: &self.dolphins.motions,
             tugs: &self.world.tugs,
             world_events: &self.world.events,
         };
         self.summaries.add(&record);
         self.watch.add(&self.setup, &record);
-        self.fender_summaries.add(&self.setup.fenders, record.contacts, t_s);
+        let setups = (self.setup.fenders.as_slice(), self.setup.materials.as_slice());
+        let (vessels, now) = (&self.setup.world.vessels, &self.world.vessels);
+        let sinking_mps = |contact: &Contact, host: usize| {
+            sinking_mps(vessels, now, record.states, contact, host)
+        };
+        self.fender_summaries.add(setups, &record, sinking_mps);
+        let record = StepRecord { chains: &self.fender_summaries.chains, ..record };
         if let Some(study) = &mut self.study {
-            study.add(&self.setup.fenders, &self.inertias, &StudyStep::of(&record));
+            study.add(
+                &self.setup.fenders,
+                &self.inertias,
+                &StudyStep::of(&record, self.setup.step_s),
+            );
         }
         self.index += 1;
         record
     }
+}
+
+/// How fast the hull of a contact sinks at the contact, relative to the fender on body `host` (m/s): the vessels' heave, roll
+/// and pitch.
+fn sinking_mps(
+    vessels: &[VesselSetup],
+    now: &[VesselState],
+    states: &[BodyState],
+    contact: &Contact,
+    host: usize,
+) -> f64 {
+    let of_body = |body: usize, arm_m: Vec2| {
+        let Some(vessel) = vessels.iter().position(|vessel| vessel.body == body) else {
+            return 0.0;
+        };
+        let Attitude { heave, roll, pitch } = now[vessel].attitude;
+        let own_m = Rotation::from_angle(states[body].heading_rad).apply_inverse(arm_m);
+        heave.rate + roll.rate * own_m.y - pitch.rate * own_m.x
+    };
+    let [one, two] = [contact.body_1, contact.body_2].map(|id| id.0 as usize);
+    let (one_mps, two_mps) = (of_body(one, contact.arm_1_m), of_body(two, contact.arm_2_m));
+    if one == host { two_mps - one_mps } else { one_mps - two_mps }
 }

@@ -273,3 +273,46 @@ proptest! {
         }
     }
 }
+
+/// Variance of the wind averaged over the ship's side: ∫ S(f) χ²(f) df over the band of the gusts, by Simpson's rule with the
+/// closed integral of the coherence for χ². Tolerance: a harmonic stands for a bin of 4 % in frequency.
+#[test]
+fn the_variance_of_the_averaged_gusts_is_the_integral_of_spectrum_and_admittance() {
+    let realisation = Realisation { harmonics: 200, seed: 7 };
+    let gusts = Gusts::new(&MEAN, &GustSpectrum::Npd, realisation).unwrap();
+    let line = |a: f64| 2.0 * (a - 1.0 + (-a).exp()) / (a * a);
+    for (width_m, height_m) in [(298.0, 30.0), (100.0, 12.0), (46.0, 30.0)] {
+        let front = WindFront { width_m, height_m };
+        let density = |f_hz: f64| {
+            let a = 9.2 * f_hz / MEAN.speed_mps;
+            GustSpectrum::Npd.density(f_hz, MEAN.speed_mps) * line(a * width_m) * line(a * height_m)
+        };
+        // In ln f.
+        let (low, high, steps) = ((1.0 / 3600.0_f64).ln(), 0.5_f64.ln(), 4000);
+        let width = (high - low) / f64::from(steps);
+        let variance: f64 = (0..=steps)
+            .map(|k| {
+                let f_hz = (low + width * f64::from(k)).exp();
+                let weight = if k == 0 || k == steps { 1.0 } else { f64::from(2 + 2 * (k % 2)) };
+                weight * density(f_hz) * f_hz * width / 3.0
+            })
+            .sum();
+        let ours = gusts.deviation_over_mps(&front);
+        assert!((ours / variance.sqrt() - 1.0).abs() < 5e-3, "{width_m}: {ours} {variance}");
+        // The series has that variance: over six days, in steps that no harmonic is a multiple of.
+        let samples = 40_000;
+        let mean_square: f64 = (0..samples)
+            .map(|k| gusts.speed_over_mps(&front, 12.7 * f64::from(k)).powi(2))
+            .sum::<f64>()
+            / f64::from(samples);
+        assert!((mean_square.sqrt() / ours - 1.0).abs() < 0.01, "{width_m}: {mean_square}");
+    }
+    // The whole of her side, bow or side to the wind, and without averaging.
+    let ship = isherwood();
+    assert!((ship.front(FRAC_PI_2).width_m - 298.0).abs() < 1e-9);
+    assert!((ship.front(PI).width_m - 46.0).abs() < 1e-9);
+    assert!((ship.front(0.0).height_m - 9000.0 / 298.0).abs() < 1e-12);
+    let uniform = gusts.clone().uniform();
+    assert_eq!(uniform.speed_over_mps(&ship.front(1.0), 60.0), gusts.speed_mps(60.0));
+    assert_eq!(gusts.speed_over_mps(&WindFront::POINT, 60.0), gusts.speed_mps(60.0));
+}

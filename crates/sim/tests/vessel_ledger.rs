@@ -96,6 +96,7 @@ fn run(
         materials: vec![],
         pairs: vec![],
         all_other_pairs: None,
+        approaches: vec![],
         fenders: vec![],
         berthing: None,
         loads,

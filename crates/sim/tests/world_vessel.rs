@@ -37,6 +37,7 @@ fn kvlcc2(rudder_deg: f64, current_mps: Vec2, step_s: f64) -> (Setup, f64) {
         materials: vec![],
         pairs: vec![],
         all_other_pairs: None,
+        approaches: vec![],
         fenders: vec![],
         berthing: None,
         loads: vec![],

@@ -105,15 +105,15 @@ fn csv_text(rows: &[Row]) -> String {
 
 fn json_text(rows: &[Row]) -> String {
     let (within, compared) = count(rows, true);
-    let (hold, said) = count(rows, false);
+    let (hold, statements) = count(rows, false);
     let document = json!({
         "version": env!("CARGO_PKG_VERSION"),
         "rows_within_tolerance": within,
         "rows": compared,
         "statements_that_hold": hold,
-        "statements": said,
+        "statements": statements,
         "numbers": rows.iter().filter_map(number_json).collect::<Vec<_>>(),
-        "said": rows.iter().filter_map(statement_json).collect::<Vec<_>>(),
+        "statement_rows": rows.iter().filter_map(statement_json).collect::<Vec<_>>(),
     });
     let text = serde_json::to_string_pretty(&document).expect("plain values become JSON");
     text + "\n"
@@ -157,7 +157,7 @@ fn statement_json(row: &Row) -> Option<Value> {
         "source": row.source,
         "standing": row.standing.text(),
         "place": row.place,
-        "says": says,
+        "statement": says,
         "holds_if": rule_text(*rule),
         "ours": ours,
         "unit": row.unit,

@@ -31,7 +31,7 @@ macro_rules! published {
 }
 
 /// The published numbers, in the order of the table.
-const PUBLISHED: [(&str, &str); 17] = published![
+const PUBLISHED: [(&str, &str); 18] = published![
     "moreno2023.toml",
     "closed_form.toml",
     "coupled_independent.toml",
@@ -49,6 +49,7 @@ const PUBLISHED: [(&str, &str); 17] = published![
     "lines_and_tugs.toml",
     "heave_and_roll.toml",
     "finite_elements.toml",
+    "worked_examples.toml",
 ];
 
 fn sources() -> Vec<Source> {

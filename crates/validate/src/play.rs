@@ -166,7 +166,8 @@ struct Momentum {
 impl MomentumWatch {
     fn new(model: &Model, states: &[BodyState]) -> MomentumWatch {
         let inertias = model.bodies().iter().map(|body| match body.mobility {
-            Mobility::Fixed => None,
+            // What a pile takes goes to the ground, as with a fixed body.
+            Mobility::Fixed | Mobility::OnPile { .. } => None,
             Mobility::Free { mass_kg, yaw_inertia_kgm2 } => Some((mass_kg, yaw_inertia_kgm2)),
             // With a mass that differs with direction the momentum is not m v.
             Mobility::FullMatrix { .. } | Mobility::SurgeSway { .. } => {

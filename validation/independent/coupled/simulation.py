@@ -8,6 +8,7 @@ from .bodies import Body
 from .fenders import Fender
 from .outlines import Outlines
 from .quantities import si
+from .rows import fenders
 
 FENDER_FILES = pathlib.Path(__file__).parents[3] / "fenders"
 
@@ -37,7 +38,7 @@ class Simulation:
                     self.outlines.append(Outlines(one, two, materials[pairs[-1]["material"]]))
         families = read_families()
         self.fenders = []
-        for name, table in scenario.get("fender", {}).items():
+        for name, table in fenders(scenario):
             fender = Fender(name, table, by_name, materials, families)
             pairs = [pair for pair in self.outlines if fender.host in (pair.one, pair.two)]
             self.fenders.append((fender, [pair.two if pair.one is fender.host else pair.one for pair in pairs]))

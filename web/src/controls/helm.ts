@@ -10,14 +10,12 @@ import { ClaimBar, type Group, type KeyAction } from "./group";
 const RUDDER_STEPS_DEG = [5, 10, 20, 35];
 /** A key pressed within this time after another continues from its value. */
 const KEY_HELD_MS = 500;
-/** The telegraph's detents as shares of full. */
-const AHEAD = [
-  { share: 0.25, text: "Dead slow" },
-  { share: 0.45, text: "Slow" },
-  { share: 0.7, text: "Half" },
-  { share: 1, text: "Full" },
-];
-const DETENTS = [...AHEAD.map((d) => -d.share).toReversed(), 0, ...AHEAD.map((d) => d.share)];
+/** A word of the telegraph on its button, which stands in the row `Ahead` or `Astern`. */
+export const telegraphLabel = (word: string): string =>
+  word
+    .replace(/ (ahead|astern)$/, "")
+    .replace("navigation", "nav.")
+    .replace(/^./, (c) => c.toUpperCase());
 
 export class Helm implements Group {
   readonly name = "Helm";
@@ -196,21 +194,21 @@ export class Helm implements Group {
     const vessel = this.info.name;
     const figure = h("output", { class: "big", "aria-label": "Shaft now" });
     const ordered = h("span", { class: "ordered" });
-    const push = (share: number, text: string) => {
-      const way = share < 0 ? "astern" : "ahead";
+    const all = this.hello.telegraph.map(({ word, share }) => {
+      const name = word.replace(/^./, (c) => c.toUpperCase());
       return {
         share,
-        root: button(text, () => this.setEngine(share), {
-          name: share === 0 ? "Stop engine (S)" : `${text} ${way}`,
+        root: button(telegraphLabel(word), () => this.setEngine(share), {
+          name: share === 0 ? "Stop engine (S)" : name,
+          title: share === 0 ? name : `${name}: ${percent(Math.abs(share))} of full revolutions`,
           class: share === 0 ? "stop" : share < 0 ? "port" : "starboard",
           "aria-pressed": "false",
         }),
       };
-    };
-    const stop = push(0, "Stop");
-    const ahead = AHEAD.map((d) => push(d.share, d.text));
-    const astern = AHEAD.map((d) => push(-d.share, d.text));
-    const all = [stop, ...ahead, ...astern];
+    });
+    const stop = all.filter((d) => d.share === 0);
+    const ahead = all.filter((d) => d.share > 0);
+    const astern = all.filter((d) => d.share < 0).toReversed();
     const gauge = h("div", { class: "gauge", "aria-hidden": "true" });
     const keeper = this.speedKeeper(vessel);
     const root = h(
@@ -221,7 +219,7 @@ export class Helm implements Group {
       h(
         "div",
         { class: "telegraph" },
-        stop.root,
+        ...stop.map((d) => d.root),
         h("span", { class: "starboard" }, "Ahead"),
         ...ahead.map((d) => d.root),
         h("span", { class: "port" }, "Astern"),
@@ -373,8 +371,9 @@ export class Helm implements Group {
     };
     const detent = (by: 1 | -1) => () => {
       const order = this.now?.shaft.order ?? 0;
+      const steps = this.hello.telegraph.map((d) => d.share);
       const next =
-        by > 0 ? DETENTS.find((d) => d > order + 0.01) : DETENTS.findLast((d) => d < order - 0.01);
+        by > 0 ? steps.find((d) => d > order + 0.01) : steps.findLast((d) => d < order - 0.01);
       if (next !== undefined) this.setEngine(next);
     };
     const keys: KeyAction[] = [];

@@ -162,7 +162,7 @@ export function drawMinutes(scene: Scene): void {
 
 export function drawHulls(scene: Scene): void {
   const { to, colours, hello, bodies, camera } = scene;
-  const ownBody = hello.vessels[scene.live.ship()]?.body;
+  const ownBody = scene.live.body();
   hello.bodies.forEach((body, i) => {
     const now = bodies[i];
     if (body.fixed || !now) return;
@@ -463,17 +463,16 @@ export function drawBerth({ to, camera, colours, hello, bodies }: Scene): void {
   );
 }
 
-/** Points that the first view includes: the ship, the fenders near her, her tugs and the ends of her lines. */
-export function firstLook(
-  hello: Hello,
-  bodies: BodyNow[],
-  ship: number,
-  frame: Frame | null,
-): Pair[] {
-  const info = hello.vessels[ship];
+/**
+ * Points that the first view includes: the ship, the fenders near her, her tugs and the ends of her lines. Without a vessel:
+ * all that floats, and the fenders.
+ */
+export function firstLook(hello: Hello, bodies: BodyNow[], live: Live): Pair[] {
+  const { frame } = live;
+  const info = hello.vessels[live.ship()];
   const now = bodies[info?.body ?? -1];
   const outline = hello.bodies[info?.body ?? -1]?.outline ?? [];
-  if (!info || !now) return bodies.map((b) => [b[0], b[1]]);
+  if (!info || !now) return allAfloat(hello, bodies);
   const places = outline.map((at) => onEarth(now, at));
   const berth = hello.fenders.map((f) => onEarth(bodies[f.body] ?? now, f.at_m));
   const near = berth.filter((at) => length(minus(at, [now[0], now[1]])) < info.length_m * 3);
@@ -497,4 +496,16 @@ export function firstLook(
   const mother = bodies[other];
   const hull = mother ? (hello.bodies[other]?.outline ?? []).map((at) => onEarth(mother, at)) : [];
   return [...places, ...near, ...tugs, ...alongside, ...moored, ...hull];
+}
+
+function allAfloat(hello: Hello, bodies: BodyNow[]): Pair[] {
+  const hulls = hello.bodies.flatMap(({ fixed, outline }, i): Pair[] => {
+    const now = bodies[i];
+    return fixed || !now ? [] : outline.map((at) => onEarth(now, at));
+  });
+  const fenders = hello.fenders.flatMap(({ body, at_m }): Pair[] => {
+    const now = bodies[body];
+    return now ? [onEarth(now, at_m)] : [];
+  });
+  return [...hulls, ...fenders];
 }

@@ -69,7 +69,13 @@ class Row {
     const deep = rated
       ? `${fixed((now.deflection_m / rated) * 100, 0)} % of ${fixed(rated, 2)} m`
       : `${fixed(now.deflection_m, 2)} m`;
-    setText(this.figures, `${force(now.reaction_n)} · ${energy(now.energy_j)} · ${deep}`);
+    const hasRating = this.info.rated_reaction_n !== null || this.info.rated_energy_j !== null;
+    setText(
+      this.figures,
+      now.reaction_n > 0 || !now.touched || !hasRating
+        ? `${force(now.reaction_n)} · ${energy(now.energy_j)} · ${deep}`
+        : `peak: R ${percent(now.peak_of_reaction)} · E ${percent(now.peak_of_energy)}`,
+    );
     setText(
       this.state,
       now.failed

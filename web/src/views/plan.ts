@@ -103,8 +103,7 @@ export class Plan implements View {
   }
 
   private shipNow(now_ms: number): BodyNow | null {
-    const info = this.live.vessel(this.live.ship());
-    return (info && this.live.bodies(now_ms)[info.body]) ?? null;
+    return this.live.bodies(now_ms)[this.live.body()] ?? null;
   }
 
   /** Turns the camera to the chosen bearing. */
@@ -165,7 +164,7 @@ export class Plan implements View {
     if (!hello) return;
     const first = !this.looked && this.lastShip === null && this.camera.pixels_per_m === 1;
     this.looked = true;
-    const places = scene.firstLook(hello, bodies, this.live.ship(), this.live.frame);
+    const places = scene.firstLook(hello, bodies, this.live);
     if (
       first &&
       hello.berth &&
@@ -257,11 +256,11 @@ class Readout {
   }
 
   tick(frame: Frame, live: Live): void {
-    const index = live.ship();
-    const [now, info] = [frame.vessels[index], live.vessel(index)];
-    const body = frame.bodies[info?.body ?? -1];
-    if (!now || !body) return;
+    const now = frame.vessels[live.ship()];
+    const body = frame.bodies[live.body()];
+    if (!body) return;
     const [, , head, north, east, rate] = body;
+    const under_keel_m = now?.under_keel_m ?? null;
     const speed = Math.hypot(north, east);
     const turn = rateOfTurn(rate);
     this.set("HDG", heading(head));
@@ -271,7 +270,7 @@ class Readout {
     );
     this.set("SOG", knots(speed, 2));
     this.set("COG", speed < 0.02 ? "–" : heading(Math.atan2(east, north)));
-    this.set("UKC", now.under_keel_m === null ? "–" : `${fixed(now.under_keel_m, 1)} m`);
+    this.set("UKC", under_keel_m === null ? "–" : `${fixed(under_keel_m, 1)} m`);
     this.set(
       "WIND",
       `${fixed(toKnots(frame.wind.speed_mps), 0)} kn ${heading(frame.wind.from_rad, 0)}`,
@@ -281,7 +280,7 @@ class Readout {
       `${fixed(toKnots(frame.current.speed_mps), 1)} kn ${heading(frame.current.to_rad, 0)}`,
     );
     const cell = this.cells.get("UKC");
-    if (cell) setClass(cell, "alarm", now.aground || (now.under_keel_m ?? 9) < 0.5);
+    if (cell) setClass(cell, "alarm", (now?.aground ?? false) || (under_keel_m ?? 9) < 0.5);
   }
 }
 

@@ -1,9 +1,9 @@
-/** Strip charts of the last minutes. uPlot is loaded when they are first shown. */
+/** Strip charts of the last minutes, or of a whole run. uPlot is loaded when they are first shown. */
 import type uPlot from "uplot";
 import type { History, Sample } from "../history";
 import { palette } from "../palette";
 import type { Palette } from "../palette";
-import { choices, h } from "../ui/dom";
+import { choices, h, setClass } from "../ui/dom";
 import type { View } from "./view";
 
 interface Strip {
@@ -48,7 +48,19 @@ const STRIPS: Strip[] = [
       { label: "line", key: "tension", colour: "force", dash: [2, 3] },
     ],
   },
+  {
+    title: "Contact forces, all together, MN",
+    least: [0, 0.1],
+    series: [{ label: "contacts", key: "contact_mn", colour: "force" }],
+  },
 ];
+
+/** A run whose charts show all of it, from its start. */
+export interface WholeRun {
+  duration_s(): number;
+  /** The time that is shown, marked in the charts. */
+  at_s(): number;
+}
 
 const SPANS = [
   { value: 2, label: "2 min" },
@@ -67,14 +79,17 @@ export class Strips implements View {
   private drawn_ms = 0;
   readonly root: HTMLElement;
 
-  constructor(private readonly history: History) {
+  constructor(
+    private readonly history: History,
+    private readonly whole: WholeRun | null = null,
+  ) {
     this.span = choices("Time shown", SPANS, (minutes) => {
       this.minutes = minutes;
       this.span.show(minutes);
       this.drawn_ms = 0;
     });
     this.span.show(this.minutes);
-    this.root = h("div", { class: "strips" }, this.span.root, this.box);
+    this.root = h("div", { class: "strips" }, whole === null && this.span.root, this.box);
     new ResizeObserver(() => this.resize()).observe(this.box);
   }
 
@@ -86,21 +101,26 @@ export class Strips implements View {
       this.built = wanted;
       void this.build();
     }
-    if (now_ms - this.drawn_ms < 500 || this.charts.length === 0) return;
+    if (now_ms - this.drawn_ms < (this.whole ? 120 : 500) || this.charts.length === 0) return;
     this.drawn_ms = now_ms;
     const { samples } = this.history;
     const till = samples.at(-1)?.t_s ?? 0;
-    const shown = samples.filter((s) => s.t_s >= till - this.minutes * 60);
-    // The time axis counts minutes before now.
-    const times = shown.map((s) => (s.t_s - till) / 60);
+    const shown = this.whole ? samples : samples.filter((s) => s.t_s >= till - this.minutes * 60);
+    // The time axis counts minutes before now, or seconds from the start.
+    const times = shown.map((s) => (this.whole ? s.t_s : (s.t_s - till) / 60));
+    const range = this.whole
+      ? { min: 0, max: Math.max(1e-3, this.whole.duration_s()) }
+      : { min: -this.minutes, max: 0 };
     STRIPS.forEach((strip, i) => {
       const chart = this.charts[i];
       chart?.setData([times, ...strip.series.map(({ key }) => shown.map((s) => s[key]))], false);
       chart?.batch(() => {
-        chart.setScale("x", { min: -this.minutes, max: 0 });
+        chart.setScale("x", range);
         const values = shown
           .flatMap((s) => strip.series.map(({ key }) => s[key]))
           .filter((v) => v !== null);
+        // A strip without a value in the whole run says nothing.
+        if (this.whole) setClass(chart.root, "hidden", values.length === 0 && shown.length > 0);
         chart.setScale("y", {
           min: Math.min(strip.least[0], ...values),
           max: Math.max(strip.least[1], ...values) * 1.05,
@@ -130,12 +150,14 @@ export class Strips implements View {
             title: strip.title,
             ...this.size(),
             legend: { live: false },
+            hooks: { draw: [(chart) => this.mark(chart)] },
             cursor: { y: false },
             scales: { x: { time: false, auto: false }, y: { auto: false } },
             axes: [
               {
                 ...axis,
-                values: (_, ticks) => ticks.map((t) => (t === 0 ? "now" : `${t} min`)),
+                values: (_, ticks) =>
+                  ticks.map((t) => (this.whole ? `${t} s` : t === 0 ? "now" : `${t} min`)),
                 size: 24,
                 space: 70,
               },
@@ -156,6 +178,22 @@ export class Strips implements View {
           this.box,
         ),
     );
+  }
+
+  /** A line at the time that is shown. */
+  private mark(chart: uPlot): void {
+    if (!this.whole) return;
+    const { ctx, bbox } = chart;
+    const x = chart.valToPos(this.whole.at_s(), "x", true);
+    ctx.save();
+    ctx.strokeStyle = palette().text;
+    ctx.lineWidth = devicePixelRatio;
+    ctx.setLineDash([4 * devicePixelRatio, 3 * devicePixelRatio]);
+    ctx.beginPath();
+    ctx.moveTo(x, bbox.top);
+    ctx.lineTo(x, bbox.top + bbox.height);
+    ctx.stroke();
+    ctx.restore();
   }
 
   private size(): { width: number; height: number } {

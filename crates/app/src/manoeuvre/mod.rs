@@ -21,7 +21,7 @@ use fenderline_sim::hydro::vessels::Vessel;
 
 use crate::cli::{Manoeuvre, ManoeuvreArgs};
 use crate::failure::Failure;
-use crate::terminal::{say, say_json};
+use crate::terminal::{answer, say, say_json};
 use crate::vessels::{found, library};
 
 use conditions::{Conditions, Sea};
@@ -44,7 +44,7 @@ pub(crate) fn manoeuvre(args: &ManoeuvreArgs) -> Result<(), Failure> {
     if args.json {
         say_json(&json::text(&args.vessel, &vessel, &sea, &conditions, &sections))?;
     } else {
-        say(&printed::text(args.manoeuvre, &chosen, &vessel, &sea, &conditions, &sections))?;
+        answer(&printed::text(args.manoeuvre, &chosen, &vessel, &sea, &conditions, &sections))?;
     }
     match (written, args.out.as_deref(), args.json) {
         (Some(names), Some(folder), false) => {

@@ -19,7 +19,7 @@ use clap::ValueEnum;
 
 pub(crate) use part_file::{Folder, Sealed};
 pub(crate) use tables::Tables;
-pub(crate) use whole_file::{make_folder, write_whole};
+pub(crate) use whole_file::{make_folder, write_new, write_whole};
 
 /// Names of all files that a run may write, the summary first. Those of an earlier run are removed at the start.
 fn result_files() -> Vec<String> {

@@ -1,7 +1,7 @@
 //! The tables of a run, written step by step.
 
 use fenderline_results::WrittenFile;
-use fenderline_sim::{Energy, Setup, StepRecord};
+use fenderline_sim::{Energy, OutputPlan, Setup, StepRecord};
 
 use super::files::Files;
 use super::part_file::{Folder, Sealed};
@@ -24,10 +24,12 @@ impl<'a> Tables<'a> {
         format: Format,
         setup: &Setup,
         start: Energy,
+        plan: &OutputPlan,
         facts: &'a [(&'a str, String)],
     ) -> Result<Tables<'a>, OutputError> {
         let files = Files { folder, format, facts };
-        Ok(Tables { tables: fenderline_results::Tables::start(&files, setup, start)?, format })
+        let tables = fenderline_results::Tables::start(&files, setup, start, plan)?;
+        Ok(Tables { tables, format })
     }
 
     /// Adds the rows of one step.
@@ -36,6 +38,14 @@ impl<'a> Tables<'a> {
     /// A file that cannot be written, or a value that is not finite.
     pub(crate) fn write(&mut self, step: &StepRecord<'_>) -> Result<(), OutputError> {
         self.tables.write(step)
+    }
+
+    /// Adds the rows of an interval that the end of the run cut short.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub(crate) fn end_interval(&mut self) -> Result<(), OutputError> {
+        self.tables.end_interval()
     }
 
     /// The files of the run, with the report and the summary.

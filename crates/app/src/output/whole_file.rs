@@ -27,6 +27,17 @@ pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), OutputError> 
     written.map_err(|e| OutputError::new(path, e))
 }
 
+/// As [`write_whole`], for a file that is not there yet.
+///
+/// # Errors
+/// As [`write_whole`]. Bad input too: there is something of that name.
+pub(crate) fn write_new(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
+    match fs::symlink_metadata(path) {
+        Ok(_) => Err(OutputError::refused(path, "it is there already, and is not replaced")),
+        Err(_) => write_whole(path, bytes),
+    }
+}
+
 /// Creates a folder for files, if it is missing.
 ///
 /// # Errors

@@ -2,7 +2,9 @@
 
 use core::fmt::Write as _;
 
-use fenderline_sim::FenderSummary;
+use fenderline_sim::{
+    ChainSummary, ConeSummary, DolphinSummary, FenderSetup, FenderSummary, PanelSummary,
+};
 
 use super::printed::{NAME_WIDTH, decimal, one_line};
 use fenderline_report::plot::{counted, shortened};
@@ -32,14 +34,23 @@ pub(super) fn table(outcome: &Outcome<'_>) -> String {
     let longest = shown.iter().map(|f| name_of(f).chars().count()).max().unwrap_or(0);
     let width = longest.max("fender".len());
     text.push('\n');
-    for (name, touch, deflection, reaction, energy, pressure, share) in [
-        ("fender", "first touch", "deflection", "reaction", "energy", "on hull", "of rated"),
-        ("", "s", "mm", "kN", "kJ", "kN/m2", "%"),
+    for (name, touch, deflection, reaction, energy, pressure, catalogue, share) in [
+        (
+            "fender",
+            "first touch",
+            "deflection",
+            "reaction",
+            "energy",
+            "on hull",
+            "of catalogue",
+            "of rated",
+        ),
+        ("", "s", "mm", "kN", "kJ", "kN/m2", "d / r / e, %", "%"),
     ] {
         let _ = writeln!(
             text,
             "{name:<width$}  {touch:>11}  {deflection:>10}  {reaction:>10}  {energy:>10}  {pressure:>7}  \
-             {share:>14}"
+             {catalogue:>15}  {share:>14}"
         );
     }
     for summary in shown {
@@ -49,10 +60,11 @@ pub(super) fn table(outcome: &Outcome<'_>) -> String {
         );
         let pressure = summary.peak_hull_pressure_npm2;
         let pressure = pressure.map_or_else(|| "-".to_owned(), |p| decimal(p / 1e3, 0));
+        let catalogue = of_catalogue(&setups[summary.fender], summary);
         let verdict = verdict(summary);
         let mark = if verdict.is_grave() { verdict.text().to_uppercase() } else { String::new() };
         let line = format!(
-            "{:<width$}  {:>11}  {:>10}  {:>10}  {:>10}  {pressure:>7}  {share:>14}  {mark}",
+            "{:<width$}  {:>11}  {:>10}  {:>10}  {:>10}  {pressure:>7}  {catalogue:>15}  {share:>14}  {mark}",
             name_of(summary),
             decimal(summary.first_touch_s, 2),
             decimal(summary.peak_deflection_m * 1e3, 1),
@@ -60,6 +72,15 @@ pub(super) fn table(outcome: &Outcome<'_>) -> String {
             decimal(summary.peak_energy_j / 1e3, 1),
         );
         let _ = writeln!(text, "{}", line.trim_end());
+    }
+    for &index in order.iter().take(FENDERS) {
+        let summary = &outcome.fenders[index];
+        if let Some(panel) = &summary.panel {
+            let _ = writeln!(text, "{:<width$}  {}", name_of(summary), panel_line(panel));
+        }
+        for chain in &summary.chains {
+            let _ = writeln!(text, "{:<width$}  {}", name_of(summary), chain_line(chain));
+        }
     }
     if order.len() > FENDERS {
         let more = (order.len() - FENDERS) as u64;
@@ -69,15 +90,88 @@ pub(super) fn table(outcome: &Outcome<'_>) -> String {
     text
 }
 
-/// The berthing energy by formula and that in the fenders; empty without such a study.
-pub(super) fn berthing(outcome: &Outcome<'_>) -> String {
-    let Some(Ok(berthing)) = outcome.berthing else { return String::new() };
-    let abnormal = berthing.abnormal_energy_j.map_or_else(String::new, |abnormal_j| {
-        format!(" ({} kJ abnormal)", decimal(abnormal_j / 1e3, 0))
-    });
+/// What a panel on several cones did: its turn, its moment and the deflection of each cone, from left to right as one looks
+/// at its face.
+fn panel_line(panel: &PanelSummary) -> String {
+    let mut cones = panel.cones.clone();
+    cones.sort_by(|one, other| one.at_m.total_cmp(&other.at_m));
+    let of_cone = |cone: &ConeSummary| decimal(cone.peak_deflection_m * 1e3, 1);
+    let cones: Vec<String> = cones.iter().map(of_cone).collect();
     format!(
-        "\nberthing: {} kJ by PIANC 2002{abnormal}; the fenders took {} kJ in the first hit\n",
-        decimal(berthing.energy_j[0] / 1e3, 0),
-        decimal(berthing.fender_energy_j / 1e3, 0)
+        "panel: turned by {} deg, {} kN m; cones {} mm",
+        decimal(panel.peak_tilt_rad.to_degrees(), 2),
+        decimal(panel.peak_moment_nm / 1e3, 1),
+        cones.join(", ")
     )
+}
+
+/// The peak tension of a chain.
+fn chain_line(chain: &ChainSummary) -> String {
+    let parted = if chain.parted_at_s.is_some() { ", PARTED" } else { "" };
+    format!(
+        "{} chain: {} kN, {} % of its break load{parted}",
+        chain.kind.word(),
+        decimal(chain.peak_tension_n / 1e3, 1),
+        decimal(100.0 * chain.share_of_break_load, 0)
+    )
+}
+
+/// One line per flexible dolphin, the most loaded first: its peaks, its share of the yield load, and what stays of its
+/// deflection. Empty without one.
+pub(super) fn dolphins(outcome: &Outcome<'_>) -> String {
+    let mut text = String::new();
+    if outcome.dolphins.is_empty() {
+        return text;
+    }
+    let name_of = |dolphin: &DolphinSummary| {
+        shortened(&one_line(&outcome.setup.bodies[dolphin.body].name), NAME_WIDTH)
+    };
+    let mut shown: Vec<&DolphinSummary> = outcome.dolphins.iter().collect();
+    shown.sort_by(|one, other| other.peak_load_n.total_cmp(&one.peak_load_n));
+    let more = shown.len().saturating_sub(FENDERS);
+    shown.truncate(FENDERS);
+    let longest = shown.iter().map(|d| name_of(d).chars().count()).max().unwrap_or(0);
+    let width = longest.max("dolphin".len());
+    text.push('\n');
+    for (name, deflection, load, energy, share) in
+        [("dolphin", "deflection", "load", "energy", "of yield load"), ("", "mm", "kN", "kJ", "%")]
+    {
+        let _ = writeln!(
+            text,
+            "{name:<width$}  {deflection:>10}  {load:>10}  {energy:>10}  {share:>13}"
+        );
+    }
+    for dolphin in shown {
+        let share = dolphin.share_of_yield_load;
+        let share = share.map_or_else(|| "-".to_owned(), |share| decimal(100.0 * share, 0));
+        let mark = match dolphin.yielded_at_s {
+            Some(_) => format!("YIELDED, {} mm stay", decimal(dolphin.offset_m * 1e3, 1)),
+            None => String::new(),
+        };
+        let line = format!(
+            "{:<width$}  {:>10}  {:>10}  {:>10}  {share:>13}  {mark}",
+            name_of(dolphin),
+            decimal(dolphin.peak_deflection_m * 1e3, 1),
+            decimal(dolphin.peak_load_n / 1e3, 1),
+            decimal(dolphin.peak_energy_j / 1e3, 1),
+        );
+        let _ = writeln!(text, "{}", line.trim_end());
+    }
+    if more > 0 {
+        let more = counted(more as u64, "more dolphin", "more dolphins");
+        let _ = writeln!(text, "and {more}, in summary.json");
+    }
+    text
+}
+
+/// Deflection, reaction and energy over their ratings in the catalogue, without the factors of this run (%).
+fn of_catalogue(setup: &FenderSetup, summary: &FenderSummary) -> String {
+    let shares = [
+        summary.share_of_rated_deflection,
+        summary.share_of_catalogue_reaction(),
+        summary.share_of_catalogue_energy(setup),
+    ];
+    let percent = |share: Option<f64>| share.map(|share| decimal(100.0 * share, 0));
+    let shares: Option<Vec<String>> = shares.into_iter().map(percent).collect();
+    shares.map_or_else(|| "-".to_owned(), |shares| shares.join(" / "))
 }

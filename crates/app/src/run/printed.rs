@@ -26,9 +26,10 @@ pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile
         method_text(setup.method),
         integrator_text(setup.integrator).replace('_', "-")
     );
-    if let Some(interrupted) = &outcome.interrupted {
-        let _ = writeln!(text, "INTERRUPTED: {}\n", interrupted_text(interrupted));
+    for approach in &setup.approaches {
+        let _ = writeln!(text, "{}\n", one_line(&approach.sentence(setup)));
     }
+    text += &interrupted(outcome);
     let mut pairs: Vec<&PairSummary> = outcome.pairs.iter().collect();
     pairs.sort_by(|a, b| b.peak_normal_force_n.total_cmp(&a.peak_normal_force_n));
     if pairs.is_empty() {
@@ -48,7 +49,8 @@ pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile
         }
     }
     text.push_str(&super::fenders::table(outcome));
-    text.push_str(&super::fenders::berthing(outcome));
+    text.push_str(&super::fenders::dolphins(outcome));
+    text.push_str(&super::berthing::lines(outcome));
     text.push_str(&super::world::lines(outcome));
     text.push('\n');
     text.push_str(&super::verdict::lines(outcome));
@@ -56,6 +58,12 @@ pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile
     let names: Vec<String> = files.iter().map(described).collect();
     let _ = writeln!(text, "in {}: {}", folder.display(), names.join(", "));
     text
+}
+
+/// That the run was interrupted, and where; empty if it was not.
+pub(super) fn interrupted(outcome: &Outcome<'_>) -> String {
+    let told = |interrupted| format!("INTERRUPTED: {}\n\n", interrupted_text(interrupted));
+    outcome.interrupted.as_ref().map_or_else(String::new, told)
 }
 
 fn described(file: &WrittenFile) -> String {

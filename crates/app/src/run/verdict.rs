@@ -37,6 +37,6 @@ pub(super) fn exit(findings: &[Finding], allow_failures: bool) -> Result<(), Fai
     }
     Err(Failure::case(format_args!(
         "error: {}; the results are complete (--allow-failures: exit code 0)",
-        verdict.text()
+        verdict.text().to_lowercase()
     )))
 }

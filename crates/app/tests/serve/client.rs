@@ -188,8 +188,8 @@ impl Client {
         .await
     }
 
-    /// Was something told so far in a notice with a word in it?
-    pub(crate) fn was_told(&self, word: &str) -> bool {
+    /// Whether a notice with this word has come.
+    pub(crate) fn has_heard(&self, word: &str) -> bool {
         self.notices.iter().any(|text| text.contains(word))
     }
 

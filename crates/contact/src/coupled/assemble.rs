@@ -3,7 +3,8 @@
 use alloc::vec::Vec;
 
 use crate::coupled::constraint::{Constraint, Forces, Laws};
-use crate::coupled::motion::{Motion, kick_s};
+use crate::coupled::held::Held;
+use crate::coupled::motion::{Role, kick_s};
 use crate::coupled::press_out::{Placement, opening_mps};
 use crate::events::{note, report_patch};
 use crate::fender::RankedFender;
@@ -18,9 +19,11 @@ use crate::material::Material;
 use crate::memory::PatchMemory;
 use crate::model::Model;
 use crate::number::{greater, lesser};
+use crate::panel::chains::{Broken, add_parted};
+use crate::panel::report::PanelMotion;
 use crate::patch::Patch;
 use crate::report::{Event, EventKind, ForceParts, Friction};
-use crate::touch::{Movers, Scene, Touch, touch};
+use crate::touch::{Movers, Scene, Touch, touch, touch_again};
 use crate::unloading::{Loading, PLAYS, unload};
 use crate::vec2::Vec2;
 
@@ -45,7 +48,9 @@ pub(crate) struct Diagnostics {
 pub(crate) struct Start<'w> {
     pub(crate) scene: Scene<'w>,
     pub(crate) inverses: &'w [InverseMatrix],
-    pub(crate) motions: &'w [Motion],
+    pub(crate) roles: &'w [Role],
+    /// As in [`crate::coupled::dynamics::Dynamics`].
+    pub(crate) velocity_lags_s: &'w [f64],
     /// Length of the sub-step (s).
     pub(crate) h: f64,
 }
@@ -88,6 +93,9 @@ impl Start<'_> {
 pub(crate) struct Aside<'w> {
     pub(crate) events: &'w mut Vec<Event>,
     pub(crate) clip: &'w mut ClipBuffers,
+    pub(crate) panels: &'w mut Vec<PanelMotion>,
+    /// Chains that have parted.
+    pub(crate) parted: &'w mut Vec<u32>,
 }
 
 /// What a patch inherits from the last (sub-)step.
@@ -121,13 +129,37 @@ pub(crate) fn assemble(
     let material: &Material = &model.materials()[patch.candidate.material.0 as usize];
 
     // Kinematics (eq. 9–10) and effective masses (eq. 13–19).
-    let movers = Movers::of([a, b].map(|rank| start.motions[rank as usize].moves));
+    let movers = Movers::of([a, b].map(|rank| start.roles[rank as usize].moves));
+    if let Some(face) = face {
+        let factor = old.map(|memory| memory.factor);
+        aside.clip.panel.state = face.chain_state(patch.candidate.face, aside.parted, factor);
+    }
     let mut touch = touch(&start.scene, aside.clip, patch, face, old, movers);
     let absorbed_j = touch.stored_j;
-    let unloaded = match face {
-        Some(face) if face.unloads => apply_unloading(model, face, &mut touch, old),
+    let unload = |touch: &mut Touch, tops_j: Option<&[f64; PLAYS]>| match face {
+        Some(face) if face.unloads => apply_unloading(model, face, touch, tops_j),
         _ => None,
     };
+    let mut unloaded = unload(&mut touch, old.map(|memory| &memory.tops_j));
+    let (mut broken, mut snapped_j) = (Broken::default(), 0.0);
+    if let Some(face) = face
+        && let Some(chains) = breaking(face, aside)
+    {
+        // Without the chains, under the same hull: what they stored is lost.
+        let intact_j = touch.stored_j;
+        broken = chains;
+        add_parted(aside.parted, patch.candidate.face, broken.chains);
+        aside.clip.panel.state.parted |= broken.chains;
+        touch = touch_again(&start.scene, aside.clip, patch, Some(face), old, movers);
+        let before = unloaded;
+        unloaded = unload(&mut touch, before.as_ref().map(|before| &before.tops_j));
+        // At its break load, not at the tension that the sub-step overshot to: energy is as the square of tension.
+        let overshoot = broken.overshoot * broken.overshoot;
+        snapped_j = greater(intact_j - touch.stored_j, 0.0) * overshoot;
+        if let (Some(now), Some(before)) = (&mut unloaded, before) {
+            now.lost_j += before.lost_j;
+        }
+    }
     constraint.set_kinematics([a, b], movers, &touch);
     let Touch { normal, levers_a, levers_b, .. } = touch;
     match movers {
@@ -140,8 +172,14 @@ pub(crate) fn assemble(
     }
 
     // The normal law (eq. 2–3): spring, stop and damper.
-    let factor = factor(model, face, &touch, old);
-    let lag_s = start.motions[constraint.one_floating() as usize].velocity_lag_s;
+    let factor = factor(model, face, &touch, patch, old);
+    if let Some(face) = face
+        && face.panel.is_some()
+    {
+        let factor = factor * unloaded.map_or(1.0, |u| u.share);
+        note_panel(model, face, aside, [a, b], (factor, &broken));
+    }
+    let lag_s = start.velocity_lags_s[constraint.one_floating() as usize];
     let kick_s = kick_s(lag_s, start.h);
     let (mut damper_n, mut damped_m2) = (0.0, 0.0);
     if material.damping_nspm2 != 0.0 {
@@ -161,7 +199,10 @@ pub(crate) fn assemble(
         material,
         law_n,
         rebound_mps: restitution.map_or(UNBOUNDED_MPS, |restitution| restitution * v_ref_mps),
-        available_j: available_j(&touch, factor, law_n, old, displaced),
+        available_j: greater(
+            available_j(&touch, factor, law_n, old, displaced) - snapped_j * factor,
+            0.0,
+        ),
         shear_available_j: old.map_or(0.0, |m| m.sheared_j),
         unbalanced_j: restitution.map_or(0.0, |_| unbalanced_j(&touch, factor, law_n, old)),
         slide: match old {
@@ -202,7 +243,8 @@ pub(crate) fn assemble(
     }
     if let Some(diagnostics) = diagnostics {
         let Touch { depth_m, tilt_rad, stored_j, .. } = touch;
-        let hysteresis_j = unloaded.map_or(0.0, |unloaded| unloaded.lost_j * factor);
+        let lost_j = unloaded.map_or(0.0, |unloaded| unloaded.lost_j) + snapped_j;
+        let hysteresis_j = lost_j * factor;
         *diagnostics = Diagnostics {
             depth_m,
             tilt_rad,
@@ -247,6 +289,8 @@ const UNBOUNDED_MPS: f64 = 1e12;
 struct Unloaded {
     tops_j: [f64; PLAYS],
     lost_j: f64,
+    /// Force over the loading force.
+    share: f64,
 }
 
 /// Changes a touch's forces and stored energy from those of loading to those of the fender's unloading law.
@@ -255,7 +299,7 @@ fn apply_unloading(
     model: &Model,
     face: &RankedFender,
     touch: &mut Touch,
-    old: Option<&PatchMemory>,
+    tops_j: Option<&[f64; PLAYS]>,
 ) -> Option<Unloaded> {
     let fender = &model.fenders()[face.id.0 as usize];
     let unloading = fender.unloading.as_ref()?;
@@ -265,11 +309,55 @@ fn apply_unloading(
         stop_n: touch.stop_n,
         stored_j: touch.stored_j,
     };
-    let unloaded = unload(unloading, &fender.law, &loading, old.map(|memory| &memory.tops_j));
+    let unloaded = unload(unloading, &fender.law, &loading, tops_j);
     touch.spring_n *= unloaded.share;
     touch.stop_n *= unloaded.share;
     touch.stored_j = unloaded.recoverable_j;
-    Some(Unloaded { tops_j: unloaded.tops_j, lost_j: unloaded.lost_j })
+    Some(Unloaded { tops_j: unloaded.tops_j, lost_j: unloaded.lost_j, share: unloaded.share })
+}
+
+/// The chains that part under the panel that was pressed last; `None` in most sub-steps.
+#[inline(never)]
+fn breaking(face: &RankedFender, aside: &Aside<'_>) -> Option<Broken> {
+    let tensions_n = aside.clip.panel.pressed.tensions_n;
+    let broken = face.panel.as_ref()?.breaking(&tensions_n);
+    (broken.chains != 0).then_some(broken)
+}
+
+/// Reports the panel that was pressed last. `factor` is on its reaction.
+#[inline(never)]
+fn note_panel(
+    model: &Model,
+    face: &RankedFender,
+    aside: &mut Aside<'_>,
+    [a, b]: [u32; 2],
+    (factor, broken): (f64, &Broken),
+) {
+    let hull = model.id_of[if face.host == a { b } else { a } as usize];
+    let pressed = &aside.clip.panel.pressed;
+    PanelMotion::note(aside.panels, (face.id, hull), pressed, factor, broken);
+}
+
+/// Adds what the fender of a touch holds.
+pub(crate) fn add_held(
+    held: &mut Held,
+    model: &Model,
+    patch: &Patch,
+    mut touch: Touch,
+    old: Option<&PatchMemory>,
+) {
+    let face = patch.candidate.fender(model);
+    let factor = factor(model, face, &touch, patch, old);
+    held.loading_j += touch.stored_j * factor;
+    held.loading_n += (touch.spring_n + touch.stop_n) * factor;
+    let unloaded = match face {
+        Some(face) if face.unloads => {
+            apply_unloading(model, face, &mut touch, old.map(|memory| &memory.tops_j))
+        }
+        _ => None,
+    };
+    held.energy_j += (touch.stored_j + unloaded.map_or(0.0, |unloaded| unloaded.lost_j)) * factor;
+    held.force_n += (touch.spring_n + touch.stop_n) * factor;
 }
 
 /// The energy that a contact stores beyond what its last force balances (J). Between outlines at least a third of f δ: a

@@ -6,7 +6,7 @@ use crate::coupled::assemble::{Aside, Diagnostics, Heritage, Start, Target, asse
 use crate::coupled::constraint::Constraint;
 use crate::coupled::dynamics::Dynamics;
 use crate::coupled::island::{Group, Island};
-use crate::coupled::newton::Trial;
+use crate::coupled::newton::NewtonBuffers;
 use crate::coupled::{release, solve};
 use crate::events::note;
 use crate::inherit::{Inheritance, continues_alone};
@@ -28,8 +28,7 @@ pub(crate) struct Constraints {
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SolverBuffers {
-    /// For Newton acceleration: one a contact of the island.
-    trials: Vec<Trial>,
+    newton: NewtonBuffers,
     /// For release: unbalanced stored energy of each body's contacts with fixed ones, by rank (J).
     unbalanced_j: Vec<f64>,
 }
@@ -165,7 +164,7 @@ pub(crate) fn solve_islands(
     islands: &[Island],
     Contacts { patches, constraints, memories }: Contacts<'_>,
     dynamics: &mut Dynamics,
-    SolverBuffers { trials, unbalanced_j }: &mut SolverBuffers,
+    SolverBuffers { newton, unbalanced_j }: &mut SolverBuffers,
     events: &mut Vec<Event>,
 ) {
     let count = model.ranked.len();
@@ -186,7 +185,7 @@ pub(crate) fn solve_islands(
                 let patches = &patches[own];
                 release::release_island(model, patches, memories, constraints, unbalanced_j);
                 let kick_s = constraints[0].kick_s;
-                solve::solve_island(velocities, inverses, constraints, memories, trials, kick_s)
+                solve::solve_island(velocities, inverses, constraints, memories, newton, kick_s)
             }
         };
         if change_mps > solve::REPORTED_MPS {

@@ -7,16 +7,17 @@
 use alloc::vec::Vec;
 
 use crate::admit::{admit_call, admit_loads, admit_states, is_sound};
-use crate::bodies::{Bodies, Displaced, PoseChange, set_pose};
+use crate::bodies::{Bodies, Displaced, PoseChange};
 use crate::candidates::Pairing;
 use crate::coupled::island::{Group, Island};
-use crate::coupled::motion::{Motion, kick_s};
+use crate::coupled::motion::{Role, SpeedBound, acceleration, kick_s};
+use crate::coupled::moving_pile::MovingPile;
 use crate::coupled::sub_step::SubStep;
 use crate::error::StepError;
 use crate::mass::InverseMatrix;
 use crate::memory::{Memory, NOT_BEHIND};
 use crate::model::Model;
-use crate::number::lesser;
+use crate::number::{greater, lesser};
 use crate::patch::Patch;
 use crate::ranked::Rest;
 use crate::report::{Displacement, Wrench};
@@ -31,13 +32,21 @@ pub(crate) struct Dynamics {
     pub(crate) layout: Option<u64>,
     /// Ranks of the fixed bodies with a velocity, such as lock gates.
     pub(crate) moving_fixed: Vec<u32>,
-    pub(crate) motions: Vec<Motion>,
+    pub(crate) roles: Vec<Role>,
+    /// Time by which each velocity is older than its position (s). Negative if the host gave the velocity: then it is taken
+    /// to lag by half of this step.
+    pub(crate) velocity_lags_s: Vec<f64>,
+    pub(crate) speed_bounds: Vec<SpeedBound>,
     /// M⁻¹, earth-fixed.
     pub(crate) inverses: Vec<InverseMatrix>,
     /// States at the start of the sub-step.
     pub(crate) states: Vec<BodyState>,
     /// Before the solve of a sub-step v_free, without contact; after it v⁺.
     pub(crate) velocities: Vec<Velocity>,
+    /// The bodies on piles, as in [`Model::piles`].
+    pub(crate) piles: Vec<MovingPile>,
+    /// A sum over all states that the step has computed: it is finite if they are, except for the very largest.
+    state_sum: f64,
 }
 
 /// What the host gives for a step.
@@ -75,25 +84,28 @@ impl Dynamics {
         let count = model.ranked.len();
         if self.layout.take() != Some(model.layout) {
             self.forget(model);
-            bodies.forget_poses(count);
         }
         self.moving_fixed.clear();
+        self.state_sum = 0.0;
         displaced.clear();
         bodies.resize(count);
-        let Dynamics { motions, inverses, states, velocities, moving_fixed, .. } = self;
-        let Bodies { input: inputs, poses, headings_rad, reach_m, active } = bodies;
+        let Dynamics { roles, velocity_lags_s, speed_bounds, moving_fixed, .. } = self;
+        let Dynamics { inverses, states, velocities, .. } = self;
+        let Bodies { input: inputs, poses, reach_m, active } = bodies;
         // Slices of one known length, so that ranks are not bounds-checked.
-        let (motions, inverses) = (&mut motions[..count], &mut inverses[..count]);
+        let (roles, inverses) = (&mut roles[..count], &mut inverses[..count]);
+        let lags_s = &mut velocity_lags_s[..count];
+        let speed_bounds = &mut speed_bounds[..count];
         let (states, velocities) = (&mut states[..count], &mut velocities[..count]);
         let (inputs, poses) = (&mut inputs[..count], &mut poses[..count]);
-        let (headings_rad, reach_m) = (&mut headings_rad[..count], &mut reach_m[..count]);
+        let reach_m = &mut reach_m[..count];
         let id_of = &model.id_of[..count];
         for rank in 0..count {
             let id = id_of[rank].0 as usize;
-            let (state, motion) = (&input.states[id], &mut motions[rank]);
+            let (state, role) = (&input.states[id], &mut roles[rank]);
             let last = memory.last_states.get(rank);
             let is_unchanged = || last.is_some_and(|last| last.apart(state) == 0);
-            if motion.settled && inputs[rank].apart(state) == 0 && is_unchanged() {
+            if role.settled && inputs[rank].apart(state) == 0 && is_unchanged() {
                 continue;
             }
             if !is_sound(state) {
@@ -102,20 +114,24 @@ impl Dynamics {
             active.push(rank as u32);
             (inputs[rank], states[rank]) = (*state, *state);
             let body = &model.ranked[rank];
-            let pose = &mut poses[rank];
-            if set_pose(pose, &mut headings_rad[rank], state) && !body.is_alike {
-                inverses[rank] = model.ranked.rest(rank).inverse.turned(pose.rotation);
+            poses[rank] = state.pose();
+            if !body.is_alike {
+                inverses[rank] = model.ranked.rest(rank).inverse.turned(poses[rank].rotation);
             }
             let change = last.map_or(PoseChange::Consistent, |last| {
                 memory.pose_change(rank, last, state, body.radius_m)
             });
             displaced.add(rank as u32, change);
             if body.is_fixed() {
-                *motion = Motion::of_fixed(body, state, is_unchanged());
-                velocities[rank] = state.velocity();
-                if motion.moves {
+                let moves = !state.is_at_rest();
+                *role = Role::new(moves, !moves && is_unchanged());
+                lags_s[rank] = NOT_BEHIND;
+                if moves {
                     moving_fixed.push(rank as u32);
+                    lags_s[rank] = -0.5 * input.step_s;
                 }
+                velocities[rank] = state.velocity();
+                speed_bounds[rank] = SpeedBound::of(body, state, Velocity::default(), 0.0);
             } else {
                 let lag_s = match memory.behind_s.get(rank) {
                     _ if !input.velocities_continue => NOT_BEHIND,
@@ -124,19 +140,18 @@ impl Dynamics {
                     Some(_) if change != PoseChange::Consistent => NOT_BEHIND,
                     Some(&last_s) => last_s,
                 };
-                let lag_s = if lag_s >= 0.0 { lag_s } else { -0.5 * input.step_s };
-                *motion = Motion::of_floating(
-                    body,
-                    state,
-                    &input.loads[id],
-                    &inverses[rank],
-                    lag_s,
-                    input.step_s,
-                );
-                velocities[rank] =
-                    free_velocity(state, motion.acceleration, kick_s(lag_s, input.step_s));
+                *role = Role::new(true, false);
+                lags_s[rank] = if lag_s >= 0.0 { lag_s } else { -0.5 * input.step_s };
+                let kick_s = kick_s(lags_s[rank], input.step_s);
+                let by_load = acceleration(body, &inverses[rank], &input.loads[id]);
+                let time_s = greater(kick_s, input.step_s);
+                speed_bounds[rank] = SpeedBound::of(body, state, by_load, time_s);
+                velocities[rank] = free_velocity(state, by_load, kick_s);
             }
-            reach_m[rank] = body.reach_m + motion.fastest_mps * input.step_s;
+            reach_m[rank] = body.reach_m + speed_bounds[rank].fastest_mps * input.step_s;
+        }
+        if !model.piles.is_empty() {
+            self.begin_piles(model, memory, input, bodies, displaced);
         }
         Ok(())
     }
@@ -145,18 +160,22 @@ impl Dynamics {
     #[cold]
     fn forget(&mut self, model: &Model) {
         let count = model.ranked.len();
-        self.motions.clear();
-        self.motions.resize(count, Motion::UNKNOWN);
+        self.roles.clear();
+        self.roles.resize(count, Role::default());
+        self.velocity_lags_s.resize(count, NOT_BEHIND);
+        self.speed_bounds.resize(count, SpeedBound::default());
         self.states.resize(count, BodyState::default());
         self.velocities.resize(count, Velocity::default());
         self.inverses.clear();
         self.inverses.extend((0..count).map(|rank| model.ranked.rest(rank).inverse));
     }
 
-    /// Begins a sub-step of a group: v_free. `islands` are those of the group, if they have more than one floating body.
+    /// Begins a sub-step of a group: v_free under these loads, by id. `islands` are those of the group, if they have more
+    /// than one floating body.
     pub(crate) fn begin_sub_step(
         &mut self,
         model: &Model,
+        loads: &[Wrench],
         group: &Group,
         islands: Option<&[Island]>,
         patches: &[Patch],
@@ -164,7 +183,7 @@ impl Dynamics {
     ) {
         if sub_step.is_first() && !sub_step.is_only() {
             for &rank in &group.bodies {
-                let lag_s = &mut self.motions[rank as usize].velocity_lag_s;
+                let lag_s = &mut self.velocity_lags_s[rank as usize];
                 *lag_s = if *lag_s < 0.0 { 0.5 * sub_step.h } else { *lag_s };
             }
         }
@@ -172,7 +191,10 @@ impl Dynamics {
             && islands.is_some_and(|islands| self.agree(model, group, islands, patches));
         // `begin` has computed v_free for a sub-step that is the whole step.
         if changed || !sub_step.is_only() {
-            self.free_velocities(group, sub_step.h);
+            self.free_velocities(model, loads, group, sub_step.h);
+            if !model.piles.is_empty() {
+                self.begin_pile_sub_step(model, loads, group, sub_step);
+            }
         }
     }
 
@@ -186,7 +208,7 @@ impl Dynamics {
         islands: &[Island],
         patches: &[Patch],
     ) -> bool {
-        let motions = &mut self.motions;
+        let lags_s = &mut self.velocity_lags_s;
         let mut changed = false;
         for island in islands {
             let own = &patches[island.patches_from(group.patches.start)];
@@ -194,11 +216,10 @@ impl Dynamics {
                 let both = own.iter().flat_map(|patch| [patch.candidate.a, patch.candidate.b]);
                 both.map(|rank| rank as usize).filter(|&rank| !model.ranked[rank].is_fixed())
             };
-            let least_s = floating().fold(f64::INFINITY, |least, rank| {
-                lesser(least, motions[rank].velocity_lag_s.abs())
-            });
+            let least_s =
+                floating().fold(f64::INFINITY, |least, rank| lesser(least, lags_s[rank].abs()));
             for rank in floating() {
-                let lag_s = &mut motions[rank].velocity_lag_s;
+                let lag_s = &mut lags_s[rank];
                 if lag_s.abs() > least_s {
                     (*lag_s, changed) = (least_s, true);
                 }
@@ -208,13 +229,19 @@ impl Dynamics {
     }
 
     /// v_free = v + κ M⁻¹ W of the bodies of a group.
-    fn free_velocities(&mut self, group: &Group, h: f64) {
+    fn free_velocities(&mut self, model: &Model, loads: &[Wrench], group: &Group, h: f64) {
         for &rank in &group.bodies {
             let rank = rank as usize;
-            let Motion { velocity_lag_s, acceleration, .. } = self.motions[rank];
-            let kick_s = kick_s(velocity_lag_s, h);
-            self.velocities[rank] = free_velocity(&self.states[rank], acceleration, kick_s);
+            let kick_s = kick_s(self.velocity_lags_s[rank], h);
+            let by_load = self.acceleration(model, loads, rank);
+            self.velocities[rank] = free_velocity(&self.states[rank], by_load, kick_s);
         }
+    }
+
+    /// M⁻¹ W of a body.
+    fn acceleration(&self, model: &Model, loads: &[Wrench], rank: usize) -> Velocity {
+        let load = &loads[model.id_of[rank].0 as usize];
+        acceleration(&model.ranked[rank], &self.inverses[rank], load)
     }
 
     /// x⁺ = x + h v⁺ of the bodies of a group, with poses and inverse masses; and how far the bodies moved, by the mean
@@ -229,38 +256,41 @@ impl Dynamics {
     ) {
         let (count, h) = (model.ranked.len(), sub_step.h);
         // Slices of one known length, so that each rank is bounds-checked once.
-        let (states, motions) = (&mut self.states[..count], &mut self.motions[..count]);
+        let (states, lags_s) = (&mut self.states[..count], &mut self.velocity_lags_s[..count]);
         let (poses, velocities) = (&mut bodies.poses[..count], &self.velocities[..count]);
         let (id_of, displacements) = (&model.id_of[..count], &mut results.displacements[..count]);
         let states_after = &mut results.states_after[..count];
+        let mut sum = 0.0;
         for &rank in &group.bodies {
             let rank = rank as usize;
             let id = id_of[rank].0 as usize;
-            let (state, motion, pose) = (&mut states[rank], &mut motions[rank], &mut poses[rank]);
+            let (state, lag_s, pose) = (&mut states[rank], &mut lags_s[rank], &mut poses[rank]);
             let (velocity, displacement) = (velocities[rank], &mut displacements[id]);
             let so_far = if sub_step.is_first() { Displacement::default() } else { *displacement };
-            let kick_s = kick_s(motion.velocity_lag_s, h);
-            motion.velocity_lag_s = 0.5 * h;
+            let kick_s = kick_s(*lag_s, h);
+            *lag_s = 0.5 * h;
             *displacement = moved(so_far, state.velocity(), velocity, kick_s);
             move_body(state, velocity, h);
             if !model.ranked[rank].is_alike {
                 pose.position_m = state.position_m;
                 turn_with(model.ranked.rest(rank), state, pose, &mut self.inverses[rank], h);
-                bodies.headings_rad[rank] = state.heading_rad;
-                let Wrench { force_n, moment_nm } = motion.load;
-                motion.acceleration = self.inverses[rank].response(force_n, moment_nm);
             } else if !sub_step.is_last() {
-                set_pose(pose, &mut bodies.headings_rad[rank], state);
+                *pose = state.pose();
             }
             states_after[id] = *state;
+            sum += sum_of(state);
+        }
+        self.state_sum += sum;
+        if !model.piles.is_empty() {
+            self.advance_piles(model, group, bodies, results, sub_step);
         }
     }
 
     /// Marks the fixed bodies that a group has moved through the step. They may be in other groups as well.
     pub(crate) fn mark_moved_fixed(&mut self) {
         for &rank in &self.moving_fixed {
-            let motion = &mut self.motions[rank as usize];
-            motion.has_moved |= core::mem::take(&mut motion.in_island);
+            let role = &mut self.roles[rank as usize];
+            role.has_moved |= core::mem::take(&mut role.in_island);
         }
     }
 
@@ -272,37 +302,37 @@ impl Dynamics {
             if candidates.iter().any(is_of) {
                 let rank = rank as usize;
                 self.states[rank] = bodies.input[rank];
-                let (pose, heading) = (&mut bodies.poses[rank], &mut bodies.headings_rad[rank]);
-                set_pose(pose, heading, &bodies.input[rank]);
+                bodies.poses[rank] = bodies.input[rank].pose();
             }
         }
     }
 
     /// Moves the bodies that no island contains.
     ///
-    /// Returns a sum over all states at the end of the step. It is finite if they are, except for the very largest; a
-    /// wrench that is not finite makes a state so.
+    /// Returns true if all states at the end of the step are finite, except for the very largest; a wrench that is not
+    /// finite makes a state so.
     pub(crate) fn drift(
         &mut self,
         model: &Model,
+        loads: &[Wrench],
         bodies: &Bodies,
         step_s: f64,
         results: &mut Results,
-    ) -> f64 {
-        let mut sum = 0.0;
+    ) -> bool {
         for &rank in &bodies.active {
             let rank = rank as usize;
-            let motion = &self.motions[rank];
-            if !motion.in_island && !motion.has_moved {
+            let role = self.roles[rank];
+            if !role.in_island && !role.has_moved {
                 let id = model.id_of[rank].0 as usize;
-                results.displacements[id] = self.drift_one(model, rank, bodies, step_s);
+                results.displacements[id] = self.drift_one(model, loads, rank, bodies, step_s);
                 results.states_after[id] = self.states[rank];
+                self.state_sum += sum_of(&self.states[rank]);
             }
-            let state = &self.states[rank];
-            let linear = state.position_m + state.velocity_mps;
-            sum += linear.x + linear.y + state.heading_rad + state.yaw_rate_radps;
         }
-        sum
+        if !model.piles.is_empty() {
+            self.drift_piles(model, loads, bodies, step_s, results);
+        }
+        self.state_sum.is_finite()
     }
 
     /// Moves a body for a step by its load alone, or by its velocity if it is fixed.
@@ -310,22 +340,24 @@ impl Dynamics {
     fn drift_one(
         &mut self,
         model: &Model,
+        loads: &[Wrench],
         rank: usize,
         bodies: &Bodies,
         step_s: f64,
     ) -> Displacement {
-        let (motion, state) = (&mut self.motions[rank], &mut self.states[rank]);
-        if !motion.moves {
+        if !self.roles[rank].moves {
             return Displacement::default();
         }
+        let (way, turn) = self.acceleration(model, loads, rank);
+        let (state, lag_s) = (&mut self.states[rank], &mut self.velocity_lags_s[rank]);
         if model.ranked[rank].is_fixed() {
+            *lag_s = NOT_BEHIND;
             let velocity = state.velocity();
             move_body(state, velocity, step_s);
             return moved(Displacement::default(), velocity, velocity, step_s);
         }
-        let kick_s = kick_s(motion.velocity_lag_s, step_s);
-        motion.velocity_lag_s = 0.5 * step_s;
-        let (way, turn) = motion.acceleration;
+        let kick_s = kick_s(*lag_s, step_s);
+        *lag_s = 0.5 * step_s;
         let (dv, dr) = (way * kick_s, turn * kick_s);
         let displacement = Displacement {
             translation_m: (state.velocity_mps + dv * 0.5) * kick_s,
@@ -339,6 +371,13 @@ impl Dynamics {
         }
         displacement
     }
+}
+
+/// Not finite if a number of the state is not.
+#[inline(always)]
+fn sum_of(state: &BodyState) -> f64 {
+    let linear = state.position_m + state.velocity_mps;
+    linear.x + linear.y + state.heading_rad + state.yaw_rate_radps
 }
 
 /// v_free = v + κ M⁻¹ W.

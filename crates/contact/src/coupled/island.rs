@@ -4,15 +4,11 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use crate::bodies::{Displaced, NONE_DISPLACED};
 use crate::candidates::Pairing;
-use crate::coupled::motion::Motion;
-use crate::memory::{HintMemory, Memory, Past, PatchMemory, PlaceMemory};
+use crate::coupled::motion::Role;
 use crate::model::Model;
-use crate::next_memory::NextMemory;
 use crate::pair::JOINED;
 use crate::patch::Patch;
-use crate::results::Results;
 
 /// The islands of a step. Computed by [`Islands::split`].
 #[derive(Clone, Debug, Default)]
@@ -35,7 +31,8 @@ pub(crate) struct Island {
     pub(crate) sub_steps: u32,
 }
 
-/// Neighbouring islands that take the same number of sub-steps and go through them together. Set by [`Group::enter`].
+/// Neighbouring islands that take the same number of sub-steps and go through them together ([`groups`]). Set by
+/// [`Group::enter`].
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Group {
     /// In `Candidates::pairings`.
@@ -45,9 +42,7 @@ pub(crate) struct Group {
     /// Ranks of its moving bodies, ascending.
     pub(crate) bodies: Vec<u32>,
     /// Where its patches, places and hints begin in the next memory.
-    pub(crate) first_patch: usize,
-    pub(crate) first_place: usize,
-    pub(crate) first_hint: usize,
+    pub(crate) first: [usize; 3],
     /// Where its contacts begin in the results.
     pub(crate) first_contact: usize,
 }
@@ -166,23 +161,31 @@ pub(crate) fn set_patches(islands: &mut [Island], patches: &[Patch]) {
     }
 }
 
+/// Most islands of one sub-step that go through it together: so few that what one stage writes is still in the
+/// processor's cache when the next one reads it.
+const MOST_TOGETHER: usize = 64;
+
+/// Parts islands into groups. Islands that take several sub-steps are not parted, because a fixed body's peak wrench is
+/// that of a group.
+pub(crate) fn groups(islands: &mut [Island]) -> impl Iterator<Item = &mut [Island]> {
+    islands.chunk_by_mut(|one, next| one.sub_steps == next.sub_steps).flat_map(|alike| {
+        let most = if alike[0].sub_steps > 1 { alike.len() } else { MOST_TOGETHER };
+        alike.chunks_mut(most)
+    })
+}
+
 impl Group {
     /// Sets the group to these islands, with their moving bodies, which are marked as in an island.
-    pub(crate) fn enter(
-        &mut self,
-        islands: &[Island],
-        candidates: &[Pairing],
-        motions: &mut [Motion],
-    ) {
+    pub(crate) fn enter(&mut self, islands: &[Island], candidates: &[Pairing], roles: &mut [Role]) {
         let ([first, ..], [.., last]) = (islands, islands) else { return };
         self.candidates = first.candidates().start..last.candidates().end;
         self.patches = first.patches.start as usize..last.patches.end as usize;
         self.bodies.clear();
         for Pairing { candidate, .. } in &candidates[self.candidates.clone()] {
             for rank in [candidate.a, candidate.b] {
-                let motion = &mut motions[rank as usize];
-                if motion.moves && !motion.in_island {
-                    motion.in_island = true;
+                let role = &mut roles[rank as usize];
+                if role.moves && !role.in_island {
+                    role.in_island = true;
                     self.bodies.push(rank);
                 }
             }
@@ -191,82 +194,4 @@ impl Group {
             self.bodies.sort_unstable();
         }
     }
-
-    /// Marks where the group's items begin in the lists of the next memory and of the results.
-    pub(crate) fn begin_lists(&mut self, next: &NextMemory, results: &Results) {
-        self.first_patch = next.patches.len();
-        self.first_place = next.places.len();
-        self.first_hint = next.hints.len();
-        self.first_contact = results.contacts.len();
-    }
-}
-
-/// What a group, or one island, left at its last (sub-)step.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct IslandMemory {
-    patches: Vec<PatchMemory>,
-    places: Vec<PlaceMemory>,
-    pub(crate) hints: Vec<HintMemory>,
-}
-
-impl IslandMemory {
-    /// As the past of the next sub-step, `last_step_s` later, before which the host displaced these bodies.
-    pub(crate) fn past<'m>(&'m self, last_step_s: f64, displaced: &'m Displaced) -> Past<'m> {
-        let IslandMemory { patches, places, hints } = self;
-        Past { patches, places, hints, last_step_s, displaced }
-    }
-
-    /// As the past of a later sub-step.
-    pub(crate) fn within_step(&self, last_step_s: f64) -> Past<'_> {
-        self.past(last_step_s, &NONE_DISPLACED)
-    }
-
-    /// Moves what a group's sub-step left out of the next memory. `hints` are those of the sub-step's overlap.
-    pub(crate) fn take_first(
-        &mut self,
-        next: &mut NextMemory,
-        group: &Group,
-        hints: &[HintMemory],
-    ) {
-        self.take_patches(next, group);
-        self.hints.clear();
-        self.hints.extend_from_slice(hints);
-    }
-
-    /// As [`IslandMemory::take_first`] after a later sub-step, whose hints are in the next memory too.
-    pub(crate) fn take(&mut self, next: &mut NextMemory, group: &Group) {
-        self.take_patches(next, group);
-        self.hints.clear();
-        self.hints.extend(next.hints.drain(group.first_hint..));
-    }
-
-    fn take_patches(&mut self, next: &mut NextMemory, group: &Group) {
-        self.patches.clear();
-        self.patches.extend(next.patches.drain(group.first_patch..));
-        self.places.clear();
-        self.places.extend(next.places.drain(group.first_place..));
-    }
-
-    /// Copies what the last step left of these candidates.
-    pub(crate) fn gather(&mut self, memory: &Memory, candidates: &[Pairing]) {
-        self.patches.clear();
-        self.places.clear();
-        self.hints.clear();
-        for pairing in candidates {
-            let key = pairing.candidate.key();
-            self.patches.extend(run_of(&memory.patches, key, PatchMemory::candidate));
-            self.places.extend(run_of(&memory.places, key, PlaceMemory::candidate));
-            self.hints.extend(run_of(&memory.hints, key, HintMemory::candidate));
-        }
-    }
-}
-
-/// The items of one candidate in a sorted list.
-fn run_of<T: Copy>(
-    sorted: &[T],
-    key: (u32, u32, u32),
-    key_of: fn(&T) -> (u32, u32, u32),
-) -> impl Iterator<Item = T> {
-    let from = sorted.partition_point(|item| key_of(item) < key);
-    sorted[from..].iter().copied().take_while(move |item| key_of(item) == key)
 }

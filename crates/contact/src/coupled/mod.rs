@@ -16,26 +16,36 @@
 
 mod accumulate;
 mod assemble;
+mod block_cholesky;
 mod constraint;
 pub(crate) mod contact_stage;
 mod direct;
+mod direct_joined;
 pub(crate) mod dynamics;
+pub(crate) mod held;
 pub(crate) mod island;
 mod motion;
+mod moving_pile;
 mod newton;
 pub(crate) mod peaks;
+pub(crate) mod piles;
 pub(crate) mod press_out;
+#[cfg(test)]
+mod reference;
 mod release;
 mod solve;
 mod sub_step;
 mod sub_step_count;
 pub(crate) mod sub_steps;
+mod unknowns;
 
 use alloc::vec::Vec;
 
+use crate::admit::refuse_piles;
 use crate::bodies::Displaced;
 use crate::broad;
 use crate::candidates::{Candidates, Pairing};
+pub(crate) use crate::coupled::assemble::add_held;
 use crate::coupled::dynamics::HostInput;
 use crate::coupled::sub_steps::SubSteps;
 use crate::error::StepError;
@@ -140,7 +150,7 @@ pub fn advance_in_place(
     begin(model, memory, work, &input)?;
     // The caller's list is where the step writes its states.
     core::mem::swap(states, &mut work.results.states_after);
-    let outcome = carry_out(model, memory, work, step_s);
+    let outcome = carry_out(model, memory, work, loads, step_s);
     core::mem::swap(states, &mut work.results.states_after);
     work.results.states_after.clear();
     if outcome.is_err() {
@@ -158,7 +168,10 @@ fn advance_copy(
     work: &mut Workspace,
     input: &HostInput<'_>,
 ) -> Result<(), StepError> {
-    let HostInput { states, loads, step_s, .. } = *input;
+    let HostInput { states, loads, step_s, velocities_continue } = *input;
+    if !velocities_continue {
+        refuse_piles(model)?;
+    }
     if step_s == 0.0 {
         return pause(model, memory, work, states, Some(loads));
     }
@@ -168,7 +181,7 @@ fn advance_copy(
         work.results.states_after.clear();
         work.results.states_after.extend_from_slice(states);
     }
-    carry_out(model, memory, work, step_s)
+    carry_out(model, memory, work, loads, step_s)
 }
 
 /// 1. Admit: checks the input, places the bodies, and applies their loads.
@@ -187,6 +200,9 @@ fn begin(
         constraints.solver.resize(model.ranked.len());
     }
     results.begin_events(model, &displaced.teleported);
+    if !model.piles.is_empty() {
+        dynamics.begin_pile_motions(model, results);
+    }
     Ok(())
 }
 
@@ -195,46 +211,56 @@ fn carry_out(
     model: &Model,
     memory: &mut Memory,
     work: &mut Workspace,
+    loads: &[Wrench],
     step_s: f64,
 ) -> Result<(), StepError> {
     let Workspace { bodies, candidates, islands, next_memory, results, .. } = work;
     results.layout = None;
     results.clear_forces(model.bodies().len());
     next_memory.clear();
+    results.parted.clone_from(&memory.parted);
 
     // 2. Broad phase: candidates, and their islands.
     broad::pair(model, bodies, candidates);
     islands.split(model, &mut candidates.pairings);
 
     // 3–6. Overlaps, laws, solve and motion, in sub-steps (see `SubSteps::sub_step`).
-    let keeps_hints = advance_islands(model, memory, work, step_s);
+    let keeps_hints = advance_islands(model, memory, work, loads, step_s);
     let Workspace { bodies, dynamics, islands, next_memory, results, .. } = work;
-    let sum = dynamics.drift(model, bodies, step_s, results);
+    let is_finite = dynamics.drift(model, loads, bodies, step_s, results);
     if !islands.in_order {
         sort_contacts(model, results);
         next_memory.sort();
     }
-    if !sum.is_finite()
-        && let Some(error) = results.not_finite(model)
-    {
+    if !is_finite && let Some(error) = results.not_finite(model) {
         return Err(error);
     }
     results.layout = Some(model.layout);
 
     // The step is done: its memory becomes that of the next.
-    next_memory.exchange(memory, keeps_hints);
+    next_memory.exchange(&mut memory.contacts, keeps_hints);
+    memory.parted.clone_from(&results.parted);
+    if !model.piles.is_empty() {
+        dynamics.store_offsets(memory);
+    }
     core::mem::swap(&mut memory.last_states, &mut bodies.input);
     memory.last_step_s = step_s;
     memory.placed.clear();
     memory.behind_s.clear();
-    memory.behind_s.extend(dynamics.motions.iter().map(|motion| motion.velocity_lag_s));
+    memory.behind_s.extend_from_slice(&dynamics.velocity_lags_s);
     dynamics.layout = Some(model.layout);
     Ok(())
 }
 
 /// Moves all islands through the step: together if they are in the order of the memory, else one by one. Returns true if
 /// all hints of the memory stay as they are.
-fn advance_islands(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) -> bool {
+fn advance_islands(
+    model: &Model,
+    memory: &Memory,
+    work: &mut Workspace,
+    loads: &[Wrench],
+    step_s: f64,
+) -> bool {
     let Workspace { displaced, islands, kept, gathered, overlap, candidates, .. } = work;
     if islands.list.is_empty() || !islands.in_order {
         end_contacts_of_teleported(model, memory, candidates, displaced, &mut work.results);
@@ -242,6 +268,7 @@ fn advance_islands(model: &Model, memory: &Memory, work: &mut Workspace, step_s:
     let (joined, in_order) = (islands.joined(), islands.in_order);
     let mut sub_steps = SubSteps {
         model,
+        loads,
         candidates,
         joined,
         bodies: &mut work.bodies,
@@ -255,12 +282,12 @@ fn advance_islands(model: &Model, memory: &Memory, work: &mut Workspace, step_s:
         in_order: &mut islands.in_order,
     };
     if in_order {
-        let past = memory.past(displaced);
+        let past = memory.contacts.past(memory.last_step_s, displaced);
         return sub_steps.advance(past, &mut islands.list, overlap, kept, step_s);
     }
     for island in &mut islands.list {
         let own = &candidates.pairings[island.candidates()];
-        gathered.gather(memory, own);
+        gathered.gather(&memory.contacts, own);
         // Other islands have moved them.
         sub_steps.dynamics.reset_moving_fixed(sub_steps.bodies, own);
         let past = gathered.past(memory.last_step_s, displaced);
@@ -283,7 +310,7 @@ fn end_contacts_of_teleported(
     if displaced.teleported.is_empty() {
         return;
     }
-    for patch in &memory.patches {
+    for patch in &memory.contacts.patches {
         let is_of = |pairing: &Pairing| pairing.candidate.key() == patch.candidate();
         if !candidates.pairings.iter().any(is_of) {
             note(model, &mut results.events, patch.a, patch.b, EventKind::ContactEnded);

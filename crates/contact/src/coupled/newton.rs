@@ -1,35 +1,42 @@
-//! Newton acceleration: finds at once where the sweeps of a small island would end.
+//! Newton acceleration: finds at once where the sweeps of an island would end.
 //!
 //! A ship that comes to rest on many fenders has more tight contacts than degrees of freedom, and the sweeps pass the
-//! load from one contact to the next for hundreds of rounds. Her velocities have three unknowns only. So each N is made a
-//! very stiff line through its present force, N = mid(0, N_now + κ(V_n⁺ + γ v_ref), f), which is right wherever N no
-//! longer changes (the method of multipliers; Hestenes 1969, Powell 1969). The velocities are those at which the forces
-//! balance: the minimum of a convex, piecewise quadratic function of the few velocities. Newton's method with a line
-//! search finds it. Each step solves
+//! load from one contact to the next for hundreds of rounds. In a raft of barges they pass it from barge to barge. The
+//! velocities have three unknowns a body only. So each N is made a very stiff line through its present force,
+//! N = mid(0, N_now + κ(V_n⁺ + γ v_ref), f), which is right wherever N no longer changes (the method of multipliers;
+//! Hestenes 1969, Powell 1969). The velocities are those at which the forces balance: the minimum of a convex, piecewise
+//! quadratic function of the velocities. Newton's method with a line search finds it (Castro et al. 2022, IEEE Trans.
+//! Robotics 38(2)). Each step solves
 //!
 //! (M + h Σ κ j_n j_nᵀ + h² Σ k_s j_t j_tᵀ) Δv = h Σ (j's times the forces that are not yet balanced),
 //!
-//! whose matrix is positive definite, however many contacts there are. The sweeps check the result: the acceleration
-//! affects how fast they settle, not where.
+//! whose matrix is positive definite, however many contacts there are, and sparse: [`super::block_cholesky`]. The sweeps
+//! check the result: the acceleration affects how fast they settle, not where.
 
 use alloc::vec::Vec;
 
-use crate::coupled::constraint::{Change, Constraint, Forces, Jacobian, Side, Speeds};
+use crate::coupled::block_cholesky::Triple;
+use crate::coupled::constraint::{Change, Constraint, Forces, Speeds};
+use crate::coupled::unknowns::{Row, Unknowns};
 use crate::mass::InverseMatrix;
 use crate::number::{greater, lesser};
-use crate::report::Friction;
 use crate::state::Velocity;
-use crate::vec2::Vec2;
 
-/// Most floating bodies of an island that is accelerated.
-const MOST_BODIES: usize = 4;
-/// Surge, sway and yaw of each.
-const SIZE: usize = 3 * MOST_BODIES;
-/// κ h n·K n: each acceleration divides the remaining error by about this.
-const STIFFNESS: f64 = 1e5;
-/// Most Newton steps, and halvings in each line search.
-const NEWTON_STEPS: u32 = 12;
-const HALVINGS: u32 = 12;
+/// How the forces are made lines in an acceleration.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Lines {
+    /// Length over which forces act (s).
+    pub(crate) h: f64,
+    /// κ h n·K n: each acceleration divides the remaining error by about this.
+    pub(crate) stiffness: f64,
+    /// A Newton step that changes no speed at a contact by more than this is the last (m/s).
+    pub(crate) settled_mps: f64,
+}
+
+/// Most Newton steps, and trials in each line search, which ends when the share changes by less than this part.
+const NEWTON_STEPS: u32 = 40;
+const SEARCHES: u32 = 40;
+const NEAR: f64 = 1e-4;
 
 /// A contact within a Newton solve.
 #[derive(Clone, Copy, Debug)]
@@ -37,7 +44,11 @@ pub(crate) struct Trial {
     speeds: Speeds,
     /// Change of the speeds along the Newton step.
     along: Speeds,
-    bound: NormalBound,
+    bounds: Bounds,
+    /// κ of the stiff line (N·s/m).
+    stiffness: f64,
+    /// T is limited by the energy that the shear spring stores. It stays as it is until the next sweep.
+    limited: bool,
 }
 
 impl Trial {
@@ -60,6 +71,24 @@ enum NormalBound {
     Open,
 }
 
+/// Which bounds decide a contact's forces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Bounds {
+    normal: NormalBound,
+    shear: ShearBound,
+}
+
+/// What decides T.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum ShearBound {
+    /// The shear spring.
+    Sticks,
+    /// Friction.
+    Slides,
+    /// It stays as it is.
+    Held,
+}
+
 /// Forces as lines: their change from now, and their slopes with the speeds, against which they act (N·s/m).
 #[derive(Clone, Copy, Debug)]
 struct Line {
@@ -68,98 +97,127 @@ struct Line {
     tangential_slope: f64,
 }
 
-/// Velocities of all the island's floating bodies.
-type Velocities = [f64; SIZE];
+/// Buffers of the solve of an island.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct NewtonBuffers {
+    pub(crate) unknowns: Unknowns,
+    /// One a contact of the island.
+    trials: Vec<Trial>,
+    /// By place: the last step, and the change of the velocities by all steps.
+    pub(crate) step: Vec<Triple>,
+    moved: Vec<Triple>,
+}
 
-/// Changes the forces in `constraints` and the bodies' `velocities` to where the sweeps converge. Returns false, and
-/// changes nothing, if the island is too large.
+/// Changes the forces in `constraints` and the bodies' `velocities` to where the sweeps converge. The island is that of
+/// `buffers.unknowns`.
 pub(crate) fn accelerate(
     velocities: &mut [Velocity],
     inverses: &[InverseMatrix],
     constraints: &mut [Constraint],
-    trials: &mut Vec<Trial>,
-    h: f64,
-) -> bool {
-    let Some(bodies) = Bodies::of(inverses, constraints) else { return false };
+    buffers: &mut NewtonBuffers,
+    lines: Lines,
+) {
+    let NewtonBuffers { unknowns, trials, step, moved } = buffers;
     trials.clear();
     trials.extend(constraints.iter().map(|constraint| {
         let speeds = constraint.speeds(velocities);
-        let bound = bound_of(constraint, speeds.normal_mps, h);
-        Trial { speeds, along: Speeds::default(), bound }
+        let limited = !constraint.shear.has_energy_for(speeds.tangential_mps, lines.h);
+        let stiffness = lines.stiffness * constraint.force_per_speed(lines.h);
+        let bounds = bounds_at(constraint, speeds, limited, stiffness);
+        Trial { speeds, along: Speeds::default(), bounds, stiffness, limited }
     }));
-    let mut moved = [0.0; SIZE];
+    moved.clear();
+    moved.resize(unknowns.bodies(), Triple::default());
     for _ in 0..NEWTON_STEPS {
-        let Some(step) = newton_step(&bodies, constraints, trials, &moved, h) else { break };
-        let mut bounds_stay = true;
-        for (constraint, trial) in constraints.iter().zip(trials.iter_mut()) {
-            trial.along = bodies.speeds_of(constraint, &step);
-            let bound = bound_of(constraint, trial.speeds_at(1.0).normal_mps, h);
-            bounds_stay &= bound == trial.bound;
+        if !newton_step(unknowns, constraints, trials, moved, step, lines) {
+            break;
+        }
+        let (mut bounds_stay, mut change_mps) = (true, 0.0);
+        for ((constraint, trial), &seat) in
+            constraints.iter().zip(trials.iter_mut()).zip(unknowns.seats())
+        {
+            trial.along = Unknowns::speeds(seat, constraint, step);
+            bounds_stay &=
+                bounds_at(constraint, trial.speeds_at(1.0), trial.limited, trial.stiffness)
+                    == trial.bounds;
+            change_mps = greater(change_mps, trial.along.normal_mps.abs());
         }
         let share = if bounds_stay {
             1.0
         } else {
-            line_search(&bodies, constraints, trials, &moved, &step, h)
+            line_search(unknowns, constraints, trials, moved, step, lines)
         };
-        for (moved, step) in moved.iter_mut().zip(&step) {
+        for (moved, step) in moved.iter_mut().flatten().zip(step.iter().flatten()) {
             *moved += share * step;
         }
         for (constraint, trial) in constraints.iter().zip(trials.iter_mut()) {
             trial.speeds = trial.speeds_at(share);
-            trial.bound = bound_of(constraint, trial.speeds.normal_mps, h);
+            trial.bounds = bounds_at(constraint, trial.speeds, trial.limited, trial.stiffness);
         }
-        if bounds_stay {
+        if bounds_stay || share * change_mps <= lines.settled_mps {
             break;
         }
     }
     for (constraint, trial) in constraints.iter_mut().zip(trials.iter()) {
-        let forces = forces_at(constraint, trial, h);
+        let forces = forces_at(constraint, trial);
         let more = forces.minus(&constraint.forces);
         constraint.forces = forces;
-        constraint.apply_impulse(velocities, inverses, more, h);
+        constraint.apply_impulse(velocities, inverses, more, lines.h);
     }
-    true
 }
 
-/// N of a tight contact as a stiff line through its present force, of slope κ = stiffness/(h n·K n).
-fn on_stiff_line_n(constraint: &Constraint, normal_mps: f64, h: f64) -> f64 {
-    let slope = STIFFNESS * constraint.force_per_speed(h);
-    constraint.forces.normal_n + slope * (normal_mps + constraint.rebound_mps)
+/// N of a tight contact as a stiff line through its present force.
+fn on_stiff_line_n(constraint: &Constraint, normal_mps: f64, stiffness: f64) -> f64 {
+    constraint.forces.normal_n + stiffness * (normal_mps + constraint.rebound_mps)
 }
 
-/// Which bound decides N at a V_n.
-fn bound_of(constraint: &Constraint, normal_mps: f64, h: f64) -> NormalBound {
-    match on_stiff_line_n(constraint, normal_mps, h) {
+/// Which bounds decide the forces at these speeds.
+fn bounds_at(constraint: &Constraint, speeds: Speeds, limited: bool, stiffness: f64) -> Bounds {
+    let normal = match on_stiff_line_n(constraint, speeds.normal_mps, stiffness) {
         n if n >= constraint.law_n => NormalBound::Full,
         n if n <= 0.0 => NormalBound::Open,
         _ => NormalBound::Tight,
-    }
+    };
+    let spring_n = constraint.shear.force_n(speeds.tangential_mps);
+    let slides = || clamped_n(constraint, spring_n).to_bits() != spring_n.to_bits();
+    let shear = match limited {
+        true => ShearBound::Held,
+        false if slides() => ShearBound::Slides,
+        false => ShearBound::Sticks,
+    };
+    Bounds { normal, shear }
 }
 
-/// The change of the forces at these speeds, and how it changes with them. A slipping contact slips with its present T.
-fn line(constraint: &Constraint, speeds: Speeds, bound: NormalBound, h: f64) -> Line {
+/// T within what the present N allows: with a limit that follows N the function would not be convex. The sweeps and the next
+/// acceleration have the new N.
+fn clamped_n(constraint: &Constraint, spring_n: f64) -> f64 {
+    let Forces { normal_n, friction, .. } = constraint.forces;
+    constraint.shear.coulomb.clamped(spring_n, normal_n, friction)
+}
+
+/// The change of the forces at these speeds, and how it changes with them.
+fn line(constraint: &Constraint, speeds: Speeds, bounds: Bounds, stiffness: f64) -> Line {
     let now = &constraint.forces;
-    let (normal_n, normal_slope) = match bound {
+    let (normal_n, normal_slope) = match bounds.normal {
         NormalBound::Full => (constraint.law_n, 0.0),
         NormalBound::Open => (0.0, 0.0),
         NormalBound::Tight => {
-            let slope = STIFFNESS * constraint.force_per_speed(h);
-            (on_stiff_line_n(constraint, speeds.normal_mps, h), slope)
+            (on_stiff_line_n(constraint, speeds.normal_mps, stiffness), stiffness)
         }
     };
-    let (tangential_n, tangential_slope) = match now.friction {
-        Friction::Slip => (now.tangential_n, 0.0),
-        Friction::Stick => {
-            (constraint.shear.force_n(speeds.tangential_mps), constraint.shear.slope)
-        }
+    let spring_n = || constraint.shear.force_n(speeds.tangential_mps);
+    let (tangential_n, tangential_slope) = match bounds.shear {
+        ShearBound::Sticks => (spring_n(), constraint.shear.slope),
+        ShearBound::Slides => (clamped_n(constraint, spring_n()), 0.0),
+        ShearBound::Held => (now.tangential_n, 0.0),
     };
     let forces = Forces { normal_n, tangential_n, friction: now.friction };
     Line { change: forces.minus(now), normal_slope, tangential_slope }
 }
 
 /// The forces at a trial's speeds, by the same lines and within all bounds.
-fn forces_at(constraint: &Constraint, trial: &Trial, h: f64) -> Forces {
-    let change = line(constraint, trial.speeds, trial.bound, h).change;
+fn forces_at(constraint: &Constraint, trial: &Trial) -> Forces {
+    let change = line(constraint, trial.speeds, trial.bounds, trial.stiffness).change;
     let now = &constraint.forces;
     let normal_n = greater(lesser(now.normal_n + change.normal_n, constraint.law_n), 0.0);
     let tangential_n = now.tangential_n + change.tangential_n;
@@ -167,201 +225,78 @@ fn forces_at(constraint: &Constraint, trial: &Trial, h: f64) -> Forces {
     Forces { normal_n, tangential_n, friction: now.friction }
 }
 
-/// Newton's step from where the bodies' velocities have `moved` to. `None` if the matrix is not positive definite to
-/// rounding.
+/// Writes Newton's `step` from where the bodies' velocities have `moved` to. Returns false if the matrix is not positive
+/// definite to rounding.
 fn newton_step(
-    bodies: &Bodies,
+    unknowns: &mut Unknowns,
     constraints: &[Constraint],
     trials: &[Trial],
-    moved: &Velocities,
-    h: f64,
-) -> Option<Velocities> {
-    let mut matrix = [[0.0; SIZE]; SIZE];
-    let mut unbalanced = bodies.momentum(moved).map(|p| -p);
-    for (place, mass) in bodies.masses[..bodies.count].iter().enumerate() {
-        for (i, row) in mass.iter().enumerate() {
-            matrix[3 * place + i][3 * place..3 * place + 3].copy_from_slice(row);
-        }
+    moved: &[Triple],
+    step: &mut Vec<Triple>,
+    lines: Lines,
+) -> bool {
+    step.clear();
+    step.resize(moved.len(), Triple::default());
+    unknowns.subtract_momentum(moved, step);
+    unknowns.begin();
+    for (index, (constraint, trial)) in constraints.iter().zip(trials).enumerate() {
+        let Line { change, normal_slope, tangential_slope } =
+            line(constraint, trial.speeds, trial.bounds, trial.stiffness);
+        let seat = unknowns.seats()[index];
+        let (row, force_n) = (Row::normal(constraint), -change.normal_n);
+        unknowns.add(seat, &row, lines.h * force_n, lines.h * normal_slope, step);
+        let (row, force_n) = (Row::tangential(constraint), change.tangential_n);
+        unknowns.add(seat, &row, lines.h * force_n, lines.h * tangential_slope, step);
     }
-    for (constraint, trial) in constraints.iter().zip(trials) {
-        let line = line(constraint, trial.speeds, trial.bound, h);
-        for (row, force_n, slope) in [
-            (bodies.normal_row(constraint), -line.change.normal_n, line.normal_slope),
-            (bodies.tangential_row(constraint), line.change.tangential_n, line.tangential_slope),
-        ] {
-            for one in &row {
-                for i in 0..3 {
-                    unbalanced[one.at + i] += h * force_n * one.j[i];
-                    if slope == 0.0 {
-                        continue;
-                    }
-                    for other in &row {
-                        for k in 0..3 {
-                            matrix[one.at + i][other.at + k] += h * slope * one.j[i] * other.j[k];
-                        }
-                    }
-                }
-            }
-        }
-    }
-    cholesky(&mut matrix, &mut unbalanced, 3 * bodies.count).then_some(unbalanced)
+    unknowns.solve(step)
 }
 
 /// The fraction of a Newton step, at most 1, at which the function is least along it.
 fn line_search(
-    bodies: &Bodies,
+    unknowns: &Unknowns,
     constraints: &[Constraint],
     trials: &[Trial],
-    moved: &Velocities,
-    step: &Velocities,
-    h: f64,
+    moved: &[Triple],
+    step: &[Triple],
+    lines: Lines,
 ) -> f64 {
-    let momentum = bodies.momentum(step);
-    let dot = |v: &Velocities| v.iter().zip(&momentum).map(|(v, p)| v * p).sum::<f64>();
-    let (at_start, along) = (dot(moved), dot(step));
-    // The function is convex: its slope along the step rises with the share.
-    let slope = |share: f64| {
-        let mut slope = at_start + share * along;
+    let at_start = unknowns.mass_product(moved, step);
+    let along = unknowns.mass_product(step, step);
+    // The function is convex and piecewise quadratic: its slope along the step rises with the share, in straight pieces.
+    let slope_at = |share: f64| {
+        let (mut slope, mut curvature) = (at_start + share * along, along);
         for (constraint, trial) in constraints.iter().zip(trials) {
             let speeds = trial.speeds_at(share);
-            let bound = bound_of(constraint, speeds.normal_mps, h);
-            let Change { normal_n, tangential_n } = line(constraint, speeds, bound, h).change;
+            let bounds = bounds_at(constraint, speeds, trial.limited, trial.stiffness);
+            let Line { change, normal_slope, tangential_slope } =
+                line(constraint, speeds, bounds, trial.stiffness);
+            let Speeds { normal_mps, tangential_mps } = trial.along;
             slope +=
-                h * (normal_n * trial.along.normal_mps - tangential_n * trial.along.tangential_mps);
+                lines.h * (change.normal_n * normal_mps - change.tangential_n * tangential_mps);
+            curvature += lines.h
+                * (normal_slope * normal_mps * normal_mps
+                    + tangential_slope * tangential_mps * tangential_mps);
         }
-        slope
+        (slope, curvature)
     };
-    if slope(1.0) <= 0.0 {
-        return 1.0;
-    }
-    let (mut low, mut high) = (0.0, 1.0);
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        if slope(middle) > 0.0 {
-            high = middle;
+    // By Newton's method, which is exact on the last piece, within a bracket.
+    let (mut low, mut high, mut share) = (0.0, f64::INFINITY, 1.0);
+    for _ in 0..SEARCHES {
+        let (slope, curvature) = slope_at(share);
+        if slope > 0.0 {
+            high = share;
+        } else if share >= 1.0 {
+            return 1.0;
         } else {
-            low = middle;
+            low = share;
         }
-    }
-    // `low` never overshoots; it is 0 only if the minimum lies very near the start.
-    if low > 0.0 { low } else { high }
-}
-
-/// Solves A x = b in place for the first `count` unknowns; false where A is not positive definite.
-fn cholesky(a: &mut [[f64; SIZE]; SIZE], b: &mut [f64; SIZE], count: usize) -> bool {
-    let dot = |p: &[f64], q: &[f64]| p.iter().zip(q).map(|(p, q)| p * q).sum::<f64>();
-    for j in 0..count {
-        let diagonal = a[j][j] - dot(&a[j][..j], &a[j][..j]);
-        // Not a number is not positive either.
-        let positive = diagonal > 0.0;
-        if !positive {
-            return false;
+        let next = share - slope / curvature;
+        let next = if next > low && next < high { next } else { 0.5 * (low + high) };
+        if (next - share).abs() <= NEAR * share {
+            break;
         }
-        a[j][j] = libm::sqrt(diagonal);
-        for i in j + 1..count {
-            a[i][j] = (a[i][j] - dot(&a[i][..j], &a[j][..j])) / a[j][j];
-        }
+        share = next;
     }
-    for i in 0..count {
-        b[i] = (b[i] - dot(&a[i][..i], &b[..i])) / a[i][i];
-    }
-    for i in (0..count).rev() {
-        b[i] = (i + 1..count).fold(b[i], |sum, k| sum - a[k][i] * b[k]) / a[i][i];
-    }
-    true
-}
-
-/// The floating bodies of an island, in the order of its contacts, and their masses.
-struct Bodies {
-    ranks: [u32; MOST_BODIES],
-    masses: [[[f64; 3]; 3]; MOST_BODIES],
-    count: usize,
-}
-
-/// One body's part of a constraint's row of the Jacobian, and where its unknowns begin.
-#[derive(Clone, Copy)]
-struct RowPart {
-    at: usize,
-    /// Derivatives by surge, sway and yaw velocity, earth-fixed; zero for a fixed body.
-    j: [f64; 3],
-}
-
-impl Bodies {
-    /// `None` if there are too many.
-    fn of(inverses: &[InverseMatrix], constraints: &[Constraint]) -> Option<Bodies> {
-        let mut bodies =
-            Bodies { ranks: [0; MOST_BODIES], masses: [[[0.0; 3]; 3]; MOST_BODIES], count: 0 };
-        for rank in constraints.iter().flat_map(Constraint::floating).flatten() {
-            if bodies.place_of(rank).is_none() {
-                *bodies.ranks.get_mut(bodies.count)? = rank;
-                bodies.masses[bodies.count] = inverses[rank as usize].matrix()?;
-                bodies.count += 1;
-            }
-        }
-        Some(bodies)
-    }
-
-    /// M v.
-    fn momentum(&self, velocities: &Velocities) -> Velocities {
-        let mut momentum = [0.0; SIZE];
-        for (place, mass) in self.masses[..self.count].iter().enumerate() {
-            let v = &velocities[3 * place..3 * place + 3];
-            for (i, row) in mass.iter().enumerate() {
-                momentum[3 * place + i] = row[0] * v[0] + row[1] * v[1] + row[2] * v[2];
-            }
-        }
-        momentum
-    }
-
-    /// Where a body's unknowns begin.
-    fn place_of(&self, rank: u32) -> Option<usize> {
-        let place = self.ranks[..self.count].iter().position(|&own| own == rank)?;
-        Some(3 * place)
-    }
-
-    /// V_n = j·v: the parts of A and B.
-    fn normal_row(&self, constraint: &Constraint) -> [RowPart; 2] {
-        self.row(constraint, |of| (of.normal, of.levers.n_m))
-    }
-
-    /// V_t = j·v: the parts of A and B.
-    fn tangential_row(&self, constraint: &Constraint) -> [RowPart; 2] {
-        self.row(constraint, |of| (of.normal.quarter_turn(), of.levers.t_m))
-    }
-
-    fn row(
-        &self,
-        constraint: &Constraint,
-        direction: fn(&Jacobian) -> (Vec2, f64),
-    ) -> [RowPart; 2] {
-        let [a, b] = constraint.floating();
-        let part = |rank: Option<u32>, side: Side| {
-            let (Vec2 { x, y }, lever_m) = direction(&constraint.jacobian(side));
-            match rank.and_then(|rank| self.place_of(rank)) {
-                Some(at) => {
-                    let j = match side {
-                        Side::A => [x, y, lever_m],
-                        Side::B => [-x, -y, -lever_m],
-                    };
-                    RowPart { at, j }
-                }
-                None => RowPart { at: 0, j: [0.0; 3] },
-            }
-        };
-        [part(a, Side::A), part(b, Side::B)]
-    }
-
-    /// The change of a contact's speeds by a change of the bodies' velocities.
-    fn speeds_of(&self, constraint: &Constraint, change: &Velocities) -> Speeds {
-        let dot = |row: [RowPart; 2]| {
-            let [a, b] = row.map(|RowPart { at, j }| {
-                j[0] * change[at] + j[1] * change[at + 1] + j[2] * change[at + 2]
-            });
-            a + b
-        };
-        Speeds {
-            normal_mps: dot(self.normal_row(constraint)),
-            tangential_mps: dot(self.tangential_row(constraint)),
-        }
-    }
+    // Not beyond the minimum, unless that lies very near the start.
+    if low > 0.0 { low } else { share }
 }

@@ -63,7 +63,7 @@ fn remove_duplicates(peaks: &mut Vec<PeakWrench>, from: usize) {
 pub(crate) fn update(peaks: &mut [PeakWrench], wrenches: &[Wrench], share: f64) {
     for peak in peaks {
         let wrench = wrenches[peak.id as usize];
-        let of_sub_step = scaled(&minus(&wrench, &peak.so_far), 1.0 / share);
+        let of_sub_step = wrench.minus(&peak.so_far).times(1.0 / share);
         peak.so_far = wrench;
         if of_sub_step.force_n.length_squared() > peak.greatest.force_n.length_squared() {
             peak.greatest = of_sub_step;
@@ -77,21 +77,11 @@ pub(crate) fn write(peaks: &[PeakWrench], means: &[Wrench], into: &mut Vec<Wrenc
     into.extend_from_slice(means);
     for PeakWrench { id, at_start, so_far, greatest } in peaks {
         let wrench = &mut into[*id as usize];
-        let mean = minus(so_far, at_start);
+        let mean = so_far.minus(at_start);
         if means[*id as usize] == mean {
             *wrench = *greatest;
         } else {
-            let more = minus(greatest, &mean);
-            wrench.force_n += more.force_n;
-            wrench.moment_nm += more.moment_nm;
+            *wrench = wrench.plus(&greatest.minus(&mean));
         }
     }
-}
-
-fn minus(one: &Wrench, other: &Wrench) -> Wrench {
-    Wrench { force_n: one.force_n - other.force_n, moment_nm: one.moment_nm - other.moment_nm }
-}
-
-fn scaled(wrench: &Wrench, factor: f64) -> Wrench {
-    Wrench { force_n: wrench.force_n * factor, moment_nm: wrench.moment_nm * factor }
 }

@@ -1,5 +1,7 @@
 //! The number of sub-steps that an island needs in a step: from bounds on its natural frequencies and its travel.
 
+use alloc::vec::Vec;
+
 use crate::bodies::Bodies;
 use crate::candidates::{Candidate, Candidates, Pairing};
 use crate::coupled::dynamics::Dynamics;
@@ -12,13 +14,15 @@ use crate::model::Model;
 use crate::number::{bounded, greater, lesser};
 use crate::overlap::pieces_of;
 use crate::pair::{Bounds, InverseMassBound};
+use crate::panel::press::deepest_m;
 use crate::patch::Patch;
 use crate::ranked::RankedBody;
 use crate::reaction::FenderLaw;
+use crate::vec2::Pose;
 
 /// Largest ωh of a sub-step. The contact that begins within a sub-step is felt up to h late, which
 /// costs at most (ωh)²/2 of the depth: 0.5 % here, and less as the bounds on ω below are wide.
-const TURN_PER_SUB_STEP: f64 = 0.1;
+pub(crate) const TURN_PER_SUB_STEP: f64 = 0.1;
 
 /// Largest ωh for the springs of an existing contact. The sub-steps are a leapfrog: its oscillation on a linear spring has
 /// an amplitude error of (ωh)²/8 and a frequency error of (ωh)²/24: 0.3 % and 0.1 % here.
@@ -36,13 +40,38 @@ pub(crate) const MOST_SUB_STEPS: u32 = 4096;
 /// What the candidates of an island demand.
 #[derive(Clone, Copy, Default)]
 struct Demand {
-    /// Sum of ω² of their springs and dampers (1/s²).
+    /// A bound on the largest ω² of their springs and dampers (1/s²): see [`Sums`].
     rate_squared: f64,
     /// The distance that they may close in the step, in sub-steps of the largest travel.
     travel: f64,
 }
 
+/// Sums over each floating body's contacts of their ω², by rank (1/s²), while islands have several floating bodies.
+///
+/// The largest of these sums bounds the ω² of the whole island. For a contact of stiffness k and Jacobian j = (j_a, j_b),
+/// k j jᵀ is at most the block diagonal of k (1 + w_b/w_a) j_a j_aᵀ and k (1 + w_a/w_b) j_b j_bᵀ, with w the inverse masses of the
+/// bodies there. In M^(−1/2) K M^(−1/2) the largest eigenvalue of a body's block is at most its trace, to which each of its contacts adds
+/// k (w_a + w_b): the contact's own ω². So a chain of a hundred barges needs no more sub-steps than one of three.
+pub(crate) type Sums = Vec<f64>;
+
 impl Demand {
+    /// Adds what one candidate demands. `sums` is given if its island may have several floating bodies.
+    #[inline(always)]
+    fn add(&mut self, one: Demand, candidate: &Candidate, model: &Model, sums: Option<&mut Sums>) {
+        self.travel = greater(self.travel, one.travel);
+        let Some(sums) = sums else {
+            self.rate_squared += one.rate_squared;
+            return;
+        };
+        for rank in [candidate.a, candidate.b] {
+            if !model.ranked[rank as usize].is_fixed() {
+                let sum = &mut sums[rank as usize];
+                *sum += one.rate_squared;
+                self.rate_squared = greater(self.rate_squared, *sum);
+            }
+        }
+    }
+
     /// Number of sub-steps. `turn` is the step's length over [`TURN_PER_SUB_STEP`].
     #[inline(always)]
     fn sub_steps(self, turn: f64) -> u32 {
@@ -69,21 +98,53 @@ pub(crate) struct Bounded<'w> {
 impl Bounded<'_> {
     /// Sets each island's patches of the first overlap, and its number of sub-steps.
     #[inline(never)]
-    pub(crate) fn set_sub_steps(&self, patches: &[Patch], islands: &mut [Island]) {
+    pub(crate) fn set_sub_steps(
+        &self,
+        patches: &[Patch],
+        islands: &mut [Island],
+        mut sums: Option<&mut Sums>,
+    ) {
         let turn = self.step_s * (1.0 / TURN_PER_SUB_STEP);
         let mut left = patches;
         let mut from = 0;
-        for island in islands {
+        for island in &mut *islands {
             island.sub_steps = match self.slow(island, left, 1.0 / (turn * turn)) {
                 Some(others) => {
                     left = others;
                     1
                 }
-                None => self.sub_steps(island, &mut left, turn),
+                None => self.sub_steps(island, &mut left, turn, sums.as_deref_mut()),
             };
             let to = patches.len() - left.len();
             island.set_patches(from..to);
             from = to;
+        }
+        if !self.model.piles.is_empty() {
+            self.add_piles(islands, turn);
+        }
+    }
+
+    /// Adds what bodies on piles that move or touch something need.
+    #[inline(never)]
+    fn add_piles(&self, islands: &mut [Island], turn: f64) {
+        for island in islands {
+            let pairings = &self.candidates.pairings[island.candidates()];
+            let is_quiet = island.sub_steps == 1 && island.patches_from(0).is_empty();
+            let mut rate_squared = 0.0;
+            for (pile, moving) in self.model.piles.iter().zip(&self.dynamics.piles) {
+                let is_of = |pairing: &Pairing| {
+                    [pairing.candidate.a, pairing.candidate.b].contains(&pile.rank)
+                };
+                if !(is_quiet && moving.is_still) && pairings.iter().any(is_of) {
+                    rate_squared = greater(rate_squared, pile.rate_squared());
+                }
+            }
+            if rate_squared > 0.0 {
+                let others = f64::from(island.sub_steps) / turn;
+                let others_squared = if island.sub_steps > 1 { others * others } else { 0.0 };
+                let demand = Demand { rate_squared: rate_squared + others_squared, travel: 0.0 };
+                island.sub_steps = demand.sub_steps(turn);
+            }
         }
     }
 
@@ -110,32 +171,52 @@ impl Bounded<'_> {
 
     /// The number of sub-steps of an island. Takes its patches off those that are left.
     #[inline(never)]
-    fn sub_steps(&self, island: &Island, left: &mut &[Patch], turn: f64) -> u32 {
+    fn sub_steps(
+        &self,
+        island: &Island,
+        left: &mut &[Patch],
+        turn: f64,
+        mut sums: Option<&mut Sums>,
+    ) -> u32 {
         let pairings = &self.candidates.pairings[island.candidates()];
         // Each candidate's share of ω² that needs no further sub-step.
         let share = 1.0 / (turn * turn * f64::from(pairings.len() as u32));
         let mut demand = Demand::default();
         for (index, pairing) in (island.candidates().start..).zip(pairings) {
-            let Pairing { candidate, pair, .. } = pairing;
-            let own = patches_of(left, index);
-            match (own, candidate.fender(self.model)) {
-                ([only], None) => {
-                    let bounds = self.candidates.bounds_of(self.model, *pair);
-                    demand.rate_squared += existing_rate_squared(bounds, only, share);
-                    if self.may_travel(candidate, bounds) {
-                        demand.travel = greater(demand.travel, self.travel(candidate, bounds));
-                    }
-                }
-                ([only], Some(face))
-                    if let Some(rate_squared) =
-                        self.slow_rate_squared(candidate, face, only, share) =>
-                {
-                    demand.rate_squared += rate_squared;
-                }
-                _ => self.add_other(&mut demand, pairing, own),
+            let one = self.demand_of(pairing, patches_of(left, index), share);
+            demand.add(one, &pairing.candidate, self.model, sums.as_deref_mut());
+        }
+        if let Some(sums) = sums {
+            for Pairing { candidate, .. } in pairings {
+                (sums[candidate.a as usize], sums[candidate.b as usize]) = (0.0, 0.0);
             }
         }
         demand.sub_steps(turn)
+    }
+
+    /// What a candidate with these patches demands.
+    #[inline(always)]
+    fn demand_of(&self, pairing: &Pairing, own: &[Patch], share: f64) -> Demand {
+        let Pairing { candidate, pair, .. } = pairing;
+        match (own, candidate.fender(self.model)) {
+            ([only], None) => {
+                let bounds = self.candidates.bounds_of(self.model, *pair);
+                let rate_squared = existing_rate_squared(bounds, only, share);
+                let travel = if self.may_travel(candidate, bounds) {
+                    self.travel(candidate, bounds)
+                } else {
+                    0.0
+                };
+                Demand { rate_squared, travel }
+            }
+            ([only], Some(face))
+                if let Some(rate_squared) =
+                    self.slow_rate_squared(candidate, face, only, share) =>
+            {
+                Demand { rate_squared, travel: 0.0 }
+            }
+            _ => self.demand_of_other(pairing, own),
+        }
     }
 
     /// May two outlines close more than the largest travel of a sub-step?
@@ -144,29 +225,29 @@ impl Bounded<'_> {
         self.fastest_m(candidate) > TRAVEL_PER_SUB_STEP * bounds.half_width_m
     }
 
-    /// Adds a candidate that is not two outlines in contact in one patch.
+    /// What a candidate demands that is not two outlines in contact in one patch.
     #[inline(never)]
-    fn add_other(&self, demand: &mut Demand, pairing: &Pairing, own: &[Patch]) {
+    fn demand_of_other(&self, pairing: &Pairing, own: &[Patch]) -> Demand {
         let model = self.model;
         let Pairing { candidate, pair, .. } = pairing;
         if own.is_empty() && !self.may_touch(candidate) {
-            return;
+            return Demand::default();
         }
         let counts = if own.is_empty() { 1.0 } else { EXISTING };
         if let Some(face) = candidate.fender(model) {
             let closing_m = self.closing_mps(candidate) * self.step_s;
             let fender = &model.fenders()[face.id.0 as usize];
             let (spring, damper) = self.rates_squared_of_face(own, candidate, face, closing_m);
-            demand.rate_squared += counts * spring + damper;
-            demand.travel = greater(
-                demand.travel,
-                closing_m / (TRAVEL_PER_SUB_STEP * 0.5 * fender.projection_m),
-            );
-            return;
+            return Demand {
+                rate_squared: counts * spring + damper,
+                travel: closing_m / (TRAVEL_PER_SUB_STEP * 0.5 * fender.projection_m),
+            };
         }
         let bounds = self.candidates.bounds_of(model, *pair);
-        demand.rate_squared += counts * bounds.spring_rate_squared + bounds.damping_rate_squared;
-        demand.travel = greater(demand.travel, self.travel(candidate, bounds));
+        Demand {
+            rate_squared: counts * bounds.spring_rate_squared + bounds.damping_rate_squared,
+            travel: self.travel(candidate, bounds),
+        }
     }
 
     /// The distance that two outlines may close in the step, in sub-steps of the largest travel.
@@ -185,6 +266,9 @@ impl Bounded<'_> {
         only: &Patch,
         share: f64,
     ) -> Option<f64> {
+        if face.panel.is_some() {
+            return None;
+        }
         let (a, b) = (candidate.a as usize, candidate.b as usize);
         let FenderBounds { spring_npm, stop_from_m, damping_nspm, projection_m, arm_m, spread_m } =
             face.bounds;
@@ -220,13 +304,20 @@ impl Bounded<'_> {
         let fender = &self.model.fenders()[face.id.0 as usize];
         let material = &self.model.materials()[face.material.0 as usize];
         let area_m2: f64 = own.iter().map(|patch| patch.area_m2).sum();
-        let deflection_m = area_m2 / face.width_m + closing_m;
+        // Behind a panel: of all cones, at the place of the outermost.
+        let (deflection_m, cones, reach_m) = match &face.panel {
+            None => (area_m2 / face.width_m + closing_m, 1.0, 0.0),
+            Some(law) => {
+                let deepest_m = self.deepest_m(candidate, face);
+                (deepest_m + closing_m, law.places_m.len() as f64, law.reach_m)
+            }
+        };
         let spring_npm = match fender.law {
             FenderLaw::Area => material.stiffness_npm2 * face.width_m,
-            FenderLaw::Curve(_) => fender.law.steepest_npm(deflection_m),
+            FenderLaw::Curve(_) => cones * fender.law.steepest_npm(deflection_m),
         };
         let stop_npm = match fender.stop {
-            Some(stop) if deflection_m > stop.from_m => stop.stiffness_npm,
+            Some(stop) if deflection_m > stop.from_m => cones * stop.stiffness_npm,
             _ => 0.0,
         };
         let face_m = self.bodies.poses[face.host as usize].apply(face.face_m);
@@ -234,13 +325,28 @@ impl Bounded<'_> {
             .map(|rank| {
                 let arm_m = face_m - self.bodies.poses[rank as usize].position_m;
                 let body = &self.model.ranked[rank as usize];
-                body.lightest_inverse_mass + body.inverse_of_turning * arm_m.length_squared()
+                let of_panel_m2 = reach_m * (2.0 * arm_m.length() + reach_m);
+                body.lightest_inverse_mass
+                    + body.inverse_of_turning * (arm_m.length_squared() + of_panel_m2)
             })
             .iter()
             .sum();
         let damping_rate = material.damping_nspm2 * face.width_m * inverse_mass;
         let spring = (spring_npm + stop_npm) * face.largest_factor * inverse_mass;
         (spring, damping_rate * damping_rate)
+    }
+
+    /// The deepest point of a hull behind a panel's face (m).
+    #[inline(never)]
+    fn deepest_m(&self, candidate: &Candidate, face: &RankedFender) -> f64 {
+        let model = self.model;
+        let hull = if face.host == candidate.a { candidate.b } else { candidate.a };
+        let edges = model.edges_met(candidate.face, hull);
+        let poses = &self.bodies.poses;
+        // Relative to the host, where no digits are lost far from the origin.
+        let hull_in_host = poses[face.host as usize].to(poses[hull as usize]);
+        let to_face = face.hull_to_face(Pose::IDENTITY, hull_in_host);
+        deepest_m(edges, to_face, face.panel_reach())
     }
 
     /// Could the candidate touch in this step? By the gaps between its pieces.
@@ -268,14 +374,15 @@ impl Bounded<'_> {
         let (a, b) = (candidate.a as usize, candidate.b as usize);
         let apart =
             (self.bodies.input[a].velocity_mps - self.bodies.input[b].velocity_mps).length();
-        apart + self.dynamics.motions[a].room_mps + self.dynamics.motions[b].room_mps
+        apart + self.dynamics.speed_bounds[a].room_mps + self.dynamics.speed_bounds[b].room_mps
     }
 
     /// A cheaper bound than `closing_mps`, on the distance that is closed in this step (m).
     #[inline(always)]
     fn fastest_m(&self, candidate: &Candidate) -> f64 {
-        let [a, b] = [candidate.a, candidate.b].map(|rank| &self.dynamics.motions[rank as usize]);
-        (a.fastest_mps + b.fastest_mps) * self.step_s
+        let [a, b] = [candidate.a, candidate.b]
+            .map(|rank| self.dynamics.speed_bounds[rank as usize].fastest_mps);
+        (a + b) * self.step_s
     }
 }
 

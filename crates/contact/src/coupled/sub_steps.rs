@@ -2,28 +2,30 @@
 
 use alloc::vec::Vec;
 
-use crate::bodies::Bodies;
+use crate::bodies::{Bodies, NONE_DISPLACED};
 use crate::candidates::Candidates;
 use crate::coupled::accumulate::{Reports, Solved, Totals};
 use crate::coupled::assemble::{Aside, Start};
 use crate::coupled::contact_stage::{Assembly, Constraints, Contacts, solve_islands};
 use crate::coupled::dynamics::Dynamics;
-use crate::coupled::island::{self, Group, Island, IslandMemory};
+use crate::coupled::island::{self, Group, Island};
 use crate::coupled::peaks;
 use crate::coupled::sub_step::SubStep;
-use crate::coupled::sub_step_count::Bounded;
+use crate::coupled::sub_step_count::{Bounded, Sums};
 use crate::geometry::clip::ClipBuffers;
 use crate::inherit::Inheritance;
-use crate::memory::{HintMemory, Past, PlaceMemory};
+use crate::memory::{ContactMemory, HintMemory, Past, PlaceMemory};
 use crate::model::Model;
-use crate::next_memory::NextMemory;
 use crate::overlap::{Hints, Overlap, overlap};
+use crate::report::Wrench;
 use crate::results::Results;
 use crate::touch::Scene;
 
 /// The parts of the workspace that sub-steps read and write.
 pub(crate) struct SubSteps<'w> {
     pub(crate) model: &'w Model,
+    /// By id.
+    pub(crate) loads: &'w [Wrench],
     pub(crate) candidates: &'w Candidates,
     /// Some islands have more than one floating body.
     pub(crate) joined: bool,
@@ -33,7 +35,7 @@ pub(crate) struct SubSteps<'w> {
     pub(crate) clip: &'w mut ClipBuffers,
     pub(crate) inheritance: &'w mut Inheritance,
     pub(crate) constraints: &'w mut Constraints,
-    pub(crate) next_memory: &'w mut NextMemory,
+    pub(crate) next_memory: &'w mut ContactMemory,
     pub(crate) results: &'w mut Results,
     /// Set to false when contacts or memories are added out of the order of their keys.
     pub(crate) in_order: &'w mut bool,
@@ -44,6 +46,7 @@ pub(crate) struct SubSteps<'w> {
 pub(crate) struct Kept {
     /// The hints left by the step's first overlap.
     first_hints: Vec<HintMemory>,
+    rate_sums: Sums,
     later: Later,
 }
 
@@ -51,7 +54,7 @@ pub(crate) struct Kept {
 #[derive(Clone, Debug, Default)]
 struct Later {
     /// What the group's last sub-step left.
-    last: IslandMemory,
+    last: ContactMemory,
     /// The overlap of a later sub-step.
     overlap: Overlap,
 }
@@ -60,8 +63,7 @@ impl SubSteps<'_> {
     /// Moves islands through the step. They are in the order of their memories in `past`. `first` receives their overlap at
     /// the start of the step.
     ///
-    /// Neighbouring islands with the same number of sub-steps go through them together, each stage over all contacts.
-    /// Returns true if all hints in `past` stay as they are. They are not added to the next memory then.
+    /// The islands of a group go through their sub-steps together, each stage over all contacts. Returns true if all hints in `past` stay as they are. They are not added to the next memory then.
     pub(crate) fn advance(
         &mut self,
         past: Past<'_>,
@@ -73,7 +75,7 @@ impl SubSteps<'_> {
         let ([head, ..], [.., last]) = (&*islands, &*islands) else { return false };
         let (model, pairings) = (self.model, self.candidates.pairings.as_slice());
         let range = head.candidates().start..last.candidates().end;
-        let Kept { first_hints, later } = kept;
+        let Kept { first_hints, rate_sums, later } = kept;
         first_hints.clear();
         let hints = Hints::new(past.hints, first_hints);
         let own = &pairings[range.clone()];
@@ -87,27 +89,23 @@ impl SubSteps<'_> {
             hints,
             step_s,
         };
-        bounded.set_sub_steps(&first.patches, islands);
+        rate_sums.resize(if self.joined { model.ranked.len() } else { 0 }, 0.0);
+        bounded.set_sub_steps(&first.patches, islands, self.joined.then_some(rate_sums));
 
-        let mut all_stay = false;
-        let mut rest = Past { hints, ..past };
-        for group in islands.chunk_by_mut(|one, next| one.sub_steps == next.sub_steps) {
+        let all_stay = keeps_hints && islands.iter().all(|island| island.sub_steps == 1);
+        // A later step that copies the hints does not allocate then.
+        self.next_memory.hints.reserve(hints.len());
+        let mut rest = Past { hints: if all_stay { &[] } else { hints }, ..past };
+        for group in island::groups(islands) {
             self.enter(group);
             let end = self.group.candidates.end;
             let next = (end < range.end).then(|| pairings[end].candidate.key());
-            let past = rest.before(next);
+            let past = rest.before(next, self.group.patches.len());
             if group[0].sub_steps > 1 {
                 self.several(past, group, first, later, step_s);
             } else {
                 SubStep::all(1, step_s).for_each(|whole| self.sub_step(past, first, group, whole));
-                let is_all = self.group.candidates == range;
-                if keeps_hints && is_all {
-                    // A later step that copies them does not allocate then.
-                    self.next_memory.hints.reserve(past.hints.len());
-                    all_stay = true;
-                } else {
-                    self.next_memory.hints.extend_from_slice(past.hints);
-                }
+                self.next_memory.hints.extend_from_slice(past.hints);
             }
             self.dynamics.mark_moved_fixed();
         }
@@ -117,8 +115,9 @@ impl SubSteps<'_> {
     /// Begins a group of islands.
     fn enter(&mut self, islands: &[Island]) {
         let pairings = self.candidates.pairings.as_slice();
-        self.group.enter(islands, pairings, &mut self.dynamics.motions);
-        self.group.begin_lists(self.next_memory, self.results);
+        self.group.enter(islands, pairings, &mut self.dynamics.roles);
+        self.group.first = self.next_memory.lengths();
+        self.group.first_contact = self.results.contacts.len();
         let own = &pairings[self.group.candidates.clone()];
         self.dynamics.reset_moving_fixed(self.bodies, own);
     }
@@ -139,7 +138,8 @@ impl SubSteps<'_> {
         for sub_step in SubStep::all(islands[0].sub_steps, step_s) {
             if sub_step.is_first() {
                 self.sub_step(past, first, islands, sub_step);
-                last.take_first(self.next_memory, self.group, past.hints);
+                last.take(self.next_memory, self.group.first);
+                last.hints.extend_from_slice(past.hints);
             } else {
                 let hints = Hints::new(&last.hints, &mut self.next_memory.hints);
                 let start = self.group.candidates.start;
@@ -150,9 +150,10 @@ impl SubSteps<'_> {
                 }
                 self.group.patches = 0..later_overlap.patches.len();
                 island::set_patches(islands, &later_overlap.patches);
-                self.sub_step(last.within_step(sub_step.h), later_overlap, islands, sub_step);
+                let past = last.past(sub_step.h, &NONE_DISPLACED);
+                self.sub_step(past, later_overlap, islands, sub_step);
                 if !sub_step.is_last() {
-                    last.take(self.next_memory, self.group);
+                    last.take(self.next_memory, self.group.first);
                 }
             }
             let Results { wrenches, peaks, .. } = &mut *self.results;
@@ -171,29 +172,31 @@ impl SubSteps<'_> {
         let SubSteps { model, bodies, dynamics, group, next_memory, results, .. } = self;
         let (model, count) = (*model, self.model.ranked.len());
         let patches = &overlap.patches[group.patches.clone()];
+        let poses = &bodies.poses[..count];
 
         // v_free = v + κ M⁻¹ W: velocities by the loads alone.
         let joined = self.joined.then_some(islands);
-        dynamics.begin_sub_step(model, group, joined, patches, sub_step);
+        dynamics.begin_sub_step(model, self.loads, group, joined, patches, sub_step);
 
         // 4. The laws of the contacts (eq. 2–10) as constraints, from what each inherits.
         let first_patch = next_memory.patches.len();
         let (constraints, diagnostics, solver) =
             self.constraints.of(patches.len(), results.reports_contacts);
-        let scene = Scene {
-            model,
-            overlap,
-            poses: &bodies.poses[..count],
-            states: &dynamics.states[..count],
-        };
+        let scene = Scene { model, overlap, poses, states: &dynamics.states[..count] };
         let mut assembly = Assembly {
             start: Start {
                 scene,
                 inverses: &dynamics.inverses[..count],
-                motions: &dynamics.motions[..count],
+                roles: &dynamics.roles[..count],
+                velocity_lags_s: &dynamics.velocity_lags_s[..count],
                 h: sub_step.h,
             },
-            aside: Aside { events: &mut results.events, clip: self.clip },
+            aside: Aside {
+                events: &mut results.events,
+                clip: self.clip,
+                panels: &mut results.panels,
+                parted: &mut results.parted,
+            },
             patches,
             constraints,
             diagnostics,
@@ -216,12 +219,7 @@ impl SubSteps<'_> {
         // 6. Sums of the forces (eq. 1), memory and reports.
         let mut totals = Totals { wrenches: &mut results.wrenches, sub_step };
         if results.reports_contacts {
-            let scene = Scene {
-                model,
-                overlap,
-                poses: &bodies.poses[..count],
-                states: &dynamics.states[..count],
-            };
+            let scene = Scene { model, overlap, poses, states: &dynamics.states[..count] };
             let solved = Solved { patches, constraints, memories, diagnostics };
             let (contacts, first) = (&mut results.contacts, group.first_contact);
             let mut reports = Reports { contacts, first, in_order: self.in_order };

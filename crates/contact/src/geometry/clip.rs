@@ -10,6 +10,7 @@ use super::ring::{after, before};
 use super::through::{self, Through};
 use super::warm;
 use crate::number::lesser;
+use crate::panel::press::PanelPress;
 use crate::vec2::{Pose, Vec2};
 
 /// What the last step found, where this one starts. It changes the speed of the clip, never its result.
@@ -63,6 +64,8 @@ impl Hint {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ClipBuffers {
     cold: Buffers,
+    /// The panel that was pressed last.
+    pub(crate) panel: PanelPress,
 }
 
 /// The overlap of two convex polygons in the first one's frame.

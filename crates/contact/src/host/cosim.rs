@@ -4,7 +4,6 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use crate::admit;
-use crate::coupled::advance_from_engine_states;
 use crate::error::StepError;
 use crate::host::inertia;
 use crate::host::lead::{self, Lead, Start, is_steady};
@@ -16,7 +15,7 @@ use crate::host::velocity::{Offset, Velocity};
 use crate::host::workspace::HostWorkspace;
 use crate::host::{observer, predictor};
 use crate::material::BodyId;
-use crate::memory::{Memory, NOT_BEHIND};
+use crate::memory::Memory;
 use crate::model::Model;
 use crate::number::greater;
 use crate::pause::pause;
@@ -170,20 +169,10 @@ impl CoSimHost {
             return Ok(&work.wrenches);
         }
         self.compute_starts(model, work, step_s);
-        self.mark_engine_velocities(model, work);
-        let (starts, loads, memory) = (&work.starts, &work.loads_now, &mut self.memory);
-        if let Err(error) =
-            advance_from_engine_states(model, memory, &mut work.engine, starts, loads, step_s)
-        {
-            memory.behind_s.clone_from(&work.behind_s);
-            return Err(error);
-        }
+        work.advance(model, &mut self.memory, step_s)?;
         work.report_mass_mismatches();
-        work.engine.peak_wrenches_into(&mut work.peaks);
         self.steer(model, work, step_s);
         self.remember(work, reported_loads, step_s);
-        core::mem::swap(&mut work.present_now, &mut work.present);
-        core::mem::swap(&mut work.loads_now, &mut work.loads);
         Ok(&work.wrenches)
     }
 
@@ -242,8 +231,6 @@ impl CoSimHost {
         work.report_mass_mismatches();
         work.make_room_for_results(self.bodies.len());
         self.remember(work, reported_loads, 0.0);
-        core::mem::swap(&mut work.present_now, &mut work.present);
-        core::mem::swap(&mut work.loads_now, &mut work.loads);
         Ok(())
     }
 
@@ -259,7 +246,7 @@ impl CoSimHost {
             let mut state = next.input;
             for given in since_input.iter().skip(index).step_by(bodies) {
                 let load = given.reported_load.unwrap_or(next.observed);
-                let inverse = &model.ranked.rest(model.rank_of[index] as usize).inverse;
+                let inverse = model.inverse_of(index);
                 let integration = self.settings.integration;
                 state = predictor::next(integration, inverse, &state, given, &load);
             }
@@ -285,7 +272,7 @@ impl CoSimHost {
                 let lead = match ahead {
                     None => self.to_engine_time(model, work, index, step_s),
                     Some(lead) => {
-                        let inverse = &model.ranked.rest(model.rank_of[index] as usize).inverse;
+                        let inverse = model.inverse_of(index);
                         let load = &work.loads_now[index];
                         lead.velocity.plus(steering::half_kick(inverse, &present, load, step_s))
                     }
@@ -318,24 +305,15 @@ impl CoSimHost {
         inertia::kick(inverse, present, load, 0.5 * step_s - left_s)
     }
 
-    /// Marks in the memory the bodies that have the engine's velocities: those that follow it exactly. For the others a
-    /// correction that belongs to another step's length would be applied in this one, by a wrench many times that of
-    /// the contact.
-    fn mark_engine_velocities(&mut self, model: &Model, work: &mut HostWorkspace) {
-        let behind_s = &mut self.memory.behind_s;
-        work.behind_s.clone_from(behind_s);
-        if behind_s.is_empty() {
-            return;
-        }
-        for (index, start) in work.leads.iter().enumerate() {
-            if !start.exact {
-                behind_s[model.rank_of[index] as usize] = NOT_BEHIND;
-            }
-        }
-    }
-
     /// Remembers a step that succeeded.
-    fn remember(&mut self, work: &HostWorkspace, reported_loads: Option<&[Wrench]>, step_s: f64) {
+    fn remember(
+        &mut self,
+        work: &mut HostWorkspace,
+        reported_loads: Option<&[Wrench]>,
+        step_s: f64,
+    ) {
+        core::mem::swap(&mut work.present_now, &mut work.present);
+        core::mem::swap(&mut work.loads_now, &mut work.loads);
         let bodies = self.bodies.len();
         if self.past_step_count() > self.settings.delay_steps as usize {
             self.past_steps.drain(..bodies);
@@ -353,11 +331,8 @@ impl CoSimHost {
     /// Wrenches for the host from the engine's displacement, into `work.wrenches`; updates how far the engine is ahead of
     /// the host.
     fn steer(&self, model: &Model, work: &mut HostWorkspace, step_s: f64) {
-        work.find_touching(model);
-        work.wrenches.clear();
-        work.wrenches.extend_from_slice(work.engine.wrenches());
         for (index, next) in work.next.iter_mut().enumerate() {
-            let inverse = &model.ranked.rest(model.rank_of[index] as usize).inverse;
+            let inverse = model.inverse_of(index);
             let touches = work.touching[index];
             if !inverse.floats() || (!touches && next.ahead.is_none()) {
                 continue;

@@ -3,14 +3,13 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::coupled::advance_from_engine_states;
 use crate::error::StepError;
 use crate::host::inertia;
 use crate::host::lead::{self, Lead, Start};
 use crate::host::velocity::{Offset, Velocity};
 use crate::host::workspace::HostWorkspace;
 use crate::material::BodyId;
-use crate::memory::{Memory, NOT_BEHIND};
+use crate::memory::Memory;
 use crate::model::Model;
 use crate::number::bounded;
 use crate::pause::pause;
@@ -111,37 +110,12 @@ impl DirectHost {
             return Ok(&work.wrenches);
         }
         self.compute_starts(model, work, states);
-        self.mark_engine_velocities(model, work, states);
-        let (memory, engine) = (&mut self.memory, &mut work.engine);
-        if let Err(error) =
-            advance_from_engine_states(model, memory, engine, &work.starts, loads, step_s)
-        {
-            memory.behind_s.clone_from(&work.behind_s);
-            return Err(error);
-        }
-        work.engine.peak_wrenches_into(&mut work.peaks);
+        work.loads_now.clear();
+        work.loads_now.extend_from_slice(loads);
+        work.advance(model, &mut self.memory, step_s)?;
         self.compute_wrenches(model, work, (states, loads), step_s);
         self.last_step_s = step_s;
         Ok(&work.wrenches)
-    }
-
-    /// Marks in the memory which bodies have the velocities that the engine computed, and keeps a copy of the marks.
-    fn mark_engine_velocities(
-        &mut self,
-        model: &Model,
-        work: &mut HostWorkspace,
-        states: &[BodyState],
-    ) {
-        let behind_s = &mut self.memory.behind_s;
-        work.behind_s.clone_from(behind_s);
-        if behind_s.is_empty() {
-            return;
-        }
-        for (index, (record, state)) in self.bodies.iter().zip(states).enumerate() {
-            if state.apart(&record.after) != 0 {
-                behind_s[model.rank_of[index] as usize] = NOT_BEHIND;
-            }
-        }
     }
 
     /// The states from which the engine starts, into `work.starts` and `work.leads`.
@@ -150,9 +124,10 @@ impl DirectHost {
         work.leads.clear();
         for (index, state) in states.iter().enumerate() {
             // The engine refuses a wrong number of states, and bad ones.
-            let record =
-                self.bodies.get(index).and_then(|record| self.apart(model, index, record, state));
-            let start = record.unwrap_or_default();
+            let record = self.bodies.get(index);
+            let continues = record.is_some_and(|record| state.apart(&record.after) == 0);
+            let record = record.and_then(|record| self.apart(model, index, record, state));
+            let start = Start { exact: continues, ..record.unwrap_or_default() };
             let place = start.offset.applied_to(state);
             let velocity = Velocity::of(state).plus(start.velocity);
             work.starts.push(if record.is_some() { velocity.of_body_at(&place) } else { *state });
@@ -174,7 +149,7 @@ impl DirectHost {
         }
         let body = &model.bodies()[index];
         let radius_m = body.outline.radius_m();
-        let inverse = &model.ranked.rest(model.rank_of[index] as usize).inverse;
+        let inverse = model.inverse_of(index);
         let kick = |wrench| inertia::kick(inverse, &record.input, wrench, self.last_step_s);
         let change = Velocity::of(state).minus(Velocity::of(&record.input));
         let off_mps = change.minus(kick(&record.sum)).at(radius_m);
@@ -195,11 +170,8 @@ impl DirectHost {
         (states, loads): (&[BodyState], &[Wrench]),
         step_s: f64,
     ) {
-        work.find_touching(model);
-        work.wrenches.clear();
-        work.wrenches.extend_from_slice(work.engine.wrenches());
         for (index, record) in self.bodies.iter_mut().enumerate() {
-            let inverse = &model.ranked.rest(model.rank_of[index] as usize).inverse;
+            let inverse = model.inverse_of(index);
             let (touches, start) = (work.touching[index], &work.leads[index]);
             record.input = states[index];
             record.after = work.engine.states_after()[index];
@@ -219,10 +191,7 @@ impl DirectHost {
             wrench.force_n += owed.force_n * (1.0 / step_s);
             wrench.moment_nm += owed.moment_nm / step_s;
             record.wrench = *wrench;
-            record.sum = Wrench {
-                force_n: wrench.force_n + loads[index].force_n,
-                moment_nm: wrench.moment_nm + loads[index].moment_nm,
-            };
+            record.sum = wrench.plus(&loads[index]);
         }
     }
 }

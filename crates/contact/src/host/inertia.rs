@@ -10,7 +10,8 @@ use crate::vec2::{Rotation, vec2};
 /// M v in earth-fixed axes for a body turned as `state` is (N·s, N·m·s); zero for a fixed body.
 pub(super) fn impulse_for(mobility: &Mobility, state: &BodyState, v: Velocity) -> Wrench {
     match mobility {
-        Mobility::Fixed => Wrench::default(),
+        // A host does not move bodies on piles.
+        Mobility::Fixed | Mobility::OnPile { .. } => Wrench::default(),
         Mobility::Free { mass_kg, yaw_inertia_kgm2 } => {
             Wrench { force_n: v.linear_mps * *mass_kg, moment_nm: v.yaw_radps * *yaw_inertia_kgm2 }
         }

@@ -54,6 +54,7 @@ pub(super) struct Lead {
 /// The engine's start relative to the host's present state.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Start {
+    /// It has the velocity that the engine left it, or follows it exactly.
     pub(super) exact: bool,
     /// V − v and X − x.
     pub(super) velocity: Velocity,

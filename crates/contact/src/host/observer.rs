@@ -1,13 +1,12 @@
 //! The load observer: W_ext = M (v_n − v_{n−1})/Δt − W_{n−1}, from two input states and the wrench between them. It
 //! contains all forces but contact.
 
-use crate::admit::LARGEST_LOAD;
+use crate::admit::is_sound_load;
 use crate::body::{Body, Mobility};
 use crate::host::inertia;
 use crate::host::past_step::PastStep;
 use crate::host::settings::HostIntegration;
 use crate::host::velocity::Velocity;
-use crate::number::greater;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
@@ -28,11 +27,8 @@ pub(super) fn load(
     }
     let change = Velocity::of(after).minus(Velocity::of(before));
     let impulse = inertia::impulse_for(&body.mobility, before, change);
-    let rate = 1.0 / given.step_s;
-    let force_n = impulse.force_n * rate - given.wrench.force_n;
-    let moment_nm = impulse.moment_nm * rate - given.wrench.moment_nm;
-    let largest = greater(greater(force_n.x.abs(), force_n.y.abs()), moment_nm.abs());
-    (largest <= LARGEST_LOAD).then_some(Wrench { force_n, moment_nm })
+    let load = impulse.times(1.0 / given.step_s).minus(&given.wrench);
+    is_sound_load(&load).then_some(load)
 }
 
 /// Whether the host teleported the body between two states.

@@ -3,7 +3,7 @@
 use crate::report::Wrench;
 
 /// A step of the host, with the wrench that one body was given.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct PastStep {
     pub(super) step_s: f64,
     pub(super) wrench: Wrench,

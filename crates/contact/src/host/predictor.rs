@@ -16,10 +16,7 @@ pub(super) fn next(
     given: &PastStep,
     load: &Wrench,
 ) -> BodyState {
-    let sum = Wrench {
-        force_n: given.wrench.force_n + load.force_n,
-        moment_nm: given.wrench.moment_nm + load.moment_nm,
-    };
+    let sum = given.wrench.plus(load);
     let before = Velocity::of(state);
     let after = before.plus(inertia::kick(inverse, state, &sum, given.step_s));
     let mean = match integration {

@@ -71,9 +71,5 @@ pub(super) fn wrench(
     step_s: f64,
 ) -> Wrench {
     let impulse = inertia::impulse_for(mobility, present, after.minus(Velocity::of(present)));
-    let rate = 1.0 / step_s;
-    Wrench {
-        force_n: impulse.force_n * rate - load.force_n,
-        moment_nm: impulse.moment_nm * rate - load.moment_nm,
-    }
+    impulse.times(1.0 / step_s).minus(load)
 }

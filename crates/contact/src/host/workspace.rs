@@ -2,10 +2,15 @@
 
 use alloc::vec::Vec;
 
+use crate::admit::refuse_piles;
+use crate::coupled::advance_from_engine_states;
+use crate::error::StepError;
 use crate::host::lead::Start;
 use crate::host::record::BodyRecord;
 use crate::material::BodyId;
+use crate::memory::{Memory, NOT_BEHIND};
 use crate::model::Model;
+use crate::panel::report::PanelMotion;
 use crate::report::{Contact, Event, EventKind, Wrench};
 use crate::state::BodyState;
 use crate::workspace::Workspace;
@@ -66,8 +71,39 @@ impl HostWorkspace {
         }
     }
 
+    /// The engine's step, from `starts` under `loads_now`: wrenches, their peaks, and which bodies touched. On an error the
+    /// memory is unchanged.
+    ///
+    /// The memory knows by how much the engine's velocities are older than its positions. A body that has a velocity of its
+    /// host's is marked there: a correction that belongs to another step's length would else be applied in this one, by a
+    /// wrench many times that of the contact.
+    pub(super) fn advance(
+        &mut self,
+        model: &Model,
+        memory: &mut Memory,
+        step_s: f64,
+    ) -> Result<(), StepError> {
+        refuse_piles(model)?;
+        self.behind_s.clone_from(&memory.behind_s);
+        for (start, &rank) in self.leads.iter().zip(&model.rank_of) {
+            if !start.exact
+                && let Some(behind_s) = memory.behind_s.get_mut(rank as usize)
+            {
+                *behind_s = NOT_BEHIND;
+            }
+        }
+        let (starts, loads) = (&self.starts, &self.loads_now);
+        advance_from_engine_states(model, memory, &mut self.engine, starts, loads, step_s)
+            .inspect_err(|_| memory.behind_s.clone_from(&self.behind_s))?;
+        self.engine.peak_wrenches_into(&mut self.peaks);
+        self.wrenches.clear();
+        self.wrenches.extend_from_slice(self.engine.wrenches());
+        self.find_touching(model);
+        Ok(())
+    }
+
     /// Which bodies touched in the engine's last step.
-    pub(super) fn find_touching(&mut self, model: &Model) {
+    fn find_touching(&mut self, model: &Model) {
         self.touching.clear();
         self.touching.resize(model.bodies().len(), false);
         for contact in self.engine.contacts() {
@@ -122,6 +158,12 @@ impl HostWorkspace {
     #[must_use]
     pub fn contacts(&self) -> &[Contact] {
         self.engine.contacts()
+    }
+
+    /// Panels that were pressed in the last step, as [`Workspace::panels`].
+    #[must_use]
+    pub fn panels(&self) -> &[PanelMotion] {
+        self.engine.panels()
     }
 
     /// Events of the last step, as [`Workspace::events`].

@@ -233,6 +233,12 @@ impl ShearSpring {
         self.coulomb.holds(tangential_n, normal_n) && gives_j <= self.available_j
     }
 
+    /// Does the spring store the energy that its force gives the bodies at this V_t⁺?
+    #[inline]
+    pub(crate) fn has_energy_for(&self, after_mps: f64, h: f64) -> bool {
+        0.5 * h * self.force_n(after_mps) * (self.before_mps + after_mps) <= self.available_j
+    }
+
     /// Δs at the end of the sub-step from that at its start (m): it grows by h V̄; while it slips it is at most what the
     /// sliding force shears.
     #[inline]

@@ -1,12 +1,15 @@
 //! The normal law (§3.2 of the paper, eq. 2–3): spring, stop and damper.
 
+use crate::candidates::Candidate;
 use crate::fender::RankedFender;
 use crate::material::Material;
 use crate::memory::PatchMemory;
 use crate::model::Model;
 use crate::number::greater;
+use crate::patch::Patch;
 use crate::report::ForceParts;
 use crate::touch::Touch;
+use crate::vec2::Pose;
 
 /// The normal force before the momentum limit: N = max(0, spring + stop + damper) (N), with the damper cṠ from the
 /// growth of the overlap.
@@ -38,6 +41,7 @@ pub(crate) fn factor(
     model: &Model,
     face: Option<&RankedFender>,
     touch: &Touch,
+    patch: &Patch,
     old: Option<&PatchMemory>,
 ) -> f64 {
     match (face, old) {
@@ -46,9 +50,39 @@ pub(crate) fn factor(
         (Some(face), None) => {
             let fender = &model.fenders()[face.id.0 as usize];
             let speed_mps = greater(touch.v_normal_mps, 0.0);
-            fender.factors.at(speed_mps, touch.tilt_rad, fender.rated_deflection_m)
+            let angle_rad = angle_rad(model, face, touch, patch);
+            fender.factors.at(speed_mps, angle_rad, fender.rated_deflection_m)
         }
     }
+}
+
+/// The angle between a fender's face and the hull's side in space (rad): by the tilt in the plane, and by the slope of a side
+/// with outlines by height. tan² of it is the sum of both tan².
+#[cold]
+#[inline(never)]
+fn angle_rad(model: &Model, face: &RankedFender, touch: &Touch, patch: &Patch) -> f64 {
+    if model.slices.is_empty() {
+        return touch.tilt_rad;
+    }
+    let Candidate { a, b, face: number, .. } = patch.candidate;
+    let (rank, hull, host) = match face.host == a {
+        true => (b, patch.b_in_a, Pose::IDENTITY),
+        false => (a, Pose::IDENTITY, patch.b_in_a),
+    };
+    match model.side_met(face, number, rank, hull, host) {
+        None => touch.tilt_rad,
+        Some(side) => combined_angle_rad(touch.tilt_rad, side.slope),
+    }
+}
+
+/// The angle in space of a side that is turned by `tilt_rad` in the plane and leans out with this slope (rad).
+#[must_use]
+pub fn combined_angle_rad(tilt_rad: f64, slope: f64) -> f64 {
+    if slope == 0.0 {
+        return tilt_rad;
+    }
+    let across = libm::tan(tilt_rad);
+    libm::atan(libm::sqrt(across * across + slope * slope))
 }
 
 #[cfg(test)]

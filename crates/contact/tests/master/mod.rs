@@ -212,7 +212,7 @@ impl Master {
 /// Solves M a = W by Gaussian elimination in the body's axes, independently of the engine's inverse.
 fn acceleration(state: &BodyState, mobility: Mobility, sum: &Wrench) -> (Vec2, f64) {
     let mut m = match mobility {
-        Mobility::Fixed => return (Vec2::ZERO, 0.0),
+        Mobility::Fixed | Mobility::OnPile { .. } => return (Vec2::ZERO, 0.0),
         Mobility::Free { mass_kg, yaw_inertia_kgm2 } => {
             [[mass_kg, 0.0, 0.0], [0.0, mass_kg, 0.0], [0.0, 0.0, yaw_inertia_kgm2]]
         }

@@ -93,6 +93,7 @@ pub(crate) fn cone_fender(
         unloading: None,
         material: MaterialId(1),
         factors: ReactionFactors::default(),
+        panel: None,
     }
 }
 

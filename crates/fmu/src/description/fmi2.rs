@@ -2,8 +2,11 @@
 
 use std::io;
 
+use super::nominal::{Scales, nominal};
 use super::xml::{Attributes, Xml, document, element, empty};
-use super::{about, causality, initial, outputs, range, start, units, variability};
+use super::{
+    about, causality, enumerations, initial, items, outputs, range, start, units, variability,
+};
 use crate::plan::Plan;
 use crate::table::{Class, Variable};
 
@@ -27,6 +30,7 @@ pub(super) fn model(plan: &Plan, name: &str, identifier: &str) -> io::Result<Str
         ];
         empty(xml, "CoSimulation", &abilities)?;
         super::xml::units(xml, &units(&plan.table))?;
+        types(xml, plan)?;
         element(xml, "LogCategories", &[], |xml| {
             empty(xml, "Category", &[("name", "logStatusError".to_owned())])
         })?;
@@ -39,7 +43,8 @@ pub(super) fn model(plan: &Plan, name: &str, identifier: &str) -> io::Result<Str
         empty(xml, "DefaultExperiment", &experiment)?;
         element(xml, "ModelVariables", &[], |xml| {
             let mut all = plan.table.variables.iter().enumerate().skip(LEFT_OUT);
-            all.try_for_each(|(reference, v)| variable(xml, reference, v))
+            let scales = Scales::of(setup);
+            all.try_for_each(|(reference, v)| variable(xml, reference, v, scales))
         })?;
         element(xml, "ModelStructure", &[], |xml| {
             unknowns(xml, "Outputs", plan)?;
@@ -48,7 +53,28 @@ pub(super) fn model(plan: &Plan, name: &str, identifier: &str) -> io::Result<Str
     })
 }
 
-fn variable(xml: &mut Xml, reference: usize, variable: &Variable) -> io::Result<()> {
+fn types(xml: &mut Xml, plan: &Plan) -> io::Result<()> {
+    let all = enumerations(&plan.table);
+    if all.is_empty() {
+        return Ok(());
+    }
+    element(xml, "TypeDefinitions", &[], |xml| {
+        all.iter().try_for_each(|one| {
+            let about =
+                [("name", one.name.to_owned()), ("description", one.description.to_owned())];
+            element(xml, "SimpleType", &about, |xml| {
+                element(xml, "Enumeration", &[], |xml| items(xml, one))
+            })
+        })
+    })
+}
+
+fn variable(
+    xml: &mut Xml,
+    reference: usize,
+    variable: &Variable,
+    scales: Scales,
+) -> io::Result<()> {
     let mut attributes: Attributes = vec![
         ("name", variable.name.clone()),
         ("valueReference", reference.to_string()),
@@ -65,8 +91,15 @@ fn variable(xml: &mut Xml, reference: usize, variable: &Variable) -> io::Result<
             }
             Class::Integer => ("Integer", Vec::new()),
             Class::Boolean => ("Boolean", Vec::new()),
+            Class::Enumeration => {
+                let declared =
+                    variable.enumeration().map(|one| ("declaredType", one.name.to_owned()));
+                ("Enumeration", declared.into_iter().collect())
+            }
         };
         attributes.extend(range(variable));
+        let nominal = nominal(variable, scales);
+        attributes.extend(nominal.map(|value| ("nominal", value.to_string())));
         attributes.extend(start(variable).map(|text| ("start", text)));
         empty(xml, name, &attributes)
     })

@@ -2,8 +2,11 @@
 
 use std::io;
 
+use super::nominal::{Scales, nominal};
 use super::xml::{Attributes, Xml, document, element, empty};
-use super::{about, causality, initial, outputs, range, start, units, variability};
+use super::{
+    about, causality, enumerations, initial, items, outputs, range, start, units, variability,
+};
 use crate::plan::Plan;
 use crate::table::{Class, Kind, Variable};
 
@@ -26,6 +29,7 @@ pub(super) fn model(plan: &Plan, name: &str, identifier: &str) -> io::Result<Str
         }
         empty(xml, "CoSimulation", &abilities)?;
         super::xml::units(xml, &units(&plan.table))?;
+        types(xml, plan)?;
         element(xml, "LogCategories", &[], |xml| {
             empty(xml, "Category", &[("name", "logStatusError".to_owned())])
         })?;
@@ -37,7 +41,8 @@ pub(super) fn model(plan: &Plan, name: &str, identifier: &str) -> io::Result<Str
         empty(xml, "DefaultExperiment", &experiment)?;
         element(xml, "ModelVariables", &[], |xml| {
             let mut all = plan.table.variables.iter().enumerate();
-            all.try_for_each(|(reference, v)| variable(xml, reference, v))
+            let scales = Scales::of(setup);
+            all.try_for_each(|(reference, v)| variable(xml, reference, v, scales))
         })?;
         element(xml, "ModelStructure", &[], |xml| {
             for name in ["Output", "InitialUnknown"] {
@@ -50,7 +55,26 @@ pub(super) fn model(plan: &Plan, name: &str, identifier: &str) -> io::Result<Str
     })
 }
 
-fn variable(xml: &mut Xml, reference: usize, variable: &Variable) -> io::Result<()> {
+fn types(xml: &mut Xml, plan: &Plan) -> io::Result<()> {
+    let all = enumerations(&plan.table);
+    if all.is_empty() {
+        return Ok(());
+    }
+    element(xml, "TypeDefinitions", &[], |xml| {
+        all.iter().try_for_each(|one| {
+            let about =
+                [("name", one.name.to_owned()), ("description", one.description.to_owned())];
+            element(xml, "EnumerationType", &about, |xml| items(xml, one))
+        })
+    })
+}
+
+fn variable(
+    xml: &mut Xml,
+    reference: usize,
+    variable: &Variable,
+    scales: Scales,
+) -> io::Result<()> {
     let mut attributes: Attributes = vec![
         ("name", variable.name.clone()),
         ("valueReference", reference.to_string()),
@@ -63,11 +87,15 @@ fn variable(xml: &mut Xml, reference: usize, variable: &Variable) -> io::Result<
         Class::Real => "Float64",
         Class::Integer => "Int32",
         Class::Boolean => "Boolean",
+        Class::Enumeration => "Enumeration",
     };
     if variable.class == Class::Real {
         attributes.extend(variable.unit.name().map(|name| ("unit", name.to_owned())));
     }
+    let declared = variable.enumeration().map(|one| ("declaredType", one.name.to_owned()));
+    attributes.extend(declared);
     attributes.extend(range(variable));
+    attributes.extend(nominal(variable, scales).map(|value| ("nominal", value.to_string())));
     attributes.extend(start(variable).map(|text| ("start", text)));
     empty(xml, name, &attributes)
 }

@@ -3,6 +3,7 @@
 mod alarms;
 mod board;
 mod seen;
+mod verdict;
 mod vessel;
 
 use fenderline_contact::Vec2;
@@ -24,6 +25,7 @@ use crate::message::{
 use crate::session::{Branch, Now, Session};
 
 pub(crate) use seen::Seen;
+pub(crate) use verdict::now as verdict;
 
 /// The data of the docking board.
 struct BoardInput<'a> {
@@ -38,66 +40,83 @@ impl Session {
     /// The causes of alarms after this tick, for the alarm book.
     #[must_use]
     pub fn causes_for_alarm(&self, info: &Info) -> Vec<Alarm> {
-        let now = self.now();
-        let simulation = &now.simulation;
-        alarms::causes(&alarms::Input {
-            simulation,
-            info,
-            vessels: &vessels(now, self.cast(), info),
-            fenders: &now.seen.fenders(simulation),
-            contacts: now.seen.contacts(),
-            lines: &lines(simulation, info),
-            approach: now.approach,
-            tugs: &tugs(simulation),
-        })
+        causes(self.now(), self.cast(), info)
     }
 
     /// The frame of this tick. The owner of the session gives `run` with pause, pace and clients, and the alarm book; this
     /// function fills in the branches.
     #[must_use]
     pub fn frame(&self, info: &Info, at_ms: u64, run: RunState, book: &AlarmBook) -> Frame {
-        let now = self.now();
-        let simulation = &now.simulation;
-        let (states, t_s) = (simulation.states(), simulation.time_s());
-        let (fenders, contacts) = (now.seen.fenders(simulation), now.seen.contacts());
-        let own = self.cast().own;
-        let mut vessels = vessels(now, self.cast(), info);
-        if let Some(berth) = &info.berth {
-            let approach = now.approach;
-            let of = BoardInput { simulation, contacts, fenders: &fenders, book, approach };
-            fill_in_signals(&of, berth, &mut vessels);
-        }
-        let bodies = states.iter().map(|state| {
-            let [position, velocity] = [state.position_m, state.velocity_mps];
-            let turn = state.yaw_rate_radps;
-            [position.x, position.y, state.heading_rad, velocity.x, velocity.y, turn]
-        });
-        let place = own.map_or((Vec2::ZERO, 0.0), |own| {
-            let vessel = &simulation.setup().world.vessels[own];
-            (states[vessel.body].position_m, vessel.ship.particulars.draught_m)
-        });
-        Frame {
-            tick: now.tick,
-            t_s,
-            at_ms,
-            run: RunState {
-                branch: self.current_branch(),
-                branches: self.branches().iter().enumerate().map(branch_now).collect(),
-                last_tick: self.branches()[self.current_branch()].ends_tick,
-                ..run
-            },
-            bodies: bodies.collect(),
-            vessels,
-            fenders,
-            contacts: contacts.to_vec(),
-            lines: lines(simulation, info),
-            tugs: tugs(simulation),
-            wind: wind_now(simulation, t_s),
-            current: current_now(simulation, t_s, place),
-            waves: waves_now(simulation),
-            approach_mps: now.approach.at_fenders_mps,
-            alarms: book.messages(),
-        }
+        let run = RunState {
+            branch: self.current_branch(),
+            branches: self.branches().iter().enumerate().map(branch_now).collect(),
+            last_tick: self.branches()[self.current_branch()].ends_tick,
+            ..run
+        };
+        frame(self.now(), self.cast(), info, at_ms, run, book)
+    }
+}
+
+/// The causes of alarms in a state.
+pub(crate) fn causes(now: &Now, cast: &Cast, info: &Info) -> Vec<Alarm> {
+    let simulation = &now.simulation;
+    alarms::causes(&alarms::Input {
+        simulation,
+        info,
+        vessels: &vessels(now, cast, info),
+        fenders: &now.seen.fenders(simulation),
+        contacts: now.seen.contacts(),
+        lines: &lines(simulation, info),
+        approach: now.approach,
+        tugs: &tugs(simulation),
+    })
+}
+
+/// The frame of a state.
+pub(crate) fn frame(
+    now: &Now,
+    cast: &Cast,
+    info: &Info,
+    at_ms: u64,
+    run: RunState,
+    book: &AlarmBook,
+) -> Frame {
+    let simulation = &now.simulation;
+    let (states, t_s) = (simulation.states(), simulation.time_s());
+    let (fenders, contacts) = (now.seen.fenders(simulation), now.seen.contacts());
+    let own = cast.own;
+    let mut vessels = vessels(now, cast, info);
+    if let Some(berth) = &info.berth {
+        let approach = now.approach;
+        let of = BoardInput { simulation, contacts, fenders: &fenders, book, approach };
+        fill_in_signals(&of, berth, &mut vessels);
+    }
+    let bodies = states.iter().map(|state| {
+        let [position, velocity] = [state.position_m, state.velocity_mps];
+        let turn = state.yaw_rate_radps;
+        [position.x, position.y, state.heading_rad, velocity.x, velocity.y, turn]
+    });
+    let place = own.map_or((Vec2::ZERO, 0.0), |own| {
+        let vessel = &simulation.setup().world.vessels[own];
+        (states[vessel.body].position_m, vessel.ship.particulars.draught_m)
+    });
+    Frame {
+        tick: now.tick,
+        t_s,
+        at_ms,
+        run,
+        bodies: bodies.collect(),
+        vessels,
+        fenders,
+        contacts: contacts.to_vec(),
+        lines: lines(simulation, info),
+        tugs: tugs(simulation),
+        wind: wind_now(simulation, t_s),
+        current: current_now(simulation, t_s, place),
+        waves: waves_now(simulation),
+        approach_mps: now.approach.at_fenders_mps,
+        alarms: book.messages(),
+        verdict: verdict(simulation),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Contacts and events of the last step, which the simulation does not keep.
 
 use fenderline_contact::{Event, EventKind, Friction};
-use fenderline_sim::{Setup, SimError, Simulation, WorldEvent, WorldEventKind};
+use fenderline_sim::{Setup, Simulation, StepRecord, WorldEvent, WorldEventKind, called};
 
 use crate::info::pair;
 use crate::message::{ContactNow, FenderNow};
@@ -21,12 +21,8 @@ impl Seen {
         Seen { stored_j: vec![0.0; simulation.setup().fenders.len()], ..Seen::default() }
     }
 
-    /// Takes a step and keeps its contacts and events.
-    ///
-    /// # Errors
-    /// As [`Simulation::step`]. Nothing is changed then.
-    pub(crate) fn step(&mut self, simulation: &mut Simulation) -> Result<(), SimError> {
-        let record = simulation.step()?;
+    /// Keeps the contacts and events of a step.
+    pub(crate) fn keep(&mut self, record: &StepRecord<'_>) {
         self.contacts.clear();
         self.stored_j.fill(0.0);
         for contact in record.contacts {
@@ -46,7 +42,6 @@ impl Seen {
         self.contact_events.extend_from_slice(record.events);
         self.world_events.clear();
         self.world_events.extend_from_slice(record.world_events);
-        Ok(())
     }
 
     pub(crate) fn contacts(&self) -> &[ContactNow] {
@@ -67,12 +62,15 @@ impl Seen {
                 reaction_n,
                 energy_j,
                 of_energy: share(touched.capacity_j, energy_j),
-                of_reaction: share(rated.map(|r| r.reaction_n * touched.factor), reaction_n),
+                of_reaction: share(
+                    rated.map(|r| r.largest_reaction_n * touched.factor),
+                    reaction_n,
+                ),
                 peak_of_energy: touched.share_of_rated_energy.unwrap_or(0.0),
-                peak_of_reaction: touched.share_of_rated_reaction.unwrap_or(0.0),
+                peak_of_reaction: touched.share_of_largest_reaction.unwrap_or(0.0),
                 failed: touched.failed,
                 over_rated: touched.share_of_rated_energy.is_some_and(|share| share > 1.0)
-                    || touched.share_of_rated_reaction.is_some_and(|share| share > 1.0),
+                    || touched.share_of_largest_reaction.is_some_and(|share| share > 1.0),
                 touched: true,
             };
         }
@@ -106,10 +104,13 @@ fn contact_text(event: &Event, setup: &Setup, contacts: &[ContactNow]) -> Option
         }
         EventKind::Teleported => format!("{one} was teleported"),
         EventKind::FenderRatingExceeded(fender) => {
-            format!("fender {} is over its rating", setup.fenders[fender.0 as usize].name)
+            format!(
+                "{} is over its rating",
+                called("fender", &setup.fenders[fender.0 as usize].name)
+            )
         }
         EventKind::FenderFailed(fender) => {
-            format!("FENDER {} HAS FAILED", setup.fenders[fender.0 as usize].name)
+            format!("{} HAS FAILED", called("FENDER", &setup.fenders[fender.0 as usize].name))
         }
         EventKind::PlacedInOverlap => format!("{one} was placed in {two} and is pushed out slowly"),
         EventKind::MassMismatch => format!("{one} does not move with the mass of the model"),

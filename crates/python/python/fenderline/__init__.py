@@ -3,7 +3,8 @@
 - :class:`Engine`: the contact engine for your own simulator. Set states, call ``step``, add its wrenches to your forces.
 - :class:`Simulation`: a whole scenario, step by step; :func:`run` runs one to its end.
 - :func:`run_many`: thousands of variants on all cores; :class:`Fleet`: many simulations in lockstep.
-- :mod:`fenderline.docking`: a Gymnasium environment, ``fenderline/Docking-v0``.
+- :mod:`fenderline.plot`: figures of results.
+- :mod:`fenderline.docking`: a Gymnasium environment, ``fenderline/Docking-v0``; :mod:`fenderline.tugs`: two tugs, for PettingZoo.
 
 Lengths are in metres, angles in radians, forces in newtons, times in seconds. x points north, y east, headings are
 clockwise from north; a body's own axes point forward and to starboard.

@@ -6,6 +6,9 @@ from __future__ import annotations
 class Error(Exception):
     """Base class of all exceptions of this package."""
 
+    run: int | None = None
+    """Of many runs, the number of the one that failed, from 0."""
+
 
 class ScenarioError(Error, ValueError):
     """An error in a scenario, with its location.

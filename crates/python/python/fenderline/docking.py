@@ -12,7 +12,7 @@ Importing this module registers ``fenderline/Docking-v0``:
 >>> observation, reward, terminated, truncated, info = env.step(env.action_space.sample())
 >>> vectorised = gymnasium.make_vec("fenderline/Docking-v0", num_envs=8)
 >>> vectorised.reset(seed=1)[0].shape
-(8, 14)
+(8, 17)
 
 **Action**, four numbers from −1 to 1:
 
@@ -23,21 +23,29 @@ Importing this module registers ``fenderline/Docking-v0``:
 3  stern thruster, likewise
 == =================================================================================
 
-**Observation**, in metres, seconds and radians, in the quay's axes (along: her heading when berthed):
+**Observation**, 17 numbers in the quay's axes (along: her heading when berthed), each over its scale, clipped to ±10:
 
-=== ================================================================================
-0   along: distance still to go to her berth, positive ahead of her [m]
-1   off: least clearance between her hull and the line of the fender faces [m]
-2   heading relative to the quay, positive to starboard [rad]
-3   speed along the quay over ground [m/s]
-4   speed towards the quay over ground [m/s]
-5   rate of turn, positive to starboard [rad/s]
-6-9 last orders of rudder, engine, bow and stern thruster, −1 to 1
-10  wind: component along the quay, in the direction in which it blows [m/s]
-11  wind: component towards the quay [m/s]
-12  current along the quay [m/s]
-13  largest energy that a fender has stored so far over its rated energy [1]
-=== ================================================================================
+=== ============================================================================ ==========
+    quantity                                                                     scale
+=== ============================================================================ ==========
+0   along: distance still to go to her berth, positive ahead of her              100 m
+1   off: least clearance between her hull and the line of the fender faces       50 m
+2   heading relative to the quay, positive to starboard                          0.5 rad
+3   speed along the quay over ground                                             1 m/s
+4   speed towards the quay over ground                                           0.3 m/s
+5   rate of turn, positive to starboard                                          0.005 rad/s
+6-9 last orders of rudder, engine, bow and stern thruster                        1
+10  wind: component along the quay, in the direction in which it blows           10 m/s
+11  wind: component towards the quay                                             10 m/s
+12  current along the quay                                                       0.5 m/s
+13  largest energy that a fender has stored so far over its rated energy         1
+14  along again, clipped to ±1: what counts near the berth                       10 m
+15  off again, clipped to ±1                                                     5 m
+16  heading again, clipped to ±1                                                 0.05 rad
+=== ============================================================================ ==========
+
+:data:`SCALES` has the scales, :func:`physical` gives the first 14 numbers in metres, seconds and radians again, and
+:func:`master` is a hand-written policy that berths.
 
 **Reward**: 0.1 times the decrease of the distance to the berth in the step (in metres; heading counts with the ship's
 half length), less 0.01, less 0.01 times the mean square of the action, less 50 times the increase of the largest share
@@ -45,11 +53,13 @@ of a fender's rated energy. **Termination**: +100 when she lies alongside (less 
 off the faces, within 1° of parallel, slower than 0.05 m/s, turning at less than 0.0005 rad/s); −100 when a fender is
 loaded beyond its rating, when her hull reaches the line of the quay beside or beyond the fenders, or when she leaves
 the basin. **Truncation** after 900 s.
+
+**Rendering**: ``render_mode="rgb_array"`` gives a plan as an image, ``"human"`` shows it in a window; both need Matplotlib.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from enum import IntEnum
 from typing import Any, TypeAlias, cast
 
@@ -61,9 +71,10 @@ from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
 from fenderline._native import Fleet, Scenario
+from fenderline._picture import RENDER_MODES, Picture, Plan, known_render_mode
 from fenderline._runs import example
 
-__all__ = ["ENV_ID", "DockingEnv", "DockingVectorEnv"]
+__all__ = ["ENV_ID", "SCALES", "DockingEnv", "DockingVectorEnv", "master", "physical"]
 
 ENV_ID = "fenderline/Docking-v0"
 
@@ -81,8 +92,53 @@ BASIN_ALONG_M = 400.0
 BASIN_OFF_M = 200.0
 STEPS = 900
 
-_HIGH = np.array([500, 300, np.pi, 15, 15, 0.5, 1, 1, 1, 1, 40, 40, 5, 100], dtype=np.float32)
-_LOW = np.where(np.arange(14) == 13, 0.0, -_HIGH).astype(np.float32)
+#: Scales of the observation: its numbers are quantities over these.
+SCALES = np.array(
+    [100, 50, 0.5, 1, 0.3, 0.005, 1, 1, 1, 1, 10, 10, 0.5, 1, 10, 5, 0.05], dtype=np.float64
+)
+SCALES.flags.writeable = False
+#: Numbers 14 to 16 are these again, by a finer scale.
+_NEAR = [0, 1, 2]
+_HIGH = np.where(np.arange(len(SCALES)) < 14, 10.0, 1.0).astype(np.float32)
+_HIGH[6:10] = 1.0
+_LOW = np.where(np.arange(len(SCALES)) == 13, 0.0, -_HIGH).astype(np.float32)
+
+
+def physical(observation: npt.NDArray[Any]) -> Floats:
+    """The first 14 numbers of observations, in metres, seconds and radians.
+
+    >>> import gymnasium
+    >>> seen, _ = gymnasium.make(ENV_ID).reset(seed=1)
+    >>> float(physical(seen)[0].round())  # metres still to go
+    179.0
+    """
+    values: Floats = np.asarray(observation, dtype=np.float64)[..., :14] * SCALES[:14]
+    return values
+
+
+def master(observation: npt.NDArray[Any]) -> Action:
+    """Actions of a hand-written policy that does what a master does: comes up the berth, stops abreast of it, breasts in
+    slowly and parallel, and lets the fenders take her. Observations in rows, or a single one.
+    """
+    seen = physical(observation)
+    to_go, off, heading, ahead, towards, turn = np.moveaxis(seen[..., :6], -1, 0)
+    wind_along, wind_towards = np.moveaxis(seen[..., 10:12], -1, 0)
+    # Come up at no more than 1.2 m/s, and so that 8 mm/s² stop her. Breast in only when she is abreast, slower the
+    # nearer.
+    stops_from = np.sqrt(2.0 * 0.008 * np.abs(to_go))
+    ahead_wanted = np.sign(to_go) * np.minimum(np.minimum(stops_from, 0.04 * np.abs(to_go)), 1.2)
+    least_off = np.clip(4.0 * (np.abs(to_go) - 2.5), 0.0, 15.0)
+    fastest_in = np.clip(0.02 + 0.02 * off, 0.02, 0.3)
+    towards_wanted = np.clip(0.03 * (off - least_off), -0.3, fastest_in)
+    towards_wanted = towards_wanted + np.where((least_off == 0.0) & (off < 0.5), 0.02, 0.0)
+    # Wind on her side, over the 220 kN of both thrusters; turning by one against the other.
+    wind = 0.5 * 1.225 * 0.9 * 1300.0 * wind_towards * np.abs(wind_towards) / 220e3
+    breast = 6.0 * (towards_wanted - towards) - wind
+    swing = -5.0 * heading - 150.0 * turn
+    engine = 4.0 * (ahead_wanted - ahead) - 0.0005 * wind_along * np.abs(wind_along)
+    orders = np.stack([np.zeros_like(engine), engine, breast + swing, breast - swing], axis=-1)
+    clipped: Action = np.clip(orders, -1.0, 1.0).astype(np.float32)
+    return clipped
 
 
 def _observation_space() -> gymnasium.Space[Observation]:
@@ -122,11 +178,23 @@ class _Ended(IntEnum):
 
 
 class _Berth:
-    """Episodes in parallel; shared by both environments."""
+    """Episodes in parallel; shared by all environments.
 
-    def __init__(self, count: int, threads: int) -> None:
-        scenario: Scenario = example("docking")
+    ``draw`` gives the start and weather of an episode, ``berthed_within_m`` is the distance along the quay from her berth at
+    which she is still alongside.
+    """
+
+    def __init__(
+        self,
+        count: int,
+        threads: int,
+        scenario: Scenario | None = None,
+        draw: Callable[[np.random.Generator], dict[str, Any]] = _draw,
+        berthed_within_m: float = 4.0,
+    ) -> None:
+        scenario = example("docking") if scenario is None else scenario
         self.count = count
+        self._draw, self._berthed_within_m = draw, berthed_within_m
         self.fleet = Fleet(scenario, [{}] * count, threads=threads)
         names = self.fleet.control_names
         controls = ["ship.rudder_rad", "ship.engine", "ship.thruster.bow", "ship.thruster.stern"]
@@ -140,7 +208,7 @@ class _Berth:
 
     def begin(self, which: Sequence[int], randoms: Sequence[np.random.Generator]) -> None:
         """Restarts some episodes."""
-        drawn = [_draw(random) for random in randoms]
+        drawn = [self._draw(random) for random in randoms]
         self.fleet.reset(list(which), drawn)
         rows = list(which)
         for row, keys in zip(rows, drawn, strict=True):
@@ -172,7 +240,7 @@ class _Berth:
     def observe(self) -> Observation:
         """The current observation of every episode."""
         states, off = self._hull()
-        seen = np.empty((self.count, 14), dtype=np.float32)
+        seen = np.empty((self.count, len(SCALES)))
         seen[:, 0] = -states[:, 0]
         seen[:, 1] = off
         seen[:, 2] = np.remainder(states[:, 2] + np.pi, 2.0 * np.pi) - np.pi
@@ -180,7 +248,20 @@ class _Berth:
         seen[:, 6:10] = self._orders
         seen[:, 10:13] = self._weather
         seen[:, 13] = self._share
-        return np.clip(seen, _LOW, _HIGH)
+        seen[:, 14:] = seen[:, _NEAR]
+        return np.clip((seen / SCALES).astype(np.float32), _LOW, _HIGH)
+
+    def plan(self, index: int) -> Plan:
+        """What a picture of an episode shows."""
+        states = self.fleet.states[index, self._ship]
+        return Plan(
+            ship=(float(states[0]), float(states[1]), float(states[2])),
+            speeds=(float(states[3]), float(states[4])),
+            orders=self._orders[index].copy(),
+            wind=(float(self._weather[index, 0]), float(self._weather[index, 1])),
+            seconds=int(self._steps[index]),
+            share=float(self._share[index]),
+        )
 
     def step(self, actions: Action) -> tuple[Floats, npt.NDArray[np.int64], npt.NDArray[np.bool_]]:
         """One second: rewards, how each episode ended (an :class:`_Ended`), and which are truncated."""
@@ -200,7 +281,7 @@ class _Berth:
         self._far, self._share = far, share
         speed = np.hypot(states[:, 3], states[:, 4])
         alongside = (
-            (np.abs(states[:, 0]) < 4.0)
+            (np.abs(states[:, 0]) < self._berthed_within_m)
             & (off < 0.2)
             & (np.abs(states[:, 2]) < np.deg2rad(1.0))
             & (speed < 0.05)
@@ -230,12 +311,11 @@ class _Berth:
 class DockingEnv(gymnasium.Env[Observation, Action]):
     """One ship to be brought alongside; see :mod:`fenderline.docking`."""
 
-    metadata: dict[str, Any] = {"render_modes": []}
+    metadata: dict[str, Any] = {"render_modes": RENDER_MODES, "render_fps": 10}
 
     def __init__(self, render_mode: str | None = None) -> None:
-        if render_mode is not None:
-            raise ValueError("there is nothing to render yet: render_mode must be None")
-        self.render_mode = None
+        self.render_mode = known_render_mode(render_mode)
+        self._picture: Picture | None = None
         self.observation_space = _observation_space()
         self.action_space = _action_space()
         self._berth = _Berth(1, 1)
@@ -246,6 +326,8 @@ class DockingEnv(gymnasium.Env[Observation, Action]):
         """Starts an episode, drawn from ``seed``, or from the random state that the last one left."""
         super().reset(seed=seed)
         self._berth.begin([0], [self.np_random])
+        if self.render_mode == "human":
+            self._show()
         return self._berth.observe()[0], {}
 
     def step(self, action: Action) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
@@ -253,20 +335,44 @@ class DockingEnv(gymnasium.Env[Observation, Action]):
         rewards, ended, truncated = self._berth.step(np.asarray(action)[None])
         info = {"ended": str(self._berth.words(ended)[0])} if ended[0] else {}
         seen = self._berth.observe()[0]
+        if self.render_mode == "human":
+            self._show()
         return seen, float(rewards[0]), bool(ended[0]), bool(truncated[0]), info
+
+    def render(self) -> Any:
+        """The plan as an array (height, width, 3) of bytes, with ``render_mode="rgb_array"``. ``"human"`` shows it in a
+        window in each step by itself."""
+        if self.render_mode != "rgb_array":
+            return None
+        return self._show().image()
+
+    def _show(self) -> Picture:
+        if self._picture is None:
+            self._picture = Picture(window=self.render_mode == "human")
+        self._picture.draw([self._berth.plan(0)])
+        return self._picture
+
+    def close(self) -> None:
+        """Closes the window."""
+        if self._picture is not None:
+            self._picture.close()
+            self._picture = None
 
 
 class DockingVectorEnv(VectorEnv[Observation, Action, npt.NDArray[Any]]):
     """Many environments at once, on ``threads`` threads; an episode restarts in the step in which it ends."""
 
-    metadata: dict[str, Any] = {"render_modes": [], "autoreset_mode": AutoresetMode.SAME_STEP}
+    metadata: dict[str, Any] = {
+        "render_modes": ["rgb_array"],
+        "render_fps": 10,
+        "autoreset_mode": AutoresetMode.SAME_STEP,
+    }
 
     def __init__(
         self, num_envs: int = 1, threads: int = 1, render_mode: str | None = None
     ) -> None:
-        if render_mode is not None:
-            raise ValueError("there is nothing to render yet: render_mode must be None")
-        self.render_mode = None
+        self.render_mode = known_render_mode(render_mode, ["rgb_array"])
+        self._picture: Picture | None = None
         self.num_envs = num_envs
         self.single_observation_space = _observation_space()
         self.single_action_space = _action_space()
@@ -317,6 +423,24 @@ class DockingVectorEnv(VectorEnv[Observation, Action, npt.NDArray[Any]]):
             self._berth.begin(which.tolist(), [self._randoms[index] for index in which])
             seen[which] = self._berth.observe()[which]
         return seen, rewards, ended > 0, truncated, info
+
+    def render(self) -> tuple[Any, ...] | None:
+        """The plan of each, as arrays (height, width, 3) of bytes, with ``render_mode="rgb_array"``."""
+        if self.render_mode is None:
+            return None
+        if self._picture is None:
+            self._picture = Picture(window=False)
+        images = []
+        for index in range(self.num_envs):
+            self._picture.draw([self._berth.plan(index)])
+            images.append(self._picture.image())
+        return tuple(images)
+
+    def close_extras(self, **kwargs: Any) -> None:
+        """Forgets the picture."""
+        if self._picture is not None:
+            self._picture.close()
+            self._picture = None
 
 
 gymnasium.register(

@@ -11,17 +11,23 @@ mod number;
 mod page;
 mod plan;
 mod series;
+mod system;
 
 pub use axis::Axis;
 pub use bars::{Bars, Group};
 pub use chart::{Chart, Reference};
-pub use number::{Scaled, counted, decimals_for, fixed, plain, shortened, significant, times};
-pub use page::page;
+pub use number::{
+    Scaled, counted, decimals_for, fixed, ordinal, plain, shortened, significant, times,
+};
+pub use page::{page, page_of};
 pub use plan::{
     Arrow, FenderBox, Frame, Harbour, Label, LineDrawn, Outlined, Place, Plan, Stage, Track,
     TugDrawn, Use, Weather, fenders_legend, harbour_legend, outlined_legend,
 };
 pub use series::{Decimator, Point, Series};
+pub use system::{
+    Chain, ConeDrawn, Face, FaceFender, Hull, Level, LevelKind, PanelPlan, Section, Side,
+};
 
 /// Colours that the colour-blind can tell apart (Okabe and Ito, 2008), in the order in which
 /// series take them; yellow is left out because it does not show on white, and a brown is added.

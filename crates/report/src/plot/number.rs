@@ -9,6 +9,20 @@ pub fn counted(count: u64, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }
 
+/// A number in words that give an order: `first`, `second`, `21st`.
+pub fn ordinal(number: u32) -> String {
+    match (number, number % 10, number % 100) {
+        (1, ..) => "first".to_owned(),
+        (2, ..) => "second".to_owned(),
+        (3, ..) => "third".to_owned(),
+        (_, _, 11..=13) => format!("{number}th"),
+        (_, 1, _) => format!("{number}st"),
+        (_, 2, _) => format!("{number}nd"),
+        (_, 3, _) => format!("{number}rd"),
+        _ => format!("{number}th"),
+    }
+}
+
 /// How often, in words that fit one as well as many.
 pub fn times(count: u64) -> String {
     if count == 1 { "once".to_owned() } else { format!("{count} times") }
@@ -123,6 +137,14 @@ impl Scaled {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn ordinals_are_words() {
+        let words = [1, 2, 3, 4, 11, 12, 21, 22, 103, 113].map(ordinal);
+        let expected =
+            ["first", "second", "third", "4th", "11th", "12th", "21st", "22nd", "103rd", "113th"];
+        assert_eq!(words, expected);
+    }
 
     #[test]
     fn times_show_the_decimals_of_the_step() {

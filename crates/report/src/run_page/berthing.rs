@@ -1,11 +1,12 @@
 //! A berthing by PIANC's formula beside the run.
 
-use fenderline_sim::berthing::{BerthingError, BerthingOutcome, BerthingSetup};
+use fenderline_sim::berthing::{
+    AddedMass, AddedMassFormula, BerthingError, BerthingOutcome, BerthingSetup, LaterHit,
+};
 use maud::{Markup, html};
 
-use super::Recorder;
 use super::tables::number;
-use crate::plot::{decimals_for, fixed, plain, significant};
+use crate::plot::{decimals_for, fixed, ordinal, plain, significant};
 use crate::{Head, table_head};
 use fenderline_results::Outcome;
 
@@ -13,7 +14,7 @@ use fenderline_results::Outcome;
 const ALIKE: f64 = 0.05;
 
 /// The whole section; nothing if the scenario does not ask for it.
-pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
+pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
     let Some(setup) = &outcome.setup.berthing else { return html! {} };
     html! {
         h2 { "Berthing energy by formula and in the run" }
@@ -22,12 +23,34 @@ pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
             Some(Err(error)) => (refused(error)),
             Some(Ok(berthing)) => {
                 (particulars(outcome, setup, berthing))
-                (factors(berthing, recorder))
+                (factors(berthing))
                 (abnormal(outcome, berthing))
-                (meaning(outcome, berthing, recorder))
+                (meaning(outcome, berthing))
             }
         }
     }
+}
+
+/// The factors of the formula in one sentence: the Cm that is used, and those of the other formulas.
+pub(super) fn factors_in_words(berthing: &BerthingOutcome) -> String {
+    let chosen = match berthing.chosen {
+        AddedMass::By(formula) => format!("by {}", formula.name()),
+        AddedMass::Given(_) => "as given".to_owned(),
+    };
+    let others = AddedMassFormula::ALL.into_iter().zip(berthing.added_mass);
+    let others = others.filter(|(formula, _)| berthing.chosen != AddedMass::By(*formula));
+    let others: Vec<String> = others
+        .filter_map(|(formula, cm)| Some(format!("{} {}", formula.name(), fixed(cm?, 2))))
+        .collect();
+    format!(
+        "Cm {} {chosen} (others: {}; in the run {}); Ce {}; Cs {}; Cc {}",
+        fixed(berthing.chosen_added_mass, 3),
+        if others.is_empty() { "none applies".to_owned() } else { others.join(", ") },
+        fixed(berthing.added_mass_simulated, 2),
+        fixed(berthing.eccentricity, 3),
+        fixed(berthing.softness, 3),
+        fixed(berthing.configuration, 3)
+    )
 }
 
 fn refused(error: &BerthingError) -> Markup {
@@ -36,14 +59,20 @@ fn refused(error: &BerthingError) -> Markup {
 
 fn particulars(outcome: &Outcome<'_>, setup: &BerthingSetup, berthing: &BerthingOutcome) -> Markup {
     let ship = &outcome.setup.bodies[setup.ship].name;
-    let fender = &outcome.setup.fenders[berthing.fender].name;
+    let fenders: Vec<&str> =
+        berthing.fenders.iter().map(|&index| outcome.setup.fenders[index].name.as_str()).collect();
     let decimals = decimals_for(outcome.setup.step_s);
     let side = if berthing.along_m < 0.0 { "aft" } else { "forward" };
     html! {
         dl {
             dt { "Ship" }
             dd {
-                (ship) ", " (plain(berthing.displacement_kg / 1e3, 6)) " t; length between perpendiculars "
+                (ship) ", " (plain(berthing.displacement_kg / 1e3, 6)) " t"
+                @if let Some(other) = berthing.other {
+                    " (the reduced mass M₁M₂/(M₁ + M₂) of two ships; the other has "
+                    (plain(other.displacement_kg / 1e3, 6)) " t)"
+                }
+                "; length between perpendiculars "
                 (plain(setup.length_bp_m, 5)) " m, beam " (plain(setup.beam_m, 5)) " m, draught "
                 (plain(setup.draught_m, 4)) " m, under-keel clearance "
                 (plain(setup.under_keel_clearance_m, 4)) " m, block coefficient "
@@ -51,21 +80,48 @@ fn particulars(outcome: &Outcome<'_>, setup: &BerthingSetup, berthing: &Berthing
             }
             dt { "First touch" }
             dd {
-                "on " (fender) " at " (fixed(berthing.first_touch_s, decimals)) " s, "
-                (fixed(berthing.along_m.abs(), 1)) " m " (side) " of the centre of gravity; "
-                (fixed(berthing.speed_mps, 3)) " m/s square to the face, at "
+                "on " (fenders.join(", ")) @if fenders.len() > 1 { " at once" } " at "
+                (fixed(berthing.first_touch_s, decimals)) " s, "
+                @if fenders.len() > 1 && berthing.along_m == 0.0 {
+                    "on both sides of the centre of gravity, which leaves no rotation"
+                } @else {
+                    @if fenders.len() > 1 { "the nearest " }
+                    (fixed(berthing.along_m.abs(), 1)) " m " (side) " of the centre of gravity"
+                }
+                "; " (fixed(berthing.speed_mps, 3)) " m/s square to the face, berthing angle "
                 (fixed(berthing.angle_rad.to_degrees(), 1)) "°"
             }
+            dt { "Energy by the formula" }
+            dd {
+                (significant(berthing.energy_j / 1e3, 4)) " kJ with Cm "
+                (fixed(berthing.chosen_added_mass, 3)) " "
+                @match berthing.chosen {
+                    AddedMass::By(formula) => { "by " (formula.name()) }
+                    AddedMass::Given(_) => "as given",
+                }
+                ", and "
+                @if berthing.design_speed_mps.is_some() { "the design speed of the approach, " }
+                @else { "the speed at the first touch, " }
+                (fixed(berthing.formula_speed_mps(), 3)) " m/s"
+                @if berthing.energies_differ() {
+                    "; " (significant(berthing.energy_at_touch_j / 1e3, 4)) " kJ with the "
+                    (fixed(berthing.speed_mps.abs(), 3)) " m/s at the first touch: " (berthing.why_speeds_differ())
+                }
+            }
+            dt { "Added mass" }
+            dd { (berthing.mass_of_run()) ". The Cm differ because " (berthing.why_masses_differ()) "." }
         }
     }
 }
 
-fn factors(berthing: &BerthingOutcome, recorder: &Recorder) -> Markup {
+fn factors(berthing: &BerthingOutcome) -> Markup {
     let factor = |value: f64| number(&fixed(value, 3));
     let energy = |value_j: f64| number(&significant(value_j / 1e3, 4));
-    let (most_j, _) = recorder.most_in_fenders;
+    let later_j = berthing.later.map(|later| later.energy_j);
     let twice = |text: &str| html! { (number(text)) (number(text)) };
-    let same = |value: f64| html! { @for _ in 0..3 { (factor(value)) } };
+    let same = |value: f64| html! { @for _ in AddedMassFormula::ALL { (factor(value)) } };
+    let or_none = |value: Option<Markup>| value.unwrap_or_else(|| number("–"));
+    let abnormal = berthing.abnormal_energy_j.map(|abnormal_j| abnormal_j / berthing.energy_j);
     html! {
         div class="wide" {
             table {
@@ -74,20 +130,21 @@ fn factors(berthing: &BerthingOutcome, recorder: &Recorder) -> Markup {
                     Head::Number("PIANC 2002", "Cm by draught and clearance"),
                     Head::Number("Ueda", "Cm by block coefficient"),
                     Head::Number("Vasco Costa", "Cm by draught over beam"),
+                    Head::Number("UFC 4-152-01", "Cm by draught, beam, depth"),
                     Head::Number("Run", "first hit"),
-                    Head::Number("Run", "at any time"),
+                    Head::Number("Run", "largest later hit"),
                 ]))
                 tbody {
                     tr {
                         td class="name" { "Added mass Cm" }
-                        @for cm in berthing.added_mass { (factor(cm)) }
+                        @for cm in berthing.added_mass { (or_none(cm.map(factor))) }
                         (twice(&fixed(berthing.added_mass_simulated, 3)))
                     }
                     tr {
                         td class="name" { "Eccentricity Ce" }
                         (same(berthing.eccentricity))
                         (factor(berthing.eccentricity_measured))
-                        (factor(most_j / berthing.kinetic_j))
+                        (or_none(later_j.map(|later_j| factor(later_j / berthing.kinetic_j))))
                     }
                     tr {
                         td class="name" { "Softness Cs" }
@@ -101,16 +158,24 @@ fn factors(berthing: &BerthingOutcome, recorder: &Recorder) -> Markup {
                     }
                     tr class="sum" {
                         td class="name" { "Energy into the fenders [kJ]" }
-                        @for energy_j in berthing.energy_j { (energy(energy_j)) }
+                        @for energy_j in berthing.energies_j { (or_none(energy_j.map(energy))) }
                         (energy(berthing.fender_energy_j))
-                        (energy(most_j))
+                        (or_none(later_j.map(energy)))
                     }
-                    @if let Some(abnormal_j) = berthing.abnormal_energy_j {
+                    @if berthing.pile_energy_j > 0.0 {
+                        tr {
+                            td class="name" { "Energy into the piles of dolphins [kJ]" }
+                            @for _ in berthing.energies_j { (or_none(None)) }
+                            (energy(berthing.pile_energy_j))
+                            (or_none(None))
+                        }
+                    }
+                    @if let Some(factor) = abnormal {
                         tr {
                             td class="name" { "Abnormal berthing [kJ]" }
                             // One factor, whatever Cm.
-                            @for energy_j in berthing.energy_j {
-                                (energy(energy_j * abnormal_j / berthing.energy_j[0]))
+                            @for energy_j in berthing.energies_j {
+                                (or_none(energy_j.map(|energy_j| energy(energy_j * factor))))
                             }
                             (twice("–"))
                         }
@@ -158,7 +223,7 @@ fn abnormal(outcome: &Outcome<'_>, berthing: &BerthingOutcome) -> Markup {
     };
     html! {
         p {
-            "The abnormal energy by PIANC 2002 is " (fixed(100.0 * abnormal_j / capacity_j, 0))
+            "The abnormal energy by the formula is " (fixed(100.0 * abnormal_j / capacity_j, 0))
             " % of the rated energy of one fender: of "
             (outcome.setup.fenders[fender.fender].name) ", which took the most, with its factors "
             (significant(capacity_j / 1e3, 4)) " kJ. The formula's energy is that of one contact. How many "
@@ -168,10 +233,10 @@ fn abnormal(outcome: &Outcome<'_>, berthing: &BerthingOutcome) -> Markup {
 }
 
 /// What the difference between the measured Ce and the formula's means.
-fn meaning(outcome: &Outcome<'_>, berthing: &BerthingOutcome, recorder: &Recorder) -> Markup {
+fn meaning(outcome: &Outcome<'_>, berthing: &BerthingOutcome) -> Markup {
     let (measured, formula) = (berthing.eccentricity_measured, berthing.eccentricity_of_run);
     let off = measured / formula - 1.0;
-    let (most_j, at_s) = recorder.most_in_fenders;
+    let larger = |later: &LaterHit| later.energy_j > (1.0 + ALIKE) * berthing.fender_energy_j;
     html! {
         p {
             "The formula's Ce is the share of the energy that one contact takes if it does not slip and ends "
@@ -190,15 +255,16 @@ fn meaning(outcome: &Outcome<'_>, berthing: &BerthingOutcome, recorder: &Recorde
                     "friction and damping took a part, or the hull slid along the face. "
                 }
             }
-            @if most_j > (1.0 + ALIKE) * berthing.fender_energy_j {
-                "Later, at " (fixed(at_s, decimals_for(outcome.setup.step_s))) " s, they held "
-                (fixed(most_j / berthing.fender_energy_j, 1)) " times as much: the energy that the formula leaves in her "
-                "rotation reaches the fenders when she swings in, with the work of the loads. "
+            @if let Some(later) = berthing.later.filter(larger) {
+                "In the " (ordinal(later.number)) " hit, at " (fixed(later.at_s, decimals_for(outcome.setup.step_s)))
+                " s, they took " (fixed(later.energy_j / berthing.fender_energy_j, 1)) " times as much: the energy that "
+                "the formula leaves in her rotation reaches the fenders when she swings in, with the work of the loads. "
             }
         }
         p class="note" {
             "In the run the hull is rigid and there is no water cushion between hull and berth: Cs and Cc "
-            "are 1. Formulas as public manuals print them; the text of PIANC's guidelines was not read, "
+            "are 1. Where several fenders are met at once, Ce is that of the point of their stretch that is nearest to the "
+            "centre of gravity. UFC 4-152-01 is as a public calculator has it. Formulas as public manuals print them; the text of PIANC's guidelines was not read, "
             "and no conformity with them is claimed."
         }
     }

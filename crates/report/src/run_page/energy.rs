@@ -110,6 +110,7 @@ fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
                     (part("lost to hysteresis of fenders", end.hysteresis_j))
                     (part("lost to restitution", end.restitution_j))
                     (part("lost to damping", end.damping_j))
+                    (part("given to tide, heave, roll and pitch by leaning sides", -end.height_work_j))
                     (part("numerical loss, or gain (−), of method and time step", end.contact_residual_j))
                     (row("Taken by tangential forces", -end.tangential_work_j))
                     (part("stored in shear springs at the end", end.shear_stored_j))
@@ -148,6 +149,7 @@ fn load(name: &str) -> &'static str {
         "current" => "accelerating current, and current past a turning ship",
         "tugs" => "vector tugs",
         "lines" => "lines",
+        "piles" => "piles of dolphins",
         _ => "external loads",
     }
 }

@@ -1,13 +1,18 @@
-//! `report.html`: one page that an engineer can put before a client. It holds no date and no path,
-//! so that the same scenario gives the same bytes.
+//! `report.html`: one page that an engineer can put before a client. It holds no date but the one that the user gives, and
+//! no path, so that the same scenario gives the same bytes.
 
+mod approach;
+mod assumptions;
 mod berthing;
 mod charts;
+mod cover;
 mod energy;
 mod fenders;
+mod governing;
 mod parts;
 mod recorder;
 mod scene;
+mod system;
 mod tables;
 mod verdict;
 mod vessels;
@@ -16,16 +21,20 @@ use fenderline_contact::EventKind;
 use fenderline_sim::Method;
 use maud::{Markup, html};
 
-use crate::plot::{fenders_legend, harbour_legend, outlined_legend, page};
-use crate::words::{event_text, interrupted_text};
+use crate::plot::{fenders_legend, harbour_legend, outlined_legend, page_of, shortened};
+use crate::words::{event_text, with_code};
 use fenderline_results::{Outcome, is_plain};
 
+pub use cover::detail_label;
+pub use governing::{Governing, governing};
 pub use recorder::Recorder;
 
 use recorder::PairTrace;
 
 /// Most pairs in a chart: more lines cannot be told apart.
 const DRAWN_PAIRS: usize = 6;
+/// Longest title at the foot of printed pages (characters).
+const TITLE: usize = 80;
 /// Most pairs with a close-up.
 const CLOSE_UPS: usize = 2;
 
@@ -33,30 +42,18 @@ const CLOSE_UPS: usize = 2;
 pub fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
     let drawn = strongest(recorder);
     let body = html! {
-        h1 { (outcome.title) }
-        p class="subtitle" {
-            "Ship contact simulation · scenario " (outcome.scenario_file)
-            " · fenderline " (env!("CARGO_PKG_VERSION"))
-        }
-        @if let Some(interrupted) = &outcome.interrupted {
-            p { strong { "Interrupted: " } (interrupted_text(interrupted)) "." }
-        }
-        h2 { "Result" }
-        (verdict::headline(outcome))
+        (cover::cover(outcome, recorder))
+        (assumptions::section(outcome))
+        h2 { "Results" }
         (fenders::headline(outcome))
         (vessels::headline(outcome))
         (tables::results(outcome))
         (remarks(outcome))
         (vessels::remarks(outcome))
-        h2 { "Plan view" }
-        (outlined_legend())
-        @if !outcome.setup.fenders.is_empty() { (fenders_legend()) }
-        (harbour(outcome))
-        (scene::whole(outcome, recorder))
-        (scene::moored(outcome, recorder))
-        @for trace in drawn.iter().take(CLOSE_UPS) { (scene::close_up(outcome, trace)) }
+        (system::section(outcome, recorder))
         (fenders::section(outcome, recorder))
-        (berthing::section(outcome, recorder))
+        (berthing::section(outcome))
+        (views(outcome, recorder, &drawn))
         (vessels::sections(outcome, recorder))
         h2 { "Time series" }
         (left_out(recorder, &drawn))
@@ -66,14 +63,39 @@ pub fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
         (energy::section(outcome, recorder))
         h2 { "Set-up" }
         (tables::setup(outcome))
-        h2 { "Method and its limits" }
-        (method_notes(outcome))
         footer {
             "Made by fenderline " (env!("CARGO_PKG_VERSION")) " from " (outcome.scenario_file)
             ". The same scenario gives this page again, byte for byte."
         }
     };
-    page(outcome.title, &body)
+    page_of(outcome.title, &footer(outcome), &body)
+}
+
+/// Views beside that of the title page; nothing if there are none.
+fn views(outcome: &Outcome<'_>, recorder: &Recorder, drawn: &[&PairTrace]) -> Markup {
+    let whole = [scene::whole(outcome, recorder), scene::moored(outcome, recorder)];
+    let close_ups = drawn.iter().take(CLOSE_UPS).map(|trace| scene::close_up(outcome, trace));
+    let views: Vec<Markup> =
+        whole.into_iter().chain(close_ups).filter(|view| !view.0.is_empty()).collect();
+    html! {
+        @if !views.is_empty() {
+            h2 { "Plan views" }
+            (outlined_legend())
+            @if !outcome.setup.fenders.is_empty() { (fenders_legend()) }
+            (harbour(outcome))
+            @for view in &views { (view) }
+        }
+    }
+}
+
+/// Document number, revision and title, at the foot of each printed page.
+fn footer(outcome: &Outcome<'_>) -> String {
+    let detail = |key: &str| outcome.report.iter().find(|(own, _)| *own == key);
+    let number = detail("number").map(|(_, text)| text.clone());
+    let revision = detail("revision").map(|(_, text)| format!("rev. {text}"));
+    let title = shortened(outcome.title, TITLE);
+    let parts: Vec<String> = number.into_iter().chain(revision).chain([title]).collect();
+    parts.join(" · ")
 }
 
 /// The key to lines, tugs and banks, if there are any.
@@ -140,7 +162,7 @@ fn remarks(outcome: &Outcome<'_>) -> Markup {
         @if !outcome.notices.is_empty() {
             h3 { "Notices" }
             ul class="plain" {
-                @for notice in outcome.notices.iter().take(20) { li { (notice) } }
+                @for notice in outcome.notices.iter().take(20) { li { (with_code(notice)) } }
                 @if outcome.notices.len() > 20 {
                     li { "and " (outcome.notices.len() - 20) " more, in summary.json" }
                 }

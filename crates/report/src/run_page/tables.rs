@@ -1,7 +1,7 @@
 //! Tables of the report: results, bodies, materials, loads and how the run was made.
 
 use fenderline_sim::constants::KNOT_MPS;
-use fenderline_sim::{BodySetup, Integrator, Load, Method, NamedMaterial, PairSummary, Setup};
+use fenderline_sim::{BodySetup, Load, NamedMaterial, PairSummary, Setup};
 use maud::{Markup, html};
 
 use crate::plot::{decimals_for, fixed, plain, significant};
@@ -10,6 +10,9 @@ use fenderline_results::Outcome;
 
 /// Rows shown of a long table.
 pub(super) const ROWS: usize = 30;
+
+/// Newtons of a tonne-force, which lines, chains and tugs are rated in too.
+pub(super) const TONNE_N: f64 = 9806.65;
 
 pub(super) fn number(text: &str) -> Markup {
     html! { td class="number" { (text) } }
@@ -91,6 +94,12 @@ fn depth_head(pairs: &[&PairSummary]) -> &'static str {
     }
 }
 
+/// A length (m) to the millimetre; what is less reads 0.
+fn to_millimetres(length_m: f64) -> f64 {
+    // No −0.
+    libm::round(1e3 * length_m) / 1e3 + 0.0
+}
+
 /// A speed in m/s with knots beside it.
 fn speed(speed_mps: f64) -> String {
     format!("{} ({})", fixed(speed_mps, 3), fixed(speed_mps / KNOT_MPS, 2))
@@ -104,31 +113,11 @@ pub(super) fn setup(outcome: &Outcome<'_>) -> Markup {
         (bodies(&setup.bodies))
         h3 { "Materials" }
         (materials(&setup.materials))
-        @if !setup.fenders.is_empty() {
-            h3 { "Fenders" }
-            (super::fenders::setup_table(setup))
-        }
         @if !setup.loads.is_empty() {
             h3 { "External loads" }
             (loads(setup))
         }
-        h3 { "Computation" }
         dl {
-            dt { "Contact method" }
-            dd { @match setup.method {
-                Method::Coupled => "coupled: all contacts and loads in one solve, with sub-steps",
-                Method::Paper => "paper: each pair limited by itself",
-            } }
-            dt { "Integrator" }
-            dd { @match setup.integrator {
-                Integrator::Euler => "forward Euler",
-                Integrator::SemiImplicit => "semi-implicit Euler: velocities first",
-                Integrator::Rk4 => "classical Runge–Kutta of fourth order",
-            } }
-            dt { "Time step" }
-            dd { (setup.step_s) " s" }
-            dt { "Steps" }
-            dd { (outcome.steps) ", for " (setup.duration_s) " s" }
             dt { "Pairs that may touch" }
             dd {
                 (setup.pairs.len()) " named"
@@ -190,7 +179,7 @@ fn body_row(body: &BodySetup) -> Markup {
                 td class="number" { "–" }
             }
             (number(&format!("{}, {}",
-                plain(body.position_m.x, 6), plain(body.position_m.y, 6))))
+                plain(to_millimetres(body.position_m.x), 6), plain(to_millimetres(body.position_m.y), 6))))
             (number(&plain(heading_deg, 4)))
             @if body.mass.is_some() {
                 (number(&speed(speed_mps)))

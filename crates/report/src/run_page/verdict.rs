@@ -6,22 +6,20 @@ use fenderline_results::Outcome;
 use fenderline_sim::{Gravity, Verdict};
 
 /// Findings shown at most.
-const FINDINGS: usize = 12;
+const FINDINGS: usize = 8;
 
 /// The verdict, and its findings from the worst on.
 pub(super) fn headline(outcome: &Outcome<'_>) -> Markup {
     let verdict = Verdict::of(outcome.findings);
     let (shown, rest) = outcome.findings.split_at(outcome.findings.len().min(FINDINGS));
     html! {
-        p class="headline" {
-            span class={ "verdict " (class(verdict.gravity())) } { (verdict.text()) }
-        }
-        @if !shown.is_empty() {
-            ul class="plain" {
-                @for finding in shown {
-                    li { (finding.sentence(outcome.setup)) "." }
+        div class={ "banner " (class(verdict.gravity())) } {
+            p class="headline" { span class="label" { "Verdict" } " " strong { (verdict.text()) } }
+            @if !shown.is_empty() {
+                ul class="plain" {
+                    @for finding in shown { li { (finding.sentence(outcome.setup)) "." } }
+                    @if !rest.is_empty() { li { "And " (rest.len()) " more, in summary.json." } }
                 }
-                @if !rest.is_empty() { li { "And " (rest.len()) " more, in summary.json." } }
             }
         }
     }

@@ -6,12 +6,13 @@ use fenderline_contact::{Contact, Friction};
 use fenderline_sim::ContactEnergy;
 
 use super::{Column, Layout, List, Value, flag, float, name};
+use crate::row::Row;
 
-/// One patch of contact in one step.
+/// One patch of contact, in the step of an interval in which its normal force is largest.
 pub(crate) struct ContactRow {
     pub(crate) t_s: f64,
     pub(crate) contact: Contact,
-    /// Work of the normal and the tangential force on the two bodies in the step (J).
+    /// Work of the normal and the tangential force on the two bodies in the interval (J).
     pub(crate) work_j: [f64; 2],
 }
 
@@ -39,10 +40,29 @@ impl ContactWorks {
     }
 }
 
+impl Row for ContactRow {
+    /// Bodies, fender, patch.
+    type Key = ([u32; 2], Option<u32>, u32);
+
+    fn key(&self) -> Self::Key {
+        let Contact { body_1, body_2, fender, patch, .. } = &self.contact;
+        ([body_1.0, body_2.0], fender.map(|id| id.0), *patch)
+    }
+
+    fn join(&mut self, later: ContactRow) {
+        if later.contact.normal_force_n > self.contact.normal_force_n {
+            self.contact = later.contact;
+        }
+        self.work_j = [self.work_j[0] + later.work_j[0], self.work_j[1] + later.work_j[1]];
+    }
+
+    fn close(&mut self, _own: f64, _all: f64) {}
+}
+
 /// The table `contacts`.
 pub(crate) fn contacts_table() -> Layout<ContactRow> {
     let columns: Vec<Column<ContactRow>> = vec![
-        float("t_s", "s", "start of the step", |r| r.t_s),
+        float("t_s", "s", "start of the interval", |r| r.t_s),
         name("body_1", "name of the body that comes first in the scenario", List::Bodies, |r| {
             Some(r.contact.body_1.0 as usize)
         }),
@@ -117,28 +137,29 @@ pub(crate) fn contacts_table() -> Layout<ContactRow> {
             "reduction of N by the impulse-momentum limiter: N = spring + stop + damper − limiter",
             |r| r.contact.parts.limiter_n,
         ),
-        float(
-            "stored_j",
-            "J",
-            "energy stored in a fender's spring and stop at the start of the step",
-            |r| r.contact.energy.stored_j,
-        ),
+        float("stored_j", "J", "energy stored in a fender's spring and stop", |r| {
+            r.contact.energy.stored_j
+        }),
         float("tilt_rad", "rad", "angle between a fender's face and the hull", |r| {
             r.contact.tilt_rad
         }),
         float(
             "normal_work_j",
             "J",
-            "work of the normal force on the bodies in the step; the first row of a pair or fender has the work of all its \
+            "work of the normal force on the bodies in the interval; the first row of a pair or fender has the work of all its \
              patches, the others 0",
             |r| r.work_j[0],
         ),
         float(
             "tangential_work_j",
             "J",
-            "work of the tangential force on the bodies in the step, in the same rows",
+            "work of the tangential force on the bodies in the interval, in the same rows",
             |r| r.work_j[1],
         ),
     ];
-    Layout { name: "contacts", rows: "one row per contact patch and step", columns }
+    Layout {
+        name: "contacts",
+        rows: "one row per contact patch and interval, in the step in which its normal force is largest",
+        columns,
+    }
 }

@@ -5,6 +5,7 @@ use fenderline_sim::Energy;
 use super::{Column, Layout, float};
 
 /// The ledger at one time.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct EnergyRow {
     pub(crate) t_s: f64,
     pub(crate) energy: Energy,
@@ -13,9 +14,12 @@ pub(crate) struct EnergyRow {
 /// The table `energy`.
 pub(crate) fn energy_table() -> Layout<EnergyRow> {
     let columns: Vec<Column<EnergyRow>> = vec![
-        float("t_s", "s", "time of the row: the start of the run, and the end of each step", |r| {
-            r.t_s
-        }),
+        float(
+            "t_s",
+            "s",
+            "time of the row: the start of the run, and the end of each interval",
+            |r| r.t_s,
+        ),
         float(
             "kinetic_j",
             "J",
@@ -25,7 +29,7 @@ pub(crate) fn energy_table() -> Layout<EnergyRow> {
         float(
             "load_work_j",
             "J",
-            "work of all loads other than contact since the start, in the ground frame: the sum of the next twelve columns",
+            "work of all loads other than contact since the start, in the ground frame: the sum of the next thirteen columns",
             |r| r.energy.load_work_j,
         ),
         float(
@@ -53,6 +57,12 @@ pub(crate) fn energy_table() -> Layout<EnergyRow> {
         ),
         float("tugs_work_j", "J", "work of vector tugs", |r| r.energy.loads.tugs_j),
         float("lines_work_j", "J", "work of mooring and tow lines", |r| r.energy.loads.lines_j),
+        float(
+            "piles_work_j",
+            "J",
+            "work of the piles of flexible dolphins: less what they store, and less their losses",
+            |r| r.energy.loads.piles_j,
+        ),
         float("other_work_j", "J", "work of the scenario's loads and of force providers", |r| {
             r.energy.loads.other_j
         }),
@@ -89,7 +99,7 @@ pub(crate) fn energy_table() -> Layout<EnergyRow> {
     ];
     Layout {
         name: "energy",
-        rows: "the energy ledger: one row at the start, then one per step",
+        rows: "the energy ledger: one row at the start, then one per interval",
         columns,
     }
 }

@@ -31,10 +31,13 @@ macro_rules! force_columns {
 
 mod azimuths;
 mod bodies;
+mod chains;
 mod contacts;
+mod dolphins;
 mod energy;
 mod fenders;
 mod lines;
+mod panels;
 mod thrusters;
 mod tugs;
 mod vessels;
@@ -43,10 +46,13 @@ use fenderline_sim::Setup;
 
 pub(crate) use azimuths::{AzimuthRow, azimuths_table};
 pub(crate) use bodies::{BodyRow, bodies_table};
+pub(crate) use chains::{ChainRow, chains_table};
 pub(crate) use contacts::{ContactRow, ContactWorks, contacts_table};
+pub(crate) use dolphins::{DolphinRow, dolphins_table};
 pub(crate) use energy::{EnergyRow, energy_table};
 pub(crate) use fenders::{FenderRow, fenders_table};
 pub(crate) use lines::{LineRow, lines_table};
+pub(crate) use panels::{PanelRow, panels_table};
 pub(crate) use thrusters::{ThrusterRow, thrusters_table};
 pub(crate) use tugs::{TugRow, tugs_table};
 pub(crate) use vessels::{VesselRow, vessels_table};
@@ -89,11 +95,14 @@ pub fn reference() -> Vec<TableReference> {
         refer(bodies_table()),
         refer(contacts_table()),
         refer(fenders_table()),
+        refer(panels_table()),
+        refer(chains_table()),
         refer(vessels_table()),
         refer(thrusters_table()),
         refer(azimuths_table()),
         refer(tugs_table()),
         refer(lines_table()),
+        refer(dolphins_table()),
         refer(energy_table()),
     ]
 }

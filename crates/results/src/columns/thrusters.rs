@@ -1,8 +1,9 @@
 //! The table of thrusters: one row per thruster, so that the columns do not depend on the number of thrusters.
 
 use super::{Column, Layout, List, float, name};
+use crate::row::Row;
 
-/// One thruster of a vessel in one step.
+/// One thruster of a vessel at the start of an interval.
 pub(crate) struct ThrusterRow {
     pub(crate) t_s: f64,
     pub(crate) vessel: usize,
@@ -12,10 +13,22 @@ pub(crate) struct ThrusterRow {
     pub(crate) power: f64,
 }
 
+impl Row for ThrusterRow {
+    type Key = usize;
+
+    fn key(&self) -> usize {
+        self.thruster
+    }
+
+    fn join(&mut self, _later: ThrusterRow) {}
+
+    fn close(&mut self, _own: f64, _all: f64) {}
+}
+
 /// The table `thrusters`.
 pub(crate) fn thrusters_table() -> Layout<ThrusterRow> {
     let columns: Vec<Column<ThrusterRow>> = vec![
-        float("t_s", "s", "start of the step", |r| r.t_s),
+        float("t_s", "s", "start of the interval", |r| r.t_s),
         name("vessel", "name of the vessel's body", List::Vessels, |r| Some(r.vessel)),
         name("thruster", "name of the thruster", List::Thrusters, |r| Some(r.thruster)),
         float(
@@ -24,12 +37,13 @@ pub(crate) fn thrusters_table() -> Layout<ThrusterRow> {
             "ordered thrust over full thrust, −1 (to port) to 1 (to starboard)",
             |r| r.order,
         ),
-        float(
-            "thrust",
-            "1",
-            "thrust in the step over full thrust, −1 (to port) to 1 (to starboard)",
-            |r| r.power,
-        ),
+        float("thrust", "1", "thrust over full thrust, −1 (to port) to 1 (to starboard)", |r| {
+            r.power
+        }),
     ];
-    Layout { name: "thrusters", rows: "one row per tunnel thruster and step", columns }
+    Layout {
+        name: "thrusters",
+        rows: "one row per tunnel thruster and interval, with its state at the start",
+        columns,
+    }
 }

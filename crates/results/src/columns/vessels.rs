@@ -2,12 +2,13 @@
 
 use fenderline_contact::BodyState;
 use fenderline_sim::attitude::Attitude;
-use fenderline_sim::hydro::Velocity;
+use fenderline_sim::hydro::{Force, Velocity};
 use fenderline_sim::{Environment, VesselForces, VesselSetup, VesselState};
 
 use super::{Column, Layout, List, flag, float, name};
+use crate::row::Row;
 
-/// One vessel in one step.
+/// One vessel in one interval.
 pub(crate) struct VesselRow {
     t_s: f64,
     vessel: usize,
@@ -50,12 +51,52 @@ impl VesselRow {
             aground: now.aground,
         }
     }
+
+    /// The same with the start of its interval.
+    pub(crate) fn at(self, start_s: f64) -> VesselRow {
+        VesselRow { t_s: start_s, ..self }
+    }
+}
+
+impl Row for VesselRow {
+    type Key = usize;
+
+    fn key(&self) -> usize {
+        self.vessel
+    }
+
+    fn join(&mut self, later: VesselRow) {
+        self.forces = each_force(&self.forces, |force, of| force + of(&later.forces));
+        (self.attitude, self.wave_motion) = (later.attitude, later.wave_motion);
+        self.aground |= later.aground;
+    }
+
+    fn close(&mut self, _own: f64, all: f64) {
+        self.forces = each_force(&self.forces, |force, _| force * (1.0 / all));
+    }
+}
+
+/// Replaces each force; `with` also gets the function that takes that force from others.
+fn each_force(
+    forces: &VesselForces,
+    with: impl Fn(Force, fn(&VesselForces) -> Force) -> Force,
+) -> VesselForces {
+    VesselForces {
+        hull: with(forces.hull, |f| f.hull),
+        propeller: with(forces.propeller, |f| f.propeller),
+        rudder: with(forces.rudder, |f| f.rudder),
+        thrusters: with(forces.thrusters, |f| f.thrusters),
+        wind: with(forces.wind, |f| f.wind),
+        waves: with(forces.waves, |f| f.waves),
+        banks: with(forces.banks, |f| f.banks),
+        bottom: with(forces.bottom, |f| f.bottom),
+    }
 }
 
 /// The table `vessels`.
 pub(crate) fn vessels_table() -> Layout<VesselRow> {
     let columns: Vec<Column<VesselRow>> = vec![
-        float("t_s", "s", "start of the step", |r| r.t_s),
+        float("t_s", "s", "start of the interval", |r| r.t_s),
         name("vessel", "name of the vessel's body", List::Vessels, |r| Some(r.vessel)),
         float(
             "rudder_order_rad",
@@ -63,18 +104,13 @@ pub(crate) fn vessels_table() -> Layout<VesselRow> {
             "ordered rudder angle; positive turns the ship to starboard",
             |r| r.rudder_order_rad,
         ),
-        float(
-            "rudder_rad",
-            "rad",
-            "rudder angle in the step; positive turns the ship to starboard",
-            |r| r.rudder_rad,
-        ),
+        float("rudder_rad", "rad", "rudder angle; positive turns the ship to starboard", |r| {
+            r.rudder_rad
+        }),
         float("shaft_order_rps", "1/s", "ordered revolutions per second, positive ahead", |r| {
             r.shaft_order_rps
         }),
-        float("shaft_rps", "1/s", "revolutions per second in the step, positive ahead", |r| {
-            r.shaft_rps
-        }),
+        float("shaft_rps", "1/s", "revolutions per second, positive ahead", |r| r.shaft_rps),
         float(
             "surge_through_water_mps",
             "m/s",
@@ -108,63 +144,67 @@ pub(crate) fn vessels_table() -> Layout<VesselRow> {
         float(
             "wave_surge_m",
             "m",
-            "first-order wave motion at the end of the step: surge, positive forward",
+            "first-order wave motion at the end of the interval: surge, positive forward",
             |r| r.wave_motion[0],
         ),
         float(
             "wave_sway_m",
             "m",
-            "first-order wave motion at the end of the step: sway, positive to starboard",
+            "first-order wave motion at the end of the interval: sway, positive to starboard",
             |r| r.wave_motion[1],
         ),
         float(
             "wave_heave_m",
             "m",
-            "first-order wave motion at the end of the step: heave, positive down",
+            "first-order wave motion at the end of the interval: heave, positive down",
             |r| r.wave_motion[2],
         ),
         float(
             "wave_roll_rad",
             "rad",
-            "first-order wave motion at the end of the step: roll, positive to starboard",
+            "first-order wave motion at the end of the interval: roll, positive to starboard",
             |r| r.wave_motion[3],
         ),
         float(
             "wave_pitch_rad",
             "rad",
-            "first-order wave motion at the end of the step: pitch, positive bow up",
+            "first-order wave motion at the end of the interval: pitch, positive bow up",
             |r| r.wave_motion[4],
         ),
         float(
             "wave_yaw_rad",
             "rad",
-            "first-order wave motion at the end of the step: yaw, positive to starboard",
+            "first-order wave motion at the end of the interval: yaw, positive to starboard",
             |r| r.wave_motion[5],
         ),
         float(
             "heave_m",
             "m",
-            "heave at the end of the step, positive down; wave motion not included",
+            "heave at the end of the interval, positive down; wave motion not included",
             |r| r.attitude.heave.value,
         ),
         float(
             "roll_rad",
             "rad",
-            "roll angle at the end of the step, positive to starboard; wave motion not included",
+            "roll angle at the end of the interval, positive to starboard; wave motion not included",
             |r| r.attitude.roll.value,
         ),
         float(
             "pitch_rad",
             "rad",
-            "pitch angle at the end of the step, positive bow up; wave motion not included",
+            "pitch angle at the end of the interval, positive bow up; wave motion not included",
             |r| r.attitude.pitch.value,
         ),
         float("squat_m", "m", "squat: sinkage of the hull at her speed through the water", |r| {
             r.squat_m
         }),
         float("tide_m", "m", "water level above datum", |r| r.tide_m),
-        flag("aground", "whether she is aground", |r| r.aground),
+        flag("aground", "whether she is aground in a step of the interval", |r| r.aground),
     ];
     let columns = columns.into_iter().chain(forces.into_iter().flatten()).chain(motions).collect();
-    Layout { name: "vessels", rows: "one row per vessel and step", columns }
+    Layout {
+        name: "vessels",
+        rows: "one row per vessel and interval: states at its start, forces its means",
+        columns,
+    }
 }

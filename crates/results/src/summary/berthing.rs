@@ -1,7 +1,7 @@
 //! A berthing by formula and in the run, in `summary.json`.
 
 use fenderline_sim::Setup;
-use fenderline_sim::berthing::{BerthingError, BerthingOutcome};
+use fenderline_sim::berthing::{AddedMass, AddedMassFormula, BerthingError, BerthingOutcome};
 use serde_json::{Value, json};
 
 /// The factors and energies, or why there are none.
@@ -13,16 +13,31 @@ pub(super) fn berthing_json(
         Ok(outcome) => outcome,
         Err(error) => return json!({ "error": error.to_string() }),
     };
-    let by_formula = |[pianc_2002, ueda, vasco_costa]: [f64; 3]| json!({ "pianc_2002": pianc_2002, "ueda": ueda, "vasco_costa": vasco_costa });
+    let by_formula = |values: [Option<f64>; 4]| {
+        let known = AddedMassFormula::ALL.iter().zip(values);
+        let known =
+            known.filter_map(|(formula, value)| Some((formula.key().to_owned(), json!(value?))));
+        Value::Object(known.collect())
+    };
+    let fenders = outcome.fenders.iter().map(|&index| setup.fenders[index].name.as_str());
     let mut object = json!({
         "first_touch_s": outcome.first_touch_s,
-        "fender": setup.fenders[outcome.fender].name,
+        "fenders": fenders.collect::<Vec<_>>(),
         "speed_mps": outcome.speed_mps,
+        "formula_speed_mps": outcome.formula_speed_mps(),
         "angle_rad": outcome.angle_rad,
         "along_m": outcome.along_m,
         "displacement_kg": outcome.displacement_kg,
-        "added_mass": by_formula(outcome.added_mass),
+        "added_mass": outcome.chosen_added_mass,
+        "added_mass_by": match outcome.chosen {
+            AddedMass::By(formula) => formula.key(),
+            AddedMass::Given(_) => "given",
+        },
+        "added_masses": by_formula(outcome.added_mass),
         "added_mass_simulated": outcome.added_mass_simulated,
+        "added_sway_in_deep_water": outcome.added_sway.deep,
+        "shallow_water_factor": outcome.added_sway.shallow.map_or(1.0, |shallow| shallow.factor),
+        "mass_of_run": outcome.mass_of_run(),
         "gyradius_m": outcome.gyradius_m,
         "gyradius_simulated_m": outcome.gyradius_simulated_m,
         "eccentricity": outcome.eccentricity,
@@ -30,10 +45,25 @@ pub(super) fn berthing_json(
         "eccentricity_measured": outcome.eccentricity_measured,
         "softness": outcome.softness,
         "configuration": outcome.configuration,
-        "energy_j": by_formula(outcome.energy_j),
+        "energy_j": outcome.energy_j,
+        "energy_at_touch_j": outcome.energy_at_touch_j,
+        "energies_j": by_formula(outcome.energies_j),
         "kinetic_j": outcome.kinetic_j,
         "fender_energy_j": outcome.fender_energy_j,
+        "later_energy_j": outcome.later.map_or(0.0, |later| later.energy_j),
     });
+    // Only flexible dolphins have piles.
+    if outcome.pile_energy_j > 0.0 {
+        object["pile_energy_j"] = json!(outcome.pile_energy_j);
+    }
+    if let Some(later) = outcome.later {
+        object["later_at_s"] = json!(later.at_s);
+        object["later_hit"] = json!(later.number);
+    }
+    if let Some(other) = outcome.other {
+        object["other_displacement_kg"] = json!(other.displacement_kg);
+        object["other_added_mass"] = json!(other.added_mass);
+    }
     if let Some(abnormal_j) = outcome.abnormal_energy_j {
         object["abnormal_energy_j"] = json!(abnormal_j);
     }

@@ -1,6 +1,8 @@
 //! `summary.json`: the run in one small file.
 
+mod approach;
 mod berthing;
+mod dolphins;
 mod events;
 mod fenders;
 mod verdict;
@@ -14,7 +16,9 @@ use serde_json::{Map, Value, json};
 
 use crate::outcome::{Outcome, WrittenFile};
 
+use approach::approaches_json;
 use berthing::berthing_json;
+use dolphins::dolphins_json;
 use events::events_json;
 use fenders::fenders_json;
 use verdict::verdict_json;
@@ -71,6 +75,7 @@ pub fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<String, S
         .collect();
     let mut whole = json!({
         "title": outcome.title,
+        "report": report_json(outcome.report),
         "fenderline_version": env!("CARGO_PKG_VERSION"),
         "scenario_file": outcome.scenario_file,
         "method": method_text(setup.method),
@@ -88,6 +93,12 @@ pub fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<String, S
         "notices": outcome.notices,
         "files": files,
     });
+    if !setup.approaches.is_empty() {
+        whole["approaches"] = approaches_json(setup);
+    }
+    if !outcome.dolphins.is_empty() {
+        whole["dolphins"] = dolphins_json(outcome.dolphins, setup).into();
+    }
     if let Some(berthing) = outcome.berthing {
         whole["berthing"] = berthing_json(berthing, setup);
     }
@@ -96,6 +107,11 @@ pub fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<String, S
         None => Ok(format!("{whole:#}\n")),
         Some(key) => Err(SummaryNotFinite { key }),
     }
+}
+
+/// The lines of the report's title page.
+fn report_json(lines: &[(&str, String)]) -> Value {
+    lines.iter().map(|(key, text)| ((*key).to_owned(), Value::from(text.as_str()))).collect()
 }
 
 /// The key of the first null, which is what a number that is not finite turns into; the summary
@@ -152,7 +168,7 @@ fn energy_json(energy: Energy) -> Value {
         .iter()
         .map(|(name, work_j)| ((*name).to_owned(), json!(work_j)))
         .collect();
-    json!({
+    let mut object = json!({
         "kinetic_j": energy.kinetic_j,
         "load_work_j": energy.load_work_j,
         "load_works_j": loads,
@@ -167,5 +183,16 @@ fn energy_json(energy: Energy) -> Value {
         "contact_residual_j": energy.contact_residual_j,
         "residual_j": energy.residual_j,
         "exchanged_j": energy.exchanged_j(),
-    })
+    });
+    // Only hulls by height take part in it.
+    if energy.height_work_j != 0.0 {
+        object["height_work_j"] = json!(energy.height_work_j);
+    }
+    // Only flexible dolphins do.
+    if energy.loads.piles_j != 0.0 {
+        object["pile_stored_j"] = json!(energy.pile_stored_j);
+        object["pile_damping_j"] = json!(energy.pile_damping_j);
+        object["pile_yield_j"] = json!(energy.pile_yield_j);
+    }
+    object
 }

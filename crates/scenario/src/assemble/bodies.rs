@@ -1,12 +1,13 @@
 //! Bodies: outline, mass and initial state.
 
 use fenderline_contact::Outline;
-use fenderline_sim::{BodySetup, BodyVelocity, MassProperties};
+use fenderline_sim::{BodySetup, BodyVelocity, HullByHeight, MassProperties};
 
 use super::vessel;
 use super::{Assembly, Checked};
 use crate::checked::{Item, Table};
 use crate::error::Notice;
+use crate::sources::Span;
 
 impl Assembly<'_, '_> {
     pub(super) fn bodies(&mut self, item: &Item, kinds: &vessel::Kinds) -> Checked<Vec<BodySetup>> {
@@ -25,9 +26,17 @@ impl Assembly<'_, '_> {
         table: &Table,
         kind: Option<&vessel::Kind>,
     ) -> Checked<BodySetup> {
-        let outline = self.outline(table, kind)?;
-        let mass = if *table.given("fixed").flag() {
-            self.refuse_keys_of_floating_bodies(table)?;
+        let hull = self.hull(table, kind)?;
+        let outline = match &hull {
+            Some(hull) => self.at_waterline(table, kind, hull)?,
+            None => self.outline(table, kind)?,
+        };
+        let dolphin = self.dolphin(table)?;
+        let mass = if dolphin.is_some() {
+            self.refuse_keys_of_floating_bodies(table, "stands on piles", "dolphin")?;
+            None
+        } else if *table.given("fixed").flag() {
+            self.refuse_keys_of_floating_bodies(table, "is fixed", "fixed")?;
             None
         } else if let Some(kind) = kind {
             self.refuse_keys_of_plain_bodies(table)?;
@@ -39,9 +48,11 @@ impl Assembly<'_, '_> {
         Ok(BodySetup {
             name: name.to_owned(),
             outline,
+            hull,
             mass,
             position_m: *table.given("position").vector(),
             heading_rad: *table.given("heading").number(),
+            dolphin,
             velocity: table.item("velocity").map_or(BodyVelocity::default(), velocity),
         })
     }
@@ -72,7 +83,37 @@ impl Assembly<'_, '_> {
             key: path.clone(),
             message: notice.to_string(),
         }));
-        if let (Some(_), Some([length_m, beam_m])) = (own, kind.map(vessel::Kind::size_m)) {
+        if own.is_some() {
+            self.note_size(kind, &outline, span, path);
+        }
+        Ok(outline)
+    }
+
+    /// The outline at the waterline of a body with outlines by height.
+    fn at_waterline(
+        &mut self,
+        table: &Table,
+        kind: Option<&vessel::Kind>,
+        hull: &HullByHeight,
+    ) -> Checked<Outline> {
+        let (path, span) = (table.path_of("outlines"), &table.given("outlines").span);
+        let outline = hull.at_waterline().map_err(|error| {
+            let message = format!("`{path}`: the outline at the waterline is not valid: {error}");
+            self.sources.error(span, &path, message)
+        })?;
+        self.note_size(kind, &outline, span, path);
+        Ok(outline)
+    }
+
+    /// A notice where an outline does not have the size of its vessel.
+    fn note_size(
+        &mut self,
+        kind: Option<&vessel::Kind>,
+        outline: &Outline,
+        span: &Span,
+        path: String,
+    ) {
+        if let Some([length_m, beam_m]) = kind.map(vessel::Kind::size_m) {
             let (low, high) = outline.bounds();
             let size = high - low;
             // An outline may leave out a bulb or a flare. A larger difference suggests the outline of another ship.
@@ -86,19 +127,26 @@ impl Assembly<'_, '_> {
                 self.notices.push(Notice { place, key: path, message });
             }
         }
-        Ok(outline)
     }
 
-    fn refuse_keys_of_floating_bodies(&self, table: &Table) -> Checked<()> {
-        const FLOATING: [&str; 7] =
-            ["vessel", "running", "mass", "gyradius", "yaw_inertia", "added_mass", "velocity"];
+    fn refuse_keys_of_floating_bodies(&self, table: &Table, is: &str, by: &str) -> Checked<()> {
+        const FLOATING: [&str; 8] = [
+            "vessel",
+            "running",
+            "mass",
+            "gyradius",
+            "yaw_inertia",
+            "added_mass",
+            "velocity",
+            "approach",
+        ];
         match table.items.iter().find(|item| FLOATING.contains(&item.name)) {
             None => Ok(()),
             Some(item) => {
                 let path = table.path_of(item.name);
-                let message = format!("`{path}` is for floating bodies, but this one is fixed");
+                let message = format!("`{path}` is for floating bodies, but this one {is}");
                 let error = self.sources.error(&item.key_span, &path, message);
-                Err(error.with_help(format!("remove `{}` or `fixed`", item.name)))
+                Err(error.with_help(format!("remove `{}` or `{by}`", item.name)))
             }
         }
     }
@@ -161,7 +209,8 @@ impl Assembly<'_, '_> {
     }
 }
 
-pub(super) fn velocity(item: &Item) -> BodyVelocity {
+/// The velocity of a body at its start.
+pub(crate) fn velocity(item: &Item) -> BodyVelocity {
     let table = item.table();
     BodyVelocity {
         surge_mps: *table.given("surge").number(),

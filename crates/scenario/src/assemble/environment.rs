@@ -72,13 +72,13 @@ impl Assembly<'_, '_> {
         Ok(environment)
     }
 
-    fn wind(&self, table: &Table, item: &Item) -> Checked<Wind> {
+    pub(super) fn wind(&self, table: &Table, item: &Item) -> Checked<Wind> {
         let of = item.table();
         let Some(file) = of.item("file") else {
             self.all_of(of, &["speed", "from"], "a wind has a `speed` and a `from`, or a `file`")?;
             return wind(of).map_err(|error| self.refused(table, item, &error));
         };
-        self.none_of(of, &["speed", "from", "gusts", "seed"], "file")?;
+        self.none_of(of, &["speed", "from", "gusts", "gust_admittance", "seed"], "file")?;
         let key = of.path_of("file");
         let (csv, [time, speed, from]) =
             self.csv_of(file, &key, ["t_s", "speed_mps", "from_deg"])?;
@@ -251,7 +251,8 @@ fn wind(table: &Table) -> Result<Wind, EnvironmentError> {
         return Wind::steady(mean);
     }
     let gusts = Gusts::new(&mean, &GustSpectrum::Npd, realisation(table))?;
-    Wind::with_gusts(mean, gusts)
+    let is_averaged = table.item("gust_admittance").is_none_or(|item| *item.flag());
+    Wind::with_gusts(mean, if is_averaged { gusts } else { gusts.uniform() })
 }
 
 fn sea(table: &Table, depth_m: f64) -> Result<Sea, EnvironmentError> {

@@ -1,13 +1,17 @@
 //! Fenders: from their tables and the fender data to a set-up.
 
-use fenderline_contact::Stop;
-use fenderline_sim::FenderSetup;
+use fenderline_contact::{Rotation, Stop, vec2};
+use fenderline_sim::{BodySetup, FenderSetup, HullPressure};
 
+use super::edge::{facing_rad, is_inside};
+use super::performance::Performance;
+use super::rows::rounded;
 use super::vessel::Kind;
 use super::{Assembly, Checked, FenderParts, Names};
 use crate::checked::{Item, Table};
 use crate::error::ScenarioError;
 use crate::library::FenderLibrary;
+use crate::sources::quoted;
 use crate::vessels::Belting;
 
 impl Assembly<'_, '_> {
@@ -28,18 +32,19 @@ impl Assembly<'_, '_> {
         parts: &FenderParts<'_>,
         names: &Names,
     ) -> Checked<FenderSetup> {
-        let FenderParts { library, materials, decks } = parts;
+        let FenderParts { library, materials, decks, bodies } = parts;
         self.refuse_what_does_not_go_together(table)?;
         let on = table.given("on");
         let body = self.body_named(table, on, on.name(), names)?;
         let material = self.material_named(table, table.given("material"), names)?;
-        let face = self.face(table, decks[body])?;
+        let face = self.face(table, decks[body], &bodies[body])?;
         let given = |name: &str| table.item(name).map(|item| *item.number());
         let stiffness_npm2 = materials[material].material.stiffness_npm2;
         let performance = self.performance(table, library, stiffness_npm2, face.width_m)?;
         let projection_m = given("projection")
             .or(performance.height_m)
             .ok_or_else(|| self.missing(table, "projection", "write projection = \"1.5 m\""))?;
+        self.refuse_facing_its_own_body(table, &bodies[body], &face, projection_m)?;
         let stop = match table.item("stop").map(Item::table) {
             Some(stop) => Stop {
                 from_m: *stop.given("from").number(),
@@ -49,31 +54,48 @@ impl Assembly<'_, '_> {
                 Stop { from_m: performance.end_m, stiffness_npm: performance.stop_stiffness_npm }
             }
         };
-        let unloading = self.unloading(table, &performance)?;
+        let (height_m, hull_pressure) = face_height(table, &face, &performance);
+        let mut unloading = self.unloading(table, &performance)?;
+        let panel = self.panel(table, &face, &performance)?;
+        let (chains, panel_mass_kg) = self.chains(table, &face)?;
+        let (mut rated, mut source, mut above_water_m) =
+            (performance.rated, performance.source.clone(), face.above_water_m);
+        if let Some(panel) = &panel {
+            (unloading, rated) = (panel.unloading(unloading, &performance), panel.rated(rated));
+            above_water_m += panel.reaction_above_m;
+            if let Some(source) = &mut source {
+                let designation = core::mem::take(&mut source.designation);
+                source.designation = format!("{} × {designation}", panel.panel.cones_m.len());
+            }
+        }
         Ok(FenderSetup {
             name: name.to_owned(),
             body,
             position_m: face.middle_m,
             facing_rad: face.facing_rad,
             width_m: face.width_m,
-            height_m: face.extent_m,
-            above_water_m: face.above_water_m,
+            height_m,
+            above_water_m,
+            floating: *table.given("floating").flag(),
             projection_m,
             law: performance.law,
             unloading,
             material,
-            rated: performance.rated,
+            rated,
             stop: Some(stop),
             factors: performance.factors,
             energy_by_angle: performance.energy_by_angle,
-            hull_pressure: performance.hull_pressure,
+            hull_pressure,
             hull_pressure_limit_npm2: self.hull_pressure_limit_npm2(table, library)?,
-            source: performance.source,
+            source,
+            panel: panel.map(|parts| parts.panel),
+            chains,
+            panel_mass_kg,
         })
     }
 
     /// The fender's face: from its own keys, or from a belting of the vessel that carries it.
-    fn face(&self, table: &Table, deck: Option<&Kind>) -> Checked<Belting> {
+    fn face(&self, table: &Table, deck: Option<&Kind>, body: &BodySetup) -> Checked<Belting> {
         const OWN: [&str; 5] = ["position", "facing", "width", "face_height", "above_water"];
         if let Some(item) = table.item("belting") {
             if let Some(own) = OWN.iter().find_map(|name| table.item(name)) {
@@ -86,25 +108,59 @@ impl Assembly<'_, '_> {
         }
         let given = |name: &str| table.item(name).map(|item| *item.number());
         let need = |name: &str| {
-            table.item(name).ok_or_else(|| {
-                self.missing(table, name, "give position, facing and width, or a `belting`")
-            })
+            table
+                .item(name)
+                .ok_or_else(|| self.missing(table, name, "give position and width, or a `belting`"))
         };
-        let (position, facing) = (need("position")?, need("facing")?);
+        let position_m = *need("position")?.vector();
+        let facing_rad = match given("facing") {
+            Some(facing_rad) => facing_rad,
+            None => facing_rad(&body.outline, position_m).ok_or_else(|| {
+                let help = "the fender does not stand on an edge or at a corner of its body's outline: give the \
+                            direction";
+                self.missing(table, "facing", help)
+            })?,
+        };
         let width_m = *need("width")?.number();
         Ok(Belting {
             name: String::new(),
-            middle_m: *position.vector(),
-            facing_rad: *facing.number(),
+            middle_m: position_m,
+            facing_rad,
             width_m,
             above_water_m: given("above_water").unwrap_or(0.0),
             extent_m: given("face_height").unwrap_or(width_m),
         })
     }
 
+    /// Refuses a fender whose face lies inside the body that carries it.
+    fn refuse_facing_its_own_body(
+        &self,
+        table: &Table,
+        body: &BodySetup,
+        face: &Belting,
+        projection_m: f64,
+    ) -> Checked<()> {
+        let out = Rotation::from_angle(face.facing_rad).apply(vec2(projection_m, 0.0));
+        // The belting of a vessel may lie inside an outline that simplifies her.
+        if table.item("belting").is_some() || !is_inside(body, face.middle_m + out) {
+            return Ok(());
+        }
+        let path = table.path_of("facing");
+        let span = table.item("facing").map_or(&table.span, |item| &item.span);
+        let name = quoted(&body.name);
+        let message = format!("`{path}`: the fender faces into {name}, the body that carries it");
+        let error = self.sources.error(span, &path, message);
+        let out_of_edge = facing_rad(&body.outline, face.middle_m);
+        Err(error.with_help(match out_of_edge {
+            Some(rad) => format!("out of the edge is {} deg", rounded(rad.to_degrees())),
+            None => "a fender faces away from its body: 0 is forward, 90 deg starboard".to_owned(),
+        }))
+    }
+
     /// Refuses keys that give one thing twice, and keys of catalogue fenders on a fender without a type.
     fn refuse_what_does_not_go_together(&self, table: &Table) -> Checked<()> {
-        const TWICE: [[&str; 2]; 10] = [
+        const TWICE: [[&str; 2]; 12] = [
+            ["count", "cones"],
             ["type", "stiffness"],
             ["type", "curve"],
             ["stiffness", "curve"],
@@ -115,6 +171,7 @@ impl Assembly<'_, '_> {
             ["type", "unloading"],
             ["returned_energy", "unloading"],
             ["returned_energy", "unloading_law"],
+            ["unloading", "unloading_law"],
         ];
         for [one, two] in TWICE {
             if let (Some(_), Some(item)) = (table.item(one), table.item(two)) {
@@ -127,7 +184,7 @@ impl Assembly<'_, '_> {
         if table.item("type").is_some() {
             return Ok(());
         }
-        const OF_A_TYPE: [&str; 8] = [
+        const OF_A_TYPE: [&str; 7] = [
             "size",
             "height",
             "rated_reaction",
@@ -135,7 +192,6 @@ impl Assembly<'_, '_> {
             "temperature",
             "velocity_factor",
             "angle_factor",
-            "unloading_law",
         ];
         for name in OF_A_TYPE {
             if let Some(item) = table.item(name) {
@@ -164,5 +220,22 @@ impl Assembly<'_, '_> {
     pub(super) fn missing(&self, table: &Table, name: &str, help: &str) -> ScenarioError {
         let path = table.path_of(name);
         self.sources.error(&table.span, &path, format!("`{path}` is missing")).with_help(help)
+    }
+}
+
+/// Height of the face (m), and how it presses on the hull. A pneumatic fender has no panel: its height is its diameter unless the
+/// scenario gives another. Of a panel whose height is not given no pressure is known, unless a
+/// permissible pressure is given: then its height is its width.
+fn face_height(table: &Table, face: &Belting, performance: &Performance) -> (f64, HullPressure) {
+    let has = |key: &str| table.item(key).is_some();
+    let is_given = has("face_height") || has("belting");
+    match performance.hull_pressure {
+        HullPressure::Inner { .. } | HullPressure::Unknown if !is_given => {
+            (performance.height_m.unwrap_or(face.extent_m), performance.hull_pressure)
+        }
+        HullPressure::OverFace if !is_given && !has("hull") && !has("hull_pressure_limit") => {
+            (face.extent_m, HullPressure::Unknown)
+        }
+        pressure => (face.extent_m, pressure),
     }
 }

@@ -23,6 +23,13 @@ impl Pairs {
     }
 }
 
+impl Pairs {
+    /// Whether two bodies may touch.
+    pub(super) fn may_touch(&self, bodies: [usize; 2]) -> bool {
+        self.every_other.is_some() || self.touching.contains(&ordered(bodies))
+    }
+}
+
 fn ordered([one, other]: [usize; 2]) -> [usize; 2] {
     [one.min(other), one.max(other)]
 }

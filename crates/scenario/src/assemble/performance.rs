@@ -36,6 +36,25 @@ pub(super) struct Performance {
     pub(super) source: Option<FenderSource>,
 }
 
+/// Share of the absorbed energy that a fender returns if nothing is known of it: that of the built-in fenders of solid rubber
+/// (`fenders/cone.toml` has the reason). Assumed.
+const ASSUMED_RETURNED_ENERGY: f64 = 0.55;
+
+/// Whether a fender's reaction falls by an unloading law, and not by the restitution of its material.
+pub(super) fn wants_unloading(table: &Table) -> bool {
+    table.item("unloading_law").is_none_or(|item| *item.flag())
+}
+
+/// The source of a fender's data, with a remark where its unloading law is assumed.
+fn assumed(table: &Table, has_type_s: bool, source: String) -> String {
+    let own = ["returned_energy", "unloading"].iter().any(|key| table.item(key).is_some());
+    if has_type_s || own || !wants_unloading(table) {
+        return source;
+    }
+    let percent = 100.0 * ASSUMED_RETURNED_ENERGY;
+    format!("{source}; unloading (assumed): returns {percent:.0} % of the energy, as solid rubber")
+}
+
 impl Assembly<'_, '_> {
     pub(super) fn performance(
         &self,
@@ -69,7 +88,7 @@ impl Assembly<'_, '_> {
                 hull_pressure: HullPressure::OverFace,
                 source: Some(FenderSource {
                     designation: "given in the scenario".to_owned(),
-                    source: "the scenario".to_owned(),
+                    source: assumed(table, false, "the scenario".to_owned()),
                     standing: "given".to_owned(),
                 }),
                 unloading: None,
@@ -113,7 +132,8 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// How its reaction falls in unloading: by its own keys, or by those of its type.
+    /// How its reaction falls in unloading: by its own keys, by those of its type, or as assumed of solid rubber. `None`: by the
+    /// restitution of its material, where `unloading_law` is false.
     pub(super) fn unloading(
         &self,
         table: &Table,
@@ -122,7 +142,12 @@ impl Assembly<'_, '_> {
         if let Some(item) = table.item("returned_energy") {
             return Ok(Some(Unloading::ReturnedEnergy(*item.number())));
         }
-        let Some(item) = table.item("unloading") else { return Ok(performance.unloading.clone()) };
+        let Some(item) = table.item("unloading") else {
+            return Ok(wants_unloading(table).then(|| {
+                let of_type = performance.unloading.clone();
+                of_type.unwrap_or(Unloading::ReturnedEnergy(ASSUMED_RETURNED_ENERGY))
+            }));
+        };
         let path = table.path_of("unloading");
         let FenderLaw::Curve(points) = &performance.law else {
             let message = format!("`{path}` is for fenders with a `stiffness` or a `curve`");
@@ -200,7 +225,6 @@ impl Assembly<'_, '_> {
         let [end_m, _] = curve[curve.len() - 1];
         let law = FenderLaw::Curve(curve);
         let unloading = match &fender.unloading {
-            Some(_) if !wanted("unloading_law") => None,
             Some(Unloading::Curve(points)) => {
                 let of_all = points.iter().map(|&[m, n]| [m, n * count]);
                 Some(Unloading::Curve(of_all.collect()))
@@ -211,7 +235,8 @@ impl Assembly<'_, '_> {
         let given_by_user = table.item("rated_reaction").is_some();
         Ok(Performance {
             unloading,
-            rated: Rated::of(&law, fender.rated_deflection_m),
+            rated: Rated::of(&law, fender.rated_deflection_m)
+                .map(|rated| rated.with_reaction(count * fender.rated_reaction_n)),
             end_m,
             stop_stiffness_npm: STOP_OVER_MEAN * count * fender.rated_reaction_n / end_m,
             height_m: Some(fender.height_m),
@@ -220,7 +245,7 @@ impl Assembly<'_, '_> {
             hull_pressure: hull_pressure(fender),
             source: Some(FenderSource {
                 designation: format!("{pieces}{} {}", fender.family, fender.designation),
-                source: fender.source.clone(),
+                source: assumed(table, fender.unloading.is_some(), fender.source.clone()),
                 standing: match (given_by_user, fender.standing) {
                     (true, Standing::Found) => "curve found, rating given".to_owned(),
                     (true, standing) => format!("curve {}, rating given", standing.word()),
@@ -241,7 +266,12 @@ impl Assembly<'_, '_> {
                 "`{path}`: no temperature factors are known for {} fenders",
                 quoted(&fender.family)
             );
-            return Err(self.sources.error(&item.span, &path, message));
+            let error = self.sources.error(&item.span, &path, message);
+            return Err(error.with_help(format!(
+                "put the maker's factors into the fender file: [family.{:?}.temperature] with points = [[-10, 1.2], [23, 1], \
+                 [50, 0.9]]; or give them as `tolerance`",
+                fender.family
+            )));
         };
         let known: RangeInclusive<f64> = first.0..=last.0;
         if !known.contains(&celsius) {

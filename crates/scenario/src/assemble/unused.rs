@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use fenderline_sim::{BodySetup, FenderSetup};
+use fenderline_sim::{BodySetup, FenderSetup, Method};
 
 use super::Assembly;
 use super::pairs::Pairs;
@@ -17,7 +17,7 @@ impl Assembly<'_, '_> {
         file: &Table,
         bodies: &[BodySetup],
         pairs: &Pairs,
-        fenders: &[FenderSetup],
+        (fenders, fender_tables): (&[FenderSetup], &[(String, Table)]),
     ) {
         if pairs.named.is_empty() && pairs.every_other.is_none() && bodies.len() > 1 {
             self.notices.push(Notice {
@@ -30,12 +30,14 @@ impl Assembly<'_, '_> {
         let mut used_materials: BTreeSet<usize> =
             pairs.named.iter().map(|pair| pair.material).collect();
         used_materials.extend(pairs.every_other);
-        used_materials.extend(fenders.iter().map(|fender| fender.material));
-        for (index, (_, table)) in file.given("material").named().iter().enumerate() {
-            if !used_materials.contains(&index) {
+        let of_fenders: BTreeSet<&str> =
+            fender_tables.iter().map(|(_, table)| table.given("material").name()).collect();
+        for (index, (name, table)) in file.given("material").named().iter().enumerate() {
+            if !used_materials.contains(&index) && !of_fenders.contains(name.as_str()) {
                 self.note(table, "no pair or fender uses this material");
             }
         }
+        self.note_restitution(file, pairs, fenders);
         if pairs.every_other.is_some() {
             return;
         }
@@ -45,12 +47,37 @@ impl Assembly<'_, '_> {
                 self.note(table, "no pair names this body: it touches nothing");
             }
         }
-        for (fender, (_, table)) in fenders.iter().zip(file.given("fender").named()) {
+        for (fender, (_, table)) in fenders.iter().zip(fender_tables) {
             if !paired.contains(&fender.body) {
                 self.note(
                     table,
                     "no pair names the body that carries this fender: nothing touches it",
                 );
+            }
+        }
+    }
+
+    /// Materials whose restitution does nothing: only fenders with an unloading law use them.
+    fn note_restitution(&mut self, file: &Table, pairs: &Pairs, fenders: &[FenderSetup]) {
+        let method: Method = file.given("contact").table().given("method").choice();
+        if method == Method::Paper {
+            return;
+        }
+        let mut asked: BTreeSet<usize> = pairs.named.iter().map(|pair| pair.material).collect();
+        asked.extend(pairs.every_other);
+        let by_restitution = fenders.iter().filter(|fender| fender.unloading.is_none());
+        asked.extend(by_restitution.map(|fender| fender.material));
+        for (index, (_, table)) in file.given("material").named().iter().enumerate() {
+            let item = table.given("restitution");
+            let is_of_fenders = fenders.iter().any(|fender| fender.material == index);
+            if !item.is_default && is_of_fenders && !asked.contains(&index) {
+                self.notices.push(Notice {
+                    place: self.sources.place(&item.span),
+                    key: table.path_of("restitution"),
+                    message: "restitution has no effect here: the fenders of this material return energy by their unloading \
+                              law; set `returned_energy` of the fenders instead, or remove it"
+                        .to_owned(),
+                });
             }
         }
     }

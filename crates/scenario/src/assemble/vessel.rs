@@ -122,6 +122,11 @@ impl Kind {
         Some(points.iter().map(|point| self.about_gravity(*point)).collect())
     }
 
+    /// Draught (m).
+    pub(super) fn draught_m(&self) -> f64 {
+        self.data.ship.particulars.draught_m
+    }
+
     /// Length and beam (m).
     pub(super) fn size_m(&self) -> [f64; 2] {
         let hull = &self.data.ship.particulars;

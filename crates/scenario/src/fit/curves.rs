@@ -31,12 +31,23 @@ pub struct FenderCurves {
     pub(super) curves: Vec<LoadingCurve>,
 }
 
+/// What percentages of a catalogue's curve refer to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CatalogueScale {
+    /// Height of the fender (m), to which `deflection_percent` refers.
+    pub height_m: Option<f64>,
+    /// Rated reaction (N), to which `reaction_percent` refers.
+    pub rated_reaction_n: Option<f64>,
+}
+
 /// Columns of such a file: one deflection, one reaction, and any of the others.
-const COLUMNS: [&str; 7] = [
+const COLUMNS: [&str; 9] = [
     "deflection_m",
     "deflection_mm",
+    "deflection_percent",
     "reaction_n",
     "reaction_kn",
+    "reaction_percent",
     "unloading",
     "speed_mps",
     "temperature_c",
@@ -75,16 +86,17 @@ impl LoadingCurve {
 impl FenderCurves {
     /// Reads the text of a file; `name` is for messages.
     ///
-    /// The first line names the columns: `deflection_m` or `deflection_mm`; `reaction_n` or `reaction_kn`; and
-    /// optionally `unloading` (0 for loading, 1 for unloading), `speed_mps`, `temperature_c`.
+    /// The first line names the columns: `deflection_m`, `deflection_mm` or `deflection_percent` (of the height);
+    /// `reaction_n`, `reaction_kn` or `reaction_percent` (of the rated reaction); and optionally `unloading` (0 for loading,
+    /// 1 for unloading), `speed_mps`, `temperature_c`. `scale` is for percentages only.
     ///
     /// # Errors
-    /// Unknown or missing columns, a cell that is not a number; a negative deflection or reaction, two rows at one
+    /// Unknown or missing columns, percentages whose scale is not given, a cell that is not a number; a negative deflection or reaction, two rows at one
     /// deflection, loading rows whose deflection does not rise, a reaction at zero deflection; a loading curve of fewer
     /// than three rows; an unloading curve that has no loading curve, goes beyond or above it, or returns no energy.
-    pub fn parse(text: &str, name: &str) -> Read<FenderCurves> {
+    pub fn parse(text: &str, name: &str, scale: CatalogueScale) -> Read<FenderCurves> {
         let csv = Csv::parse(text, name, KEY, &COLUMNS)?;
-        let groups = groups(&csv)?;
+        let groups = groups(&csv, scale)?;
         let (unloading, loading): (Vec<Group>, Vec<Group>) =
             groups.into_iter().partition(|group| group.is_unloading);
         if loading.is_empty() {
@@ -109,26 +121,49 @@ impl FenderCurves {
     }
 }
 
-/// Which of two alternative columns the file has, and its factor to SI.
-fn one_of(csv: &Csv<'_>, [plain, scaled]: [&str; 2], factor: f64) -> Read<(usize, f64)> {
-    match (csv.has(plain), csv.has(scaled)) {
-        (true, false) => Ok((csv.column(plain)?, 1.0)),
-        (false, true) => Ok((csv.column(scaled)?, factor)),
-        (true, true) => {
-            let message = format!("the columns `{plain}` and `{scaled}` give the same quantity");
+/// A unit of a column: the column's name and its factor to SI, `None` where that is not given.
+type ColumnUnit = (&'static str, Option<f64>);
+
+/// Which of the alternative columns the file has, and its factor to SI.
+fn one_of(csv: &Csv<'_>, units: [ColumnUnit; 3], to_scale: &str) -> Read<(usize, f64)> {
+    let mut given = units.iter().filter(|(name, _)| csv.has(name));
+    let (first, second) = (given.next(), given.next());
+    match (first, second) {
+        (Some((name, _)), Some((other, _))) => {
+            let message = format!("the columns `{name}` and `{other}` give the same quantity");
             Err(csv.header_error(message).with_help("give one of them"))
         }
-        (false, false) => {
-            let message = format!("the column `{plain}` or `{scaled}` is missing");
+        (Some((name, Some(factor))), None) => Ok((csv.column(name)?, *factor)),
+        (Some((name, None)), None) => {
+            let message =
+                format!("the column `{name}` is in per cent of a number that is not given");
+            Err(csv.header_error(message).with_help(to_scale))
+        }
+        (None, _) => {
+            let names = units.map(|(name, _)| format!("`{name}`"));
+            let message = format!("the column {} is missing", names.join(" or "));
             Err(csv.header_error(message))
         }
     }
 }
 
 /// Sorts the rows into groups by branch, speed and temperature.
-fn groups(csv: &Csv<'_>) -> Read<Vec<Group>> {
-    let (deflection, to_m) = one_of(csv, ["deflection_m", "deflection_mm"], 1e-3)?;
-    let (reaction, to_n) = one_of(csv, ["reaction_n", "reaction_kn"], 1e3)?;
+fn groups(csv: &Csv<'_>, scale: CatalogueScale) -> Read<Vec<Group>> {
+    let hundredth = |whole: Option<f64>| whole.map(|whole| whole / 100.0);
+    let deflections = [
+        ("deflection_m", Some(1.0)),
+        ("deflection_mm", Some(1e-3)),
+        ("deflection_percent", hundredth(scale.height_m)),
+    ];
+    let reactions = [
+        ("reaction_n", Some(1.0)),
+        ("reaction_kn", Some(1e3)),
+        ("reaction_percent", hundredth(scale.rated_reaction_n)),
+    ];
+    let (deflection, to_m) =
+        one_of(csv, deflections, "give the fender's height, as in --height \"1.2 m\"")?;
+    let (reaction, to_n) =
+        one_of(csv, reactions, "give its rated reaction, as in --rated-reaction \"585 kN\"")?;
     let optional = |name: &str| csv.has(name).then(|| csv.column(name)).transpose();
     let (unloading, speed, temperature) =
         (optional("unloading")?, optional("speed_mps")?, optional("temperature_c")?);
@@ -276,10 +311,12 @@ pub(super) fn integral(points: &[(f64, f64)], x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::FenderCurves;
+    use super::{CatalogueScale, FenderCurves};
 
     fn refused(text: &str) -> String {
-        FenderCurves::parse(text, "bench.csv").expect_err(text).to_string()
+        FenderCurves::parse(text, "bench.csv", CatalogueScale::default())
+            .expect_err(text)
+            .to_string()
     }
 
     const HEAD: &str = "deflection_mm,reaction_kn,unloading\n";
@@ -287,13 +324,34 @@ mod tests {
     #[test]
     fn millimetres_and_kilonewtons_become_si_and_the_origin_is_added() {
         let text = format!("{HEAD}100,10,0\n200,30,0\n300,60,0\n300,60,1\n200,20,1\n100,5,1\n");
-        let curves = FenderCurves::parse(&text, "bench.csv").unwrap();
+        let curves = FenderCurves::parse(&text, "bench.csv", CatalogueScale::default()).unwrap();
         let [curve] = curves.curves() else { panic!("{curves:?}") };
         let near = |(d, r): (f64, f64), (e, s): (f64, f64)| (d - e).abs() < 1e-12 && r == s;
         let loading = [(0.0, 0.0), (0.1, 10e3), (0.2, 30e3), (0.3, 60e3)];
         let unloading = [(0.0, 0.0), (0.1, 5e3), (0.2, 20e3), (0.3, 60e3)];
         assert!(curve.loading.iter().zip(loading).all(|(a, b)| near(*a, b)), "{curve:?}");
         assert!(curve.unloading.iter().zip(unloading).all(|(a, b)| near(*a, b)), "{curve:?}");
+    }
+
+    #[test]
+    fn percentages_are_of_height_and_rated_reaction() {
+        let text = "deflection_percent,reaction_percent\n5,20\n35,100\n72,100\n";
+        let scale = CatalogueScale { height_m: Some(1.2), rated_reaction_n: Some(500e3) };
+        let curves = FenderCurves::parse(text, "page.csv", scale).unwrap();
+        let loading = &curves.curves()[0].loading;
+        let expected = [(0.0, 0.0), (0.06, 100e3), (0.42, 500e3), (0.864, 500e3)];
+        let near = |(a, b): (&(f64, f64), (f64, f64))| {
+            (a.0 - b.0).abs() < 1e-12 && (a.1 - b.1).abs() < 1e-6
+        };
+        assert!(loading.len() == 4 && loading.iter().zip(expected).all(near), "{loading:?}");
+        for (scale, fragment) in [
+            (CatalogueScale { height_m: None, ..scale }, "--height"),
+            (CatalogueScale { rated_reaction_n: None, ..scale }, "--rated-reaction"),
+        ] {
+            let error = FenderCurves::parse(text, "page.csv", scale).unwrap_err().to_string();
+            assert!(error.contains("per cent of a number that is not given"), "{error}");
+            assert!(error.contains(fragment) && error.contains("page.csv:1"), "{error}");
+        }
     }
 
     #[test]
@@ -306,7 +364,11 @@ mod tests {
             ),
             (
                 "deflection_m\n1\n".to_owned(),
-                ["`reaction_n` or `reaction_kn` is missing", "bench.csv:1", ""],
+                [
+                    "`reaction_n` or `reaction_kn` or `reaction_percent` is missing",
+                    "bench.csv:1",
+                    "",
+                ],
             ),
             (
                 "deflection_m,deflection_mm,reaction_n\n1,1,1\n".to_owned(),

@@ -5,6 +5,7 @@ use super::factors::{temperature, velocity};
 use super::options::{FitError, FitOptions};
 use super::thinning::{below, insert, thinned};
 use crate::printable::printable_number;
+use crate::rating::odd_reaction;
 
 /// Temperature for which catalogues rate fenders (°C). The reference curve is the one nearest to it.
 const RATED_TEMPERATURE_C: f64 = 23.0;
@@ -34,7 +35,7 @@ impl FittedFender {
     /// speed and temperature are the ratios of the energies to the rated deflection.
     ///
     /// # Errors
-    /// An option out of range, a curve that ends before the rated deflection or goes beyond the height, a reaction of
+    /// An option out of range, a curve that does not have the given rated reaction at the rated deflection, a curve that ends before the rated deflection or goes beyond the height, a reaction of
     /// zero at the rated deflection, an unloading curve together with a returned energy, curves that differ in both
     /// speed and temperature.
     pub fn fit(curves: &FenderCurves, options: &FitOptions) -> Result<FittedFender, FitError> {
@@ -57,6 +58,9 @@ impl FittedFender {
         if rated_n <= 0.0 {
             return Err(FitError::NoReaction { rated_deflection_m: rated_m });
         }
+        if let Some(catalogue_n) = options.rated_reaction_n {
+            check_rated(&reference.loading, (rated_m, rated_n), catalogue_n, options)?;
+        }
         if options.returned_energy.is_some() && !reference.unloading.is_empty() {
             return Err(FitError::ReturnedTwice);
         }
@@ -77,6 +81,12 @@ impl FittedFender {
             velocity: velocity(curves, reference, rated_m)?,
             temperature: temperature(curves, reference, rated_m)?,
         })
+    }
+
+    /// What is odd about the rated reaction for the height: newtons in place of kilonewtons.
+    #[must_use]
+    pub fn oddity(&self) -> Option<String> {
+        odd_reaction(self.rated_reaction_n, self.options.height_m, "a height")
     }
 
     /// The measured curve that the fit follows.
@@ -116,6 +126,33 @@ impl FittedFender {
     }
 }
 
+/// How far the curve's reaction at the rated deflection may be from the rated one: catalogues round both to a per cent.
+const RATED_FITS: f64 = 0.02;
+
+/// Refuses a curve that does not have the catalogue's rated reaction at the rated deflection.
+fn check_rated(
+    loading: &Branch,
+    (rated_m, curve_n): (f64, f64),
+    catalogue_n: f64,
+    options: &FitOptions,
+) -> Result<(), FitError> {
+    let share = curve_n / catalogue_n;
+    if (share - 1.0).abs() <= RATED_FITS {
+        return Ok(());
+    }
+    let crossing = loading.windows(2).rev().find_map(|two| {
+        let [(d0, r0), (d1, r1)] = [two[0], two[1]];
+        let is_between = (r0 - catalogue_n) * (r1 - catalogue_n) <= 0.0 && r0 != r1;
+        is_between.then(|| d0 + (d1 - d0) * (catalogue_n - r0) / (r1 - r0))
+    });
+    Err(FitError::NotRated {
+        deflection_m: rated_m,
+        share,
+        is_given: options.rated_deflection_m.is_some(),
+        at: crossing.map(|at_m| (at_m, at_m / options.height_m)),
+    })
+}
+
 /// The slowest curve at the temperature nearest to the rated one; the first of equal ones.
 fn reference(curves: &FenderCurves) -> &LoadingCurve {
     let away =
@@ -134,7 +171,7 @@ fn reference(curves: &FenderCurves) -> &LoadingCurve {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{FenderLibrary, Standing};
+    use crate::{CatalogueScale, FenderLibrary, Standing};
 
     fn options() -> FitOptions {
         FitOptions {
@@ -143,6 +180,7 @@ mod tests {
             height_m: 0.5,
             length_m: Some(1.0),
             rated_deflection_m: None,
+            rated_reaction_n: None,
             returned_energy: None,
             tolerance: 0.005,
             source: "a test bench".to_owned(),
@@ -151,7 +189,7 @@ mod tests {
     }
 
     fn curves(rows: &str) -> FenderCurves {
-        FenderCurves::parse(rows, "bench.csv").unwrap()
+        FenderCurves::parse(rows, "bench.csv", CatalogueScale::default()).unwrap()
     }
 
     /// R = 400 kN/m² δ² to 0.25 m in steps of 1 mm.
@@ -257,6 +295,33 @@ mod tests {
         let library = FenderLibrary::built_in().with_file(&fitted.to_toml(), "fit.toml").unwrap();
         let family = library.family("bench \"A\"").unwrap();
         assert!(family.unloading.is_some());
+    }
+
+    /// R = 25 kN at 0.25 m; a catalogue's 16 kN are at 0.2 m.
+    #[test]
+    fn a_curve_must_have_the_rated_reaction_at_the_rated_deflection() {
+        let good = curves(&parabola(COLUMNS, "", 1.0));
+        let fit = |rated_n: f64, rated_m: Option<f64>| {
+            let options = FitOptions {
+                rated_reaction_n: Some(rated_n),
+                rated_deflection_m: rated_m,
+                ..options()
+            };
+            FittedFender::fit(&good, &options).map_err(|error| error.to_string())
+        };
+        assert!(fit(25e3, None).is_ok());
+        assert!(fit(16e3, Some(0.2)).is_ok());
+        let message = fit(16e3, None).unwrap_err();
+        let expected = "at the end of the curve, 250 mm, the reaction is 156.3 % of the rated one; it must be 100 % at the \
+                        rated deflection: the curve is last at 100 % at 200 mm, 40 % of the height";
+        assert!(message.contains(expected), "{message}");
+        assert!(message.contains("give --rated-deflection \"200 mm\""), "{message}");
+        let message = fit(40e3, Some(0.2)).unwrap_err();
+        assert!(
+            message.contains("at the rated deflection, 200 mm, the reaction is 40 %"),
+            "{message}"
+        );
+        assert!(message.contains("has the rated reaction nowhere"), "{message}");
     }
 
     #[test]

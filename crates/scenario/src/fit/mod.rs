@@ -10,6 +10,6 @@ mod fitted;
 mod options;
 mod thinning;
 
-pub use curves::{Branch, FenderCurves, LoadingCurve};
+pub use curves::{Branch, CatalogueScale, FenderCurves, LoadingCurve};
 pub use fitted::FittedFender;
 pub use options::{FitError, FitOptions};

@@ -1,52 +1,69 @@
 //! Keys of the study of berthing energy.
 
-use fenderline_sim::berthing::{Configuration, Softness};
+use serde_json::json;
+
+use fenderline_sim::berthing::{AddedMassFormula, Configuration, Softness};
 
 use crate::choices::{Choice, Choices};
-use crate::spec::Absent::{Is, Means, Refused};
+use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
 pub(super) static BERTHING: TableSpec = TableSpec {
     what: "a berthing",
     doc: "Particulars of a ship and her berth. The report shows the berthing energy by PIANC's formula beside \
-          that of the run.",
+          that of the run. Her length, beam, draught and block coefficient are those of her vessel, and the clearance that of the \
+          water, unless they are given.",
     keys: &[
         key("ship", Kind::BodyName, Refused, "The floating body that berths.", &["\"ship\""]),
         key(
             "length_bp",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.1, high: 5000.0 }),
-            Refused,
-            "Length between perpendiculars.",
+            Unless(IS_VESSEL),
+            "Length between perpendiculars; that of the vessel unless given.",
             &["\"285 m\""],
         ),
         key(
             "beam",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.1, high: 1000.0 }),
-            Refused,
-            "Beam.",
+            Unless(IS_VESSEL),
+            "Beam; that of the vessel unless given.",
             &["\"46 m\""],
         ),
         key(
             "draught",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.01, high: 100.0 }),
-            Refused,
-            "Draught.",
+            Unless("`ship` is a vessel or has `outlines`"),
+            "Draught; that of the vessel, or of the hull by height, unless given.",
             &["\"9 m\""],
         ),
         key(
             "under_keel_clearance",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 2e4 }),
-            Refused,
-            "Water under the keel.",
+            Unless("`[environment]` has a `depth`"),
+            "Water under the keel; unless given, depth and tide at the start less the draught.",
             &["\"3 m\""],
         ),
         key(
             "block_coefficient",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 1.0 }),
-            Refused,
-            "Displaced volume over length, beam and draught.",
+            Unless(IS_VESSEL),
+            "Displaced volume over length, beam and draught; that of the vessel unless given.",
             &["0.71"],
+        ),
+        key(
+            "added_mass",
+            Kind::Choice(&ADDED_MASSES),
+            Is("\"pianc_2002\""),
+            "Formula for the added mass factor Cm of the headline and of the abnormal energy; the report shows the others beside it.",
+            &["\"ufc\""],
+        ),
+        key(
+            "added_mass_factor",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 10.0 }),
+            Means("by the formula of `added_mass`"),
+            "Cm as a number, displacement plus added mass over displacement.",
+            &["1.8"],
         ),
         key(
             "softness",
@@ -66,12 +83,38 @@ pub(super) static BERTHING: TableSpec = TableSpec {
             "abnormal_factor",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.25, high: 2.0 }),
             Means("no abnormal berthing"),
-            "Energy of an abnormal berthing over that of a normal one.",
+            "Energy of an abnormal berthing over that of a normal one, the factor of safety: 1.25 to 2.0 by type and size of ship. The \
+             report shows the abnormal energy beside the capacity of the fenders.",
             &["1.5"],
         ),
     ],
-    rules: None,
+    rules: Some(|| json!({ "not": { "required": ["added_mass", "added_mass_factor"] } })),
 };
+
+const IS_VESSEL: &str = "`ship` is a vessel";
+
+static ADDED_MASSES: Choices<AddedMassFormula> = Choices(&[
+    Choice {
+        word: "pianc_2002",
+        value: AddedMassFormula::Pianc2002,
+        doc: "PIANC 2002: 1.8 to 1.5, by under-keel clearance over draught",
+    },
+    Choice {
+        word: "ueda",
+        value: AddedMassFormula::Ueda,
+        doc: "Ueda: by draught, beam and block coefficient",
+    },
+    Choice {
+        word: "vasco_costa",
+        value: AddedMassFormula::VascoCosta,
+        doc: "Vasco Costa: by draught over beam",
+    },
+    Choice {
+        word: "ufc",
+        value: AddedMassFormula::Ufc,
+        doc: "UFC 4-152-01: up to about 5 in little water under the keel",
+    },
+]);
 
 static SOFTNESSES: Choices<Softness> = Choices(&[
     Choice {

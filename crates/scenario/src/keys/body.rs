@@ -2,14 +2,17 @@
 
 use serde_json::json;
 
-use super::quantities::{POSITION, SPEED};
+use super::approach::APPROACH;
+use super::dolphin::DOLPHIN;
+use super::hull::OUTLINE_AT_HEIGHT;
+use super::quantities::{DIRECTION, POSITION, SPEED};
 use crate::spec::Absent::{Is, Means, Unless};
 use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
-pub(super) static BODY: TableSpec = TableSpec {
+pub(crate) static BODY: TableSpec = TableSpec {
     what: "a body",
-    doc: "A ship, tug, quay or fender: fixed, or floating with a mass.",
+    doc: "A ship, tug, quay or dolphin: fixed, on piles, or floating with a mass.",
     keys: &[
         key(
             "fixed",
@@ -19,12 +22,35 @@ pub(super) static BODY: TableSpec = TableSpec {
             &["true"],
         ),
         key(
+            "dolphin",
+            Kind::Table(&DOLPHIN),
+            Means("a body that floats, or is `fixed`"),
+            "Makes the body a flexible dolphin: piles that bend, with their mass.",
+            &["{ stiffness = \"5 MN/m\", mass = \"60 t\", yield_load = \"1500 kN\" }"],
+        ),
+        key(
             "outline",
             Kind::Outline(POSITION),
             Means("the outline of the vessel"),
             "Vertices, forward and to starboard of the centre of gravity, in either direction \
                   round; need not be convex.",
             &["[[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]"],
+        ),
+        key(
+            "outlines",
+            Kind::List(&OUTLINE_AT_HEIGHT),
+            Means("one outline: vertical sides"),
+            "Outlines at two heights or more instead of `outline`. Fenders meet the one at their own height, with tide, \
+                  heave, heel and trim; other bodies meet the one at the waterline. Coupled method only.",
+            &["[{ height = 0, outline = [[-16, -6], [16, -6], [16, 6], [-16, 6]] }, \
+               { height = \"12 m\", outline = [[-16, -7], [17, -7], [17, 7], [-16, 7]] }]"],
+        ),
+        key(
+            "draught",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 100.0 }),
+            Unless("the body has no `outlines`, is fixed or a vessel"),
+            "Draught of a plain body with `outlines`: the height of its waterline above the keel.",
+            &["\"9 m\""],
         ),
         key(
             "vessel",
@@ -44,21 +70,21 @@ pub(super) static BODY: TableSpec = TableSpec {
         key(
             "mass",
             Kind::Quantity(Quantity { measure: &unit::MASS, low: 1e-3, high: 1e15 }),
-            Unless("the body is fixed or a vessel"),
+            Unless("the body is fixed, a dolphin or a vessel"),
             "Displacement, without added mass.",
             &["\"87800 t\""],
         ),
         key(
             "gyradius",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 1e5 }),
-            Unless("`yaw_inertia` is given, or the body is fixed or a vessel"),
+            Unless("`yaw_inertia` is given, or the body is fixed, a dolphin or a vessel"),
             "Radius of gyration about the vertical through the centre of gravity.",
             &["\"74.5 m\""],
         ),
         key(
             "yaw_inertia",
             Kind::Quantity(Quantity { measure: &unit::MOMENT_OF_INERTIA, low: 1e-9, high: 1e25 }),
-            Unless("`gyradius` is given, or the body is fixed or a vessel"),
+            Unless("`gyradius` is given, or the body is fixed, a dolphin or a vessel"),
             "Moment of inertia about the vertical through the centre of gravity.",
             &["\"4.87e8 t.m^2\""],
         ),
@@ -78,7 +104,7 @@ pub(super) static BODY: TableSpec = TableSpec {
         ),
         key(
             "heading",
-            Kind::Quantity(Quantity { measure: &unit::ANGLE, low: -1e6, high: 1e6 }),
+            Kind::Quantity(DIRECTION),
             Is("0"),
             "Initial heading, clockwise from north.",
             &["\"270 deg\""],
@@ -90,27 +116,49 @@ pub(super) static BODY: TableSpec = TableSpec {
             "Initial velocity in the body's axes.",
             &["{ surge = \"4 kn\" }"],
         ),
+        key(
+            "approach",
+            Kind::Table(&APPROACH),
+            Means("`position`, `heading` and `velocity` give the start"),
+            "The start of a berthing by speed and angle at a fender, instead of `position`, `heading` and `velocity`.",
+            &[],
+        ),
     ],
     rules: Some(|| {
         json!({
-            "if": { "properties": { "fixed": { "const": true } }, "required": ["fixed"] },
+            "dependentSchemas": { "approach": {
+                "properties": { "position": false, "heading": false, "velocity": false }
+            } },
+            "allOf": [{ "properties": { "outlines": { "minItems": 2 } } }],
+            "not": { "required": ["outline", "outlines"] },
+            "dependentRequired": { "draught": ["outlines"] },
+            "if": { "anyOf": [
+                { "properties": { "fixed": { "const": true } }, "required": ["fixed"] },
+                { "required": ["dolphin"] }
+            ] },
             "then": {
                 "properties": {
                     "mass": false, "gyradius": false, "yaw_inertia": false,
-                    "added_mass": false, "velocity": false, "vessel": false, "running": false
+                    "added_mass": false, "velocity": false, "vessel": false, "running": false,
+                    "approach": false, "draught": false
                 },
-                "required": ["outline"]
+                "not": {
+                    "properties": { "fixed": { "const": true } }, "required": ["fixed", "dolphin"]
+                },
+                "anyOf": [{ "required": ["outline"] }, { "required": ["outlines"] }]
             },
             "else": {
                 "if": { "required": ["vessel"] },
                 "then": {
                     "properties": {
-                        "mass": false, "gyradius": false, "yaw_inertia": false, "added_mass": false
+                        "mass": false, "gyradius": false, "yaw_inertia": false, "added_mass": false,
+                        "draught": false
                     }
                 },
                 "else": {
                     "properties": { "running": false },
-                    "required": ["mass", "outline"],
+                    "required": ["mass"],
+                    "anyOf": [{ "required": ["outline"] }, { "required": ["outlines", "draught"] }],
                     "oneOf": [{ "required": ["gyradius"] }, { "required": ["yaw_inertia"] }]
                 }
             }

@@ -165,6 +165,14 @@ static WIND: TableSpec = TableSpec {
             &["true"],
         ),
         key(
+            "gust_admittance",
+            Kind::Flag,
+            Means("true"),
+            "Whether a vessel feels the mean of the gusts over her length and height (aerodynamic admittance). If false, each gust acts on \
+             the whole of her at once.",
+            &["false"],
+        ),
+        key(
             "seed",
             Kind::Quantity(SEED),
             Means("1"),
@@ -177,7 +185,9 @@ static WIND: TableSpec = TableSpec {
             { "required": ["speed", "from"], "properties": { "file": false } },
             {
                 "required": ["file"],
-                "properties": { "speed": false, "from": false, "gusts": false, "seed": false }
+                "properties": {
+                    "speed": false, "from": false, "gusts": false, "gust_admittance": false, "seed": false
+                }
             }
         ] })
     }),

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use super::quantities::{DIRECTION, FENDER_SIZE, POSITION};
+use super::quantities::{DIRECTION, FENDER_HEIGHT, FENDER_SIZE, POSITION};
 use crate::library::RETURNED_ENERGY;
 use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{CurveSpec, Kind, Quantity, TableSpec, key};
@@ -10,7 +10,7 @@ use crate::units::measures as unit;
 
 const STIFFNESS: Quantity = Quantity { measure: &unit::STIFFNESS, low: 0.0, high: 1e15 };
 
-pub(super) static FENDER: TableSpec = TableSpec {
+pub(crate) static FENDER: TableSpec = TableSpec {
     what: "a fender",
     doc: "A fender on a quay, on a tug's bow or along a ship's belting. It touches the outlines of all \
           bodies that its own body makes a pair with; the pair's material is the solid structure \
@@ -28,14 +28,17 @@ pub(super) static FENDER: TableSpec = TableSpec {
         key(
             "facing",
             Kind::Quantity(DIRECTION),
-            Unless("`belting` is given"),
-            "Direction in which it faces, clockwise from its body's forward direction.",
+            Unless(
+                "`belting` is given, or `position` lies on an edge or at a corner of its body's outline",
+            ),
+            "Direction in which it faces, clockwise from its body's forward direction. Without it: at right angles out of \
+                  the edge on which it stands; at a corner midway between the two edges, as a corner fender faces.",
             &["\"-90 deg\""],
         ),
         key(
             "belting",
             Kind::Text,
-            Unless("`position`, `facing` and `width` are given"),
+            Unless("`position` and `width` are given"),
             "A belting of the vessel that carries the fender, by name. It gives position, facing, width, face height \
                   and height above the water.",
             &["\"bow\""],
@@ -50,8 +53,9 @@ pub(super) static FENDER: TableSpec = TableSpec {
         key(
             "face_height",
             Kind::Quantity(FENDER_SIZE),
-            Means("the width"),
-            "Height of its face. Width times height is the area of the hull pressure.",
+            Means("the width; of a pneumatic fender its diameter"),
+            "Height of its face. Width times height is the area of the hull pressure. Where neither it nor `hull` nor \
+                  `hull_pressure_limit` is given, no hull pressure is computed.",
             &["\"3 m\""],
         ),
         key(
@@ -59,12 +63,21 @@ pub(super) static FENDER: TableSpec = TableSpec {
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: -100.0, high: 100.0 }),
             Means("at the waterline; on a fixed body at datum"),
             "Middle of its face above the still waterline, on a fixed body above datum: the height at which its force \
-                  heels a vessel. The fender is assumed to meet the ship's side at any height.",
+                  heels a vessel. A hull with one outline has a side at any height; one with `outlines` has it between \
+                  the lowest and the highest.",
             &["\"2 m\""],
         ),
         key(
+            "floating",
+            Kind::Flag,
+            Is("false"),
+            "It floats, as a pneumatic fender does, and rides the tide: on a fixed body too `above_water` is above the \
+                  water of the moment.",
+            &["true"],
+        ),
+        key(
             "projection",
-            Kind::Quantity(FENDER_SIZE),
+            Kind::Quantity(FENDER_HEIGHT),
             Means("the height of its type"),
             "From the mounting to the face, uncompressed.",
             &["\"1.5 m\""],
@@ -73,8 +86,15 @@ pub(super) static FENDER: TableSpec = TableSpec {
             "material",
             Kind::MaterialName,
             Refused,
-            "Its material: friction and damping; restitution if it has no unloading law; stiffness if it has no other law.",
+            "Its material: friction and damping; restitution if `unloading_law` is false; stiffness if it has no other law.",
             &["\"facing\""],
+        ),
+        key(
+            "rolling_resistance",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1.0 }),
+            Means("the face slides, with the friction of the material"),
+            "Of a roller or wheel fender: resistance along the berth over reaction, instead of the friction of the material.",
+            &["0.05"],
         ),
         key(
             "type",
@@ -93,7 +113,7 @@ pub(super) static FENDER: TableSpec = TableSpec {
         ),
         key(
             "height",
-            Kind::Quantity(FENDER_SIZE),
+            Kind::Quantity(FENDER_HEIGHT),
             Unless("`size` is given, or the fender has no `type`"),
             "Height of a fender of this type, uncompressed, instead of a `size` of the data.",
             &["\"1.2 m\""],
@@ -113,6 +133,32 @@ pub(super) static FENDER: TableSpec = TableSpec {
             &["2"],
         ),
         key(
+            "cones",
+            Kind::List(&super::panel::CONE),
+            Means("one fender, or `count` behind a face that does not turn"),
+            "Several equal fenders at their places behind one panel, which turns about the vertical axis by what each \
+                  of them bears. `width` is the panel's. Shares of rated values are those of the most compressed one. \
+                  An unloading curve counts by the share of the energy that it returns from the rated deflection.",
+            &["[{ at = \"-1.2 m\" }, { at = \"1.2 m\" }]"],
+        ),
+        key(
+            "chains",
+            Kind::List(&super::panel::CHAIN),
+            Means("no chains"),
+            "Tension, shear and weight chains of the panel. A tension chain holds the panel in the engine; shear and weight \
+                  chains take their part of the forces by statics.",
+            &[
+                "[{ kind = \"shear\", slack = \"20 mm\", stiffness = \"40 MN/m\", break_load = \"500 kN\" }]",
+            ],
+        ),
+        key(
+            "panel_mass",
+            Kind::Quantity(Quantity { measure: &unit::MASS, low: 0.0, high: 1e6 }),
+            Unless("no weight chain is given"),
+            "Mass that the weight chains carry: the panel, and what hangs on it.",
+            &["\"2.5 t\""],
+        ),
+        key(
             "stiffness",
             Kind::Quantity(STIFFNESS),
             Means("no linear law"),
@@ -129,7 +175,7 @@ pub(super) static FENDER: TableSpec = TableSpec {
         key(
             "returned_energy",
             Kind::Quantity(RETURNED_ENERGY),
-            Means("that of the type, else the material's restitution"),
+            Means("that of the type; 55 %, as solid rubber (assumed), where it has none"),
             "Share of the absorbed energy that the rubber returns: in unloading the reaction follows a lower curve, \
                   and restitution has no effect. Coupled method only.",
             &["\"55 %\""],
@@ -137,7 +183,7 @@ pub(super) static FENDER: TableSpec = TableSpec {
         key(
             "unloading",
             Kind::Curve(&CURVE),
-            Means("by `returned_energy`, the type or the restitution of the material"),
+            Means("by `returned_energy` or the type"),
             "The unloading curve: rows of deflection and reaction, the first [0, 0], with straight lines between; \
                   nowhere above its `curve` or `stiffness`. Coupled method only.",
             &["[[0, 0], [\"0.3 m\", \"250 kN\"], [\"0.8 m\", \"600 kN\"]]"],
@@ -146,12 +192,13 @@ pub(super) static FENDER: TableSpec = TableSpec {
             "unloading_law",
             Kind::Flag,
             Means("true"),
-            "Use the unloading law of the type, if it has one; otherwise the restitution of the material.",
+            "Whether the reaction falls by an unloading law in unloading. If false, it falls by the restitution of the material, with \
+             which the fenders of a ship at rest chatter.",
             &["false"],
         ),
         key(
             "rated_deflection",
-            Kind::Quantity(FENDER_SIZE),
+            Kind::Quantity(FENDER_HEIGHT),
             Means("that of the type, or the end of the curve"),
             "Rated deflection of a fender with a `stiffness` or a `curve`.",
             &["\"0.8 m\""],
@@ -170,8 +217,8 @@ pub(super) static FENDER: TableSpec = TableSpec {
             "temperature",
             Kind::Quantity(Quantity { measure: &unit::CELSIUS, low: -60.0, high: 80.0 }),
             Means("no correction"),
-            "Temperature in degrees Celsius, a plain number; for types with temperature factors.",
-            &["10"],
+            "Temperature; a plain number is in degrees Celsius. For types with temperature factors.",
+            &["10", "\"40 degC\"", "\"104 degF\""],
         ),
         key(
             "tolerance",
@@ -214,10 +261,28 @@ pub(super) static FENDER: TableSpec = TableSpec {
         json!({
             "allOf": [
                 both("type", "stiffness"), both("type", "curve"), both("stiffness", "curve"),
-                both("size", "height"), both("size", "rated_reaction"),
+                both("size", "height"), both("size", "rated_reaction"), both("count", "cones"),
+                {
+                    "if": { "required": ["chains"], "properties": { "chains": {
+                        "contains": { "properties": { "kind": { "const": "weight" } } }
+                    } } },
+                    "then": { "required": ["panel_mass"] }
+                },
+                {
+                    "if": { "required": ["chains"], "properties": { "chains": {
+                        "contains": { "properties": { "kind": { "const": "tension" } } }
+                    } } },
+                    "then": { "required": ["cones"] }
+                },
+                {
+                    "if": { "required": ["cones"] },
+                    "then": { "anyOf": [
+                        { "required": ["type"] }, { "required": ["stiffness"] }, { "required": ["curve"] }
+                    ] }
+                },
                 both("type", "rated_deflection"), both("hull", "hull_pressure_limit"),
                 both("type", "unloading"), both("returned_energy", "unloading"),
-                both("returned_energy", "unloading_law"),
+                both("returned_energy", "unloading_law"), both("unloading", "unloading_law"),
                 {
                     "if": { "required": ["unloading"] },
                     "then": { "anyOf": [{ "required": ["stiffness"] }, { "required": ["curve"] }] }
@@ -228,7 +293,7 @@ pub(super) static FENDER: TableSpec = TableSpec {
                         "position": false, "facing": false, "width": false, "face_height": false,
                         "above_water": false
                     } },
-                    "else": { "required": ["position", "facing", "width"] }
+                    "else": { "required": ["position", "width"] }
                 },
                 {
                     "if": { "required": ["rated_deflection"] },
@@ -241,8 +306,7 @@ pub(super) static FENDER: TableSpec = TableSpec {
                 "required": ["projection"],
                 "properties": {
                     "size": false, "height": false, "rated_reaction": false, "temperature": false,
-                    "count": false, "velocity_factor": false, "angle_factor": false,
-                    "unloading_law": false
+                    "count": false, "velocity_factor": false, "angle_factor": false
                 }
             }
         })
@@ -261,7 +325,7 @@ static STOP: TableSpec = TableSpec {
     keys: &[
         key(
             "from",
-            Kind::Quantity(FENDER_SIZE),
+            Kind::Quantity(FENDER_HEIGHT),
             Refused,
             "Deflection at which it begins.",
             &["\"0.9 m\""],

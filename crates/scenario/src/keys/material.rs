@@ -47,7 +47,8 @@ pub(super) static MATERIAL: TableSpec = TableSpec {
             "restitution",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1.0 }),
             Is("0"),
-            "Coefficient of restitution: speed of separation over speed of approach.",
+            "Coefficient of restitution between outlines: speed of separation over speed of approach. Fenders have an unloading \
+             law instead (`returned_energy`, `unloading`), and do not use it with the coupled method.",
             &["0.1"],
         ),
     ],

@@ -246,17 +246,33 @@ fn rules() -> Json {
 
 pub(crate) static TELEGRAPH_WORDS: Choices<Telegraph> = Choices(&[
     Choice {
-        word: "full astern",
+        word: Telegraph::FullAstern.word(),
         value: Telegraph::FullAstern,
         doc: "70 % of full revolutions astern",
     },
-    Choice { word: "half astern", value: Telegraph::HalfAstern, doc: "55 % astern" },
-    Choice { word: "slow astern", value: Telegraph::SlowAstern, doc: "40 % astern" },
-    Choice { word: "dead slow astern", value: Telegraph::DeadSlowAstern, doc: "30 % astern" },
-    Choice { word: "stop", value: Telegraph::Stop, doc: "stop" },
-    Choice { word: "dead slow ahead", value: Telegraph::DeadSlowAhead, doc: "30 % ahead" },
-    Choice { word: "slow ahead", value: Telegraph::SlowAhead, doc: "40 % ahead" },
-    Choice { word: "half ahead", value: Telegraph::HalfAhead, doc: "55 % ahead" },
-    Choice { word: "full ahead", value: Telegraph::FullAhead, doc: "70 % ahead: manoeuvring full" },
-    Choice { word: "navigation full", value: Telegraph::NavigationFull, doc: "full revolutions" },
+    Choice { word: Telegraph::HalfAstern.word(), value: Telegraph::HalfAstern, doc: "55 % astern" },
+    Choice { word: Telegraph::SlowAstern.word(), value: Telegraph::SlowAstern, doc: "40 % astern" },
+    Choice {
+        word: Telegraph::DeadSlowAstern.word(),
+        value: Telegraph::DeadSlowAstern,
+        doc: "30 % astern",
+    },
+    Choice { word: Telegraph::Stop.word(), value: Telegraph::Stop, doc: "stop" },
+    Choice {
+        word: Telegraph::DeadSlowAhead.word(),
+        value: Telegraph::DeadSlowAhead,
+        doc: "30 % ahead",
+    },
+    Choice { word: Telegraph::SlowAhead.word(), value: Telegraph::SlowAhead, doc: "40 % ahead" },
+    Choice { word: Telegraph::HalfAhead.word(), value: Telegraph::HalfAhead, doc: "55 % ahead" },
+    Choice {
+        word: Telegraph::FullAhead.word(),
+        value: Telegraph::FullAhead,
+        doc: "70 % ahead: manoeuvring full",
+    },
+    Choice {
+        word: Telegraph::NavigationFull.word(),
+        value: Telegraph::NavigationFull,
+        doc: "full revolutions",
+    },
 ]);

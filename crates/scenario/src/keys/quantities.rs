@@ -11,8 +11,17 @@ pub(crate) const PLACE: Quantity = Quantity { measure: &unit::LENGTH, low: -5000
 pub(super) const POSITION: Quantity = Quantity { measure: &unit::LENGTH, low: -1e8, high: 1e8 };
 /// A measure of a fender.
 pub(super) const FENDER_SIZE: Quantity = Quantity { measure: &unit::LENGTH, low: 1e-3, high: 1e3 };
-/// A compass direction, or one relative to a body.
-pub(super) const DIRECTION: Quantity = Quantity { measure: &unit::ANGLE, low: -100.0, high: 100.0 };
+/// A coordinate on the face of a fender.
+pub(super) const PLACE_ON_FACE: Quantity =
+    Quantity { measure: &unit::LENGTH, low: -1e3, high: 1e3 };
+/// A dimension of a fender in the direction of its compression: no fender is as high as 30 m.
+pub(super) const FENDER_HEIGHT: Quantity =
+    Quantity { measure: &unit::LENGTH, low: 1e-3, high: 30.0 };
+/// A compass direction, or one relative to a body: at most a turn, so that degrees without their unit are found.
+pub(super) const DIRECTION: Quantity =
+    Quantity { measure: &unit::ANGLE, low: -TURN_RAD, high: TURN_RAD };
+/// A turn (rad), rounded up.
+const TURN_RAD: f64 = 6.3;
 /// A time since the start of the run.
 pub(super) const TIME: Quantity = Quantity { measure: &unit::TIME, low: 0.0, high: 1e9 };
 /// Magnitude of a force that a tug, a line or a thruster exerts.

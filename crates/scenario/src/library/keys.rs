@@ -73,7 +73,7 @@ static FAMILY: TableSpec = TableSpec {
         key(
             "unloading",
             Kind::Table(&UNLOADING),
-            Means("the reaction falls by the material's restitution"),
+            Means("55 % of the energy is returned, as by solid rubber (assumed)"),
             "How the reaction falls in unloading.",
             &[],
         ),

@@ -65,6 +65,11 @@ impl FenderLibrary {
     /// The built-in fender files.
     #[must_use]
     pub fn built_in() -> FenderLibrary {
+        FenderLibrary::of_program().clone()
+    }
+
+    /// The same, shared.
+    pub(crate) fn of_program() -> &'static FenderLibrary {
         // Read once: a batch checks thousands of scenarios.
         static READ: OnceLock<FenderLibrary> = OnceLock::new();
         let read = || {
@@ -73,7 +78,7 @@ impl FenderLibrary {
                 library.with_file(text, name).expect("built-in fender files are good")
             })
         };
-        READ.get_or_init(read).clone()
+        READ.get_or_init(read)
     }
 
     /// The library with a user's file added: new families, sizes of known ones, hull pressure limits.

@@ -5,13 +5,15 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use super::errors::wrong_type;
+use super::meant::meant;
+use crate::checked::Value;
 use crate::choices::{AnyChoices, Word};
 use crate::error::ScenarioError;
 use crate::key_path;
 use crate::sources::{Sources, Span, quoted};
 use crate::spec::{CurveSpec, Quantity};
 use crate::suggest::nearest;
-use crate::units;
+use crate::units::{self, Measure, UnitError};
 
 type Read<T> = Result<T, ScenarioError>;
 type Node<'i> = Spanned<DeValue<'i>>;
@@ -29,11 +31,45 @@ pub(super) fn text(sources: &Sources<'_>, path: &str, node: &Node<'_>) -> Read<S
     }
 }
 
+/// A number with its unit, or a name. A text that begins like a number is one.
+pub(super) fn name_or(
+    sources: &Sources<'_>,
+    quantity: &Quantity,
+    path: &str,
+    node: &Node<'_>,
+) -> Read<Value> {
+    let is_name = match node.get_ref() {
+        DeValue::String(text) => !text
+            .trim_start()
+            .starts_with(|c: char| c.is_ascii_digit() || "+-.\u{2212}".contains(c)),
+        _ => false,
+    };
+    match is_name {
+        true => text(sources, path, node).map(Value::Text),
+        false => number(sources, quantity, path, node).map(Value::Number),
+    }
+}
+
 pub(super) fn texts(sources: &Sources<'_>, path: &str, node: &Node<'_>) -> Read<Vec<String>> {
     let DeValue::Array(nodes) = node.get_ref() else {
         return Err(wrong_type(sources, "a list of texts in quotes", path, node));
     };
     let one = |(index, node)| text(sources, &key_path::item(path, index), node);
+    nodes.iter().enumerate().map(one).collect()
+}
+
+/// A list of numbers, texts and flags, each as it would stand behind `--set KEY=`.
+pub(super) fn any_values(sources: &Sources<'_>, path: &str, node: &Node<'_>) -> Read<Vec<String>> {
+    let wanted = "a list of numbers or of texts in quotes";
+    let DeValue::Array(nodes) = node.get_ref() else {
+        return Err(wrong_type(sources, wanted, path, node));
+    };
+    let one = |(index, node): (usize, &Node<'_>)| match node.get_ref() {
+        DeValue::Integer(integer) if integer.radix() == 10 => Ok(integer.as_str().to_owned()),
+        DeValue::Float(float) => Ok(float.as_str().to_owned()),
+        DeValue::Boolean(flag) => Ok(flag.to_string()),
+        _ => text(sources, &key_path::item(path, index), node),
+    };
     nodes.iter().enumerate().map(one).collect()
 }
 
@@ -160,6 +196,23 @@ pub(super) fn outline(
     nodes.iter().enumerate().map(point).collect()
 }
 
+/// As [`outline`], with the least and the greatest number of points.
+pub(super) fn points(
+    sources: &Sources<'_>,
+    quantity: &Quantity,
+    [fewest, most]: [usize; 2],
+    path: &str,
+    node: &Node<'_>,
+) -> Read<Vec<Vec2>> {
+    let points = outline(sources, quantity, path, node)?;
+    if (fewest..=most).contains(&points.len()) {
+        return Ok(points);
+    }
+    let wanted = if fewest == most { fewest.to_string() } else { format!("{fewest} to {most}") };
+    let message = format!("`{path}` must be {wanted} points, but has {}", points.len());
+    Err(sources.error(&node.span(), path, message))
+}
+
 pub(super) fn two_names(sources: &Sources<'_>, path: &str, node: &Node<'_>) -> Read<[String; 2]> {
     let DeValue::Array(nodes) = node.get_ref() else {
         return Err(wrong_type(sources, "the names of two bodies, [\"a\", \"b\"]", path, node));
@@ -196,12 +249,16 @@ pub(super) fn number(
     if value >= quantity.low && value <= quantity.high {
         return Ok(value);
     }
-    let bound = if value > quantity.high {
-        format!("must be at most {}", si(quantity.high, measure.unit))
-    } else {
-        format!("must be at least {}", si(quantity.low, measure.unit))
-    };
-    Err(complain(format!("`{path}` {bound}, but is {}", si(value, measure.unit))))
+    let (side, bound) =
+        if value > quantity.high { ("most", quantity.high) } else { ("least", quantity.low) };
+    let [bound, value_si] = [bound, value].map(|each| shown(each, measure));
+    let error = complain(format!("`{path}` must be at {side} {bound}, but is {value_si}"));
+    let is_plain = !matches!(node.get_ref(), DeValue::String(_));
+    let of_text = || core::ptr::eq(measure, &units::measures::CELSIUS);
+    Err(match meant(quantity, value).filter(|_| is_plain || of_text()) {
+        Some(help) => error.with_help(help),
+        None => error,
+    })
 }
 
 fn with_unit(
@@ -212,11 +269,15 @@ fn with_unit(
     span: &Span,
 ) -> Read<f64> {
     let measure = quantity.measure;
-    let parsed = units::parse(text).map_err(|error| {
+    let refused = |error: UnitError| {
         let message = format!("`{path}` = {}: {}", quoted(text), error.message);
         let help = error.help.unwrap_or_else(|| measure.help());
         sources.error(span, path, message).with_help(help)
-    })?;
+    };
+    if core::ptr::eq(measure, &units::measures::CELSIUS) {
+        return units::celsius(text).map_err(refused);
+    }
+    let parsed = units::parse(text).map_err(refused)?;
     if parsed.dimension == measure.dimension {
         return Ok(parsed.si);
     }
@@ -226,7 +287,22 @@ fn with_unit(
         "a number without a unit".to_owned()
     };
     let message = format!("`{path}` must be {measure}, but {} is {found}", quoted(text));
-    Err(sources.error(span, path, message).with_help(measure.help()))
+    let error = sources.error(span, path, message);
+    Err(match parsed.dimension.of_weight() == Some(measure.dimension) {
+        true => error.with_help(
+            "a tonne is a mass: write tf, kgf, lbf or LTf for its weight, as in \"60 tf\" or \"20 tf.m\"",
+        ),
+        false => error.with_help(measure.help()),
+    })
+}
+
+/// A value of a measure for messages: angles in degrees too.
+fn shown(value: f64, measure: &Measure) -> String {
+    let si = si(value, measure.unit);
+    match core::ptr::eq(measure, &units::measures::ANGLE) {
+        true => format!("{si} ({} deg)", libm::round(value.to_degrees() * 10.0) / 10.0),
+        false => si,
+    }
 }
 
 /// A number and its unit, short: `1e15 N/m²`.

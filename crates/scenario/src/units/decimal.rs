@@ -14,8 +14,8 @@ pub(super) struct Decimal {
 /// An exact factor: numerator / denominator · 10^ten · π^pi.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Scale {
-    pub(super) numerator: u64,
-    pub(super) denominator: u64,
+    pub(super) numerator: u128,
+    pub(super) denominator: u128,
     pub(super) ten: i32,
     pub(super) pi: i32,
 }
@@ -23,7 +23,7 @@ pub(super) struct Scale {
 impl Scale {
     pub(super) const ONE: Scale = Scale { numerator: 1, denominator: 1, ten: 0, pi: 0 };
 
-    /// `self · other^power`; `None` where the fraction outgrows 64 bits.
+    /// `self · other^power`; `None` where the fraction outgrows 128 bits.
     pub(super) fn times(self, other: Scale, power: i32) -> Option<Scale> {
         let mut product = self;
         for _ in 0..power.unsigned_abs() {
@@ -44,7 +44,7 @@ impl Scale {
     }
 }
 
-fn greatest_common_divisor(a: u64, b: u64) -> u64 {
+fn greatest_common_divisor(a: u128, b: u128) -> u128 {
     if b == 0 { a } else { greatest_common_divisor(b, a % b) }
 }
 
@@ -97,10 +97,10 @@ impl Decimal {
     /// The correctly rounded product, by one division of two integers that `f64` holds exactly; `None` where they are too
     /// long for that.
     fn exact_times(&self, scale: &Scale, ten: i32) -> Option<f64> {
-        const EXACT: u64 = 1 << 53;
-        let power_of_ten = 10_u64.checked_pow(ten.unsigned_abs())?;
+        const EXACT: u128 = 1 << 53;
+        let power_of_ten = 10_u128.checked_pow(ten.unsigned_abs())?;
         let (over, under) = if ten > 0 { (power_of_ten, 1) } else { (1, power_of_ten) };
-        let mantissa: u64 = self.digits.parse().ok()?;
+        let mantissa: u128 = self.digits.parse().ok()?;
         let numerator = mantissa.checked_mul(scale.numerator)?.checked_mul(over)?;
         let denominator = scale.denominator.checked_mul(under)?;
         (numerator <= EXACT && denominator <= EXACT).then(|| numerator as f64 / denominator as f64)

@@ -19,6 +19,11 @@ impl Dimension {
         Dimension { metre, kilogram, second, radian }
     }
 
+    /// What a mass becomes where its weight is meant: the dimension with a force in its place.
+    pub(crate) fn of_weight(self) -> Option<Dimension> {
+        self.times(Dimension::new(1, 0, -2, 0), 1)
+    }
+
     /// `self · other^power`; `None` beyond the 127th power.
     pub(super) fn times(self, other: Dimension, power: i32) -> Option<Dimension> {
         let exponent = |a: i8, b: i8| i8::try_from(i32::from(a) + i32::from(b) * power).ok();
@@ -87,7 +92,9 @@ pub(crate) mod measures {
         /// What to write, with an example.
         pub(crate) fn help(&self) -> String {
             let Measure { name, example, .. } = self;
-            if self.dimension == Dimension::NONE {
+            if core::ptr::eq(self, &CELSIUS) {
+                format!("write {name}, as \"{example}\", or a plain number of degrees Celsius")
+            } else if self.dimension == Dimension::NONE {
                 format!("write {name}, as {example}")
             } else {
                 format!("write {name}, as \"{example}\", or a number in SI units, without quotes")
@@ -95,11 +102,11 @@ pub(crate) mod measures {
         }
     }
 
-    /// A temperature: a plain number, whose unit appears only in messages.
+    /// A temperature in degrees Celsius: of no dimension, as its units are not multiples of each other.
     pub(crate) static CELSIUS: Measure = Measure {
-        name: "a plain number of degrees Celsius",
+        name: "a temperature",
         unit: "°C",
-        example: "10",
+        example: "10 degC",
         dimension: Dimension::NONE,
     };
 

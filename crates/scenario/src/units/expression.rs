@@ -8,7 +8,7 @@
 
 use super::decimal::Scale;
 use super::table::{self, UNITS};
-use super::{Dimension, UnitError};
+use super::{Dimension, UnitError, temperature};
 use crate::suggest::nearest;
 
 /// A unit: its factor to SI and its dimension.
@@ -39,6 +39,10 @@ pub(super) fn parse(text: &str) -> Result<Unit, UnitError> {
     match cursor.rest.chars().next() {
         None => Ok(unit),
         Some(')') => Err(UnitError::new("there is a `)` without its `(` in the unit")),
+        Some('-') => Err(UnitError::with_help(
+            "`-` does not belong in a unit",
+            "write a product with a point: kN.m, kip.ft",
+        )),
         Some(other) => Err(UnitError::new(format!("`{}` does not belong in a unit", show(other)))),
     }
 }
@@ -175,6 +179,15 @@ fn unknown(symbol: &str) -> UnitError {
             "`kt` can be read as knots or as kilotonnes",
             "write `kn` for knots, `1000 t` for a kilotonne",
         );
+    }
+    if ["ton", "tons"].iter().any(|ton| ton.eq_ignore_ascii_case(symbol)) {
+        return UnitError::with_help(
+            format!("`{symbol}` can be read as a metric, a long or a short ton"),
+            "write `t` for 1000 kg, `LT` for 1016 kg, `ST` for 907 kg",
+        );
+    }
+    if temperature::is_unit(symbol) {
+        return UnitError::new(format!("`{}` is a temperature", symbol.escape_debug()));
     }
     let spelled = UNITS.iter().find(|unit| {
         unit.also.iter().any(|other| *other == symbol || other.eq_ignore_ascii_case(symbol))

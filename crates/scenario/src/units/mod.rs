@@ -5,8 +5,11 @@ mod decimal;
 mod dimension;
 mod expression;
 mod table;
+mod temperature;
 
 pub(crate) use dimension::{Dimension, measures, measures::Measure};
+
+pub(crate) use temperature::{celsius, of_kelvin};
 
 use decimal::Decimal;
 

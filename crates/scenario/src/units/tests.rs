@@ -55,10 +55,64 @@ fn known_quantities_are_exact() {
         ("60 rpm", core::f64::consts::TAU),
         ("0 deg/s", 0.0),
         ("1 J/m^2", 1.0),
+        ("1 in", 0.0254),
+        ("12 in", 0.3048),
+        ("1 lb", 0.453_592_37),
+        ("1 LT", 1_016.046_908_8),
+        ("20000 LT", 20_320_938.176),
+        ("1 ST", 907.184_74),
+        ("200 tonne", 200_000.0),
+        ("1 lbf", 4.448_221_615_260_5),
+        ("1 kip", 4_448.221_615_260_5),
+        ("100 kips", 444_822.161_526_05),
+        ("1 LTf", 9_964.016_418_183_52),
+        ("1 mph", 0.447_04),
+        ("1 kNm", 1000.0),
+        ("2 MNm", 2e6),
+        ("1000 kN·m", 1e6),
+        ("20 tf.m", 196_133.0),
     ];
     for (text, expected) in cases {
         assert_eq!(si(text).to_bits(), f64::to_bits(expected), "{text}: {}", si(text));
     }
+}
+
+/// Pressures in pounds, by their definitions.
+#[test]
+fn pressures_of_the_profession() {
+    let near = |text: &str, expected: f64| {
+        let error = si(text) / expected - 1.0;
+        assert!(error.abs() < 4.0 * f64::EPSILON, "{text}: {}", si(text));
+    };
+    near("1 psi", 4.448_221_615_260_5 / (0.0254 * 0.0254));
+    near("1 psi", 6_894.757_293_168_361);
+    near("1 ksi", 4_448.221_615_260_5 / (0.0254 * 0.0254));
+    near("1 ksf", 4_448.221_615_260_5 / (0.3048 * 0.3048));
+    near("1 kip/ft^2", si("1 ksf"));
+    near("1 lbf/in^2", si("1 psi"));
+    near("1 kip.ft", 4_448.221_615_260_5 * 0.3048);
+}
+
+#[test]
+fn temperatures_are_degrees_celsius() {
+    let celsius = |text: &str| super::celsius(text).unwrap();
+    for text in ["40", "40 degC", "40degC", "40 °C", "104 degF", "104 °F", " 104 degF "] {
+        assert_eq!(celsius(text), 40.0, "{text}");
+    }
+    assert_eq!(celsius("-40 degF"), -40.0);
+    assert_eq!(celsius("-17.5"), -17.5);
+    let refused = |text: &str, message: &str, help: &str| {
+        let error = super::celsius(text).expect_err(text);
+        assert!(error.message.contains(message), "{text}: {error:?}");
+        assert!(error.help.unwrap_or_default().contains(help), "{text}: lacks {help}");
+    };
+    refused("300 K", "kelvin is not taken", "26.85 degC");
+    refused("300 kelvin", "kelvin is not taken", "26.85 degC");
+    refused("40 C", "`C`", "`degC`");
+    refused("40 deg", "`deg`", "`degC`");
+    refused("104 F", "`F`", "`degF`");
+    refused("40 m", "`m` is not a unit of temperature", "degC or degF");
+    refused("warm", "no number", "");
 }
 
 #[test]
@@ -98,6 +152,13 @@ fn mistakes_are_named() {
     check_error("4 kts", "`kts` is not a known unit", "`kn`");
     check_error("4 knots", "`knots` is not a known unit", "`kn`");
     check_error("4 kt", "knots or as kilotonnes", "`kn`");
+    check_error("4 ton", "metric, a long or a short ton", "`LT` for 1016 kg");
+    check_error("4 lt", "`lt` is not a known unit", "`LT`");
+    check_error("4 Kip", "`Kip`", "`kip`");
+    check_error("4 lbs", "`lbs`", "`lb`");
+    check_error("4 inches", "`inches`", "`in`");
+    check_error("4 kip-ft", "`-` does not belong", "kip.ft");
+    check_error("4 degC", "`degC` is a temperature", "");
     check_error("4 KN/m^2", "`KN`", "`kn`");
     check_error("4 kn/m2", "digit right after the unit `m`", "`m^2`");
     check_error("4 blubb", "`blubb` is not a known unit", "known units: ");

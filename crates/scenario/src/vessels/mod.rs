@@ -48,6 +48,11 @@ impl VesselLibrary {
     /// The built-in vessel files.
     #[must_use]
     pub fn built_in() -> VesselLibrary {
+        VesselLibrary::of_program().clone()
+    }
+
+    /// The same, shared.
+    pub(crate) fn of_program() -> &'static VesselLibrary {
         // Read once: a batch checks thousands of scenarios.
         static READ: OnceLock<VesselLibrary> = OnceLock::new();
         let read = || {
@@ -57,7 +62,7 @@ impl VesselLibrary {
                 read.unwrap_or_else(|error| panic!("vessels/{name}: {error}"))
             })
         };
-        READ.get_or_init(read).clone()
+        READ.get_or_init(read)
     }
 
     /// The library with a user's file added. `name` is for messages.

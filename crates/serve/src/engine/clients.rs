@@ -107,6 +107,7 @@ impl Engine {
             lines: &self.info.lines,
             tugs: &self.info.tugs,
             orders: &self.info.orders,
+            telegraph: &self.info.telegraph,
             limits: COMMAND_LIMITS,
             places: &self.info.places,
             mine: controls

@@ -2,9 +2,10 @@
 
 use std::f64::consts::PI;
 
-use fenderline_contact::{FenderLaw, Material, Unloading, vec2};
+use fenderline_contact::{FenderLaw, Material, Panel, Unloading, vec2};
 use fenderline_sim::{
-    FenderSetup, Integrator, MassProperties, Method, PairSetup, Setup, Simulation,
+    ChainKind, ChainSetup, FenderSetup, Integrator, MassProperties, Method, PairSetup, Setup,
+    Simulation,
 };
 
 use crate::draw::Draw;
@@ -32,6 +33,8 @@ pub(crate) struct Episode {
     pub(crate) step_s: f64,
     /// Unloading law of the fenders.
     unloading: Option<UnloadsBy>,
+    /// Panels on two cones at these places, with a tension chain of this break load.
+    pub(crate) panel: Option<([f64; 2], f64)>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -96,6 +99,10 @@ pub(crate) fn random(seed: u64, anisotropic: bool, unloads: bool) -> Episode {
             let share = draw.between(Unloading::MIN_RETURNED_SHARE, 0.95);
             draw.one_of(&[UnloadsBy::Returned(share), UnloadsBy::Curve(share)])
         }),
+        panel: draw.one_of(&[false, true]).then(|| {
+            let cones_m = [draw.between(-1.9, -0.2), draw.between(0.2, 1.9)];
+            (cones_m, libm::exp10(draw.between(3.0, 7.0)))
+        }),
     }
 }
 
@@ -156,6 +163,7 @@ fn setup(episode: &Episode) -> Setup {
         materials,
         pairs: vec![PairSetup { bodies: [0, 1], material: 0 }],
         all_other_pairs: None,
+        approaches: vec![],
         fenders: (0..4).map(|k| fender(k, episode)).collect(),
         berthing: None,
         loads: vec![],
@@ -195,5 +203,21 @@ fn fender(k: u32, episode: &Episode) -> FenderSetup {
         Law::Area => (fender.law, fender.rated) = (FenderLaw::Area, None),
     }
     fender.unloading = episode.unloading.map(|unloads_by| unloading(unloads_by, &fender.law));
+    // A panel has a reaction curve, and a returned share of the energy.
+    if let (Some((cones_m, break_load_n)), FenderLaw::Curve(_)) = (episode.panel, &fender.law) {
+        fender.panel = Some(Panel { cones_m: cones_m.to_vec(), tension_chains: vec![] });
+        fender.chains = vec![ChainSetup {
+            kind: ChainKind::Tension,
+            at_m: 1.9,
+            slack_m: 0.01,
+            stiffness_npm: 1e7,
+            break_load_n,
+        }];
+        fender.unloading = episode.unloading.map(|unloads_by| match unloads_by {
+            UnloadsBy::Returned(share) | UnloadsBy::Curve(share) => {
+                Unloading::ReturnedEnergy(share)
+            }
+        });
+    }
     fender
 }

@@ -108,6 +108,7 @@ fn face() -> Model {
         rated_deflection_m: 4.0,
         stop: None,
         factors: ReactionFactors::default(),
+        panel: None,
     };
     model(outline(&quay), Some(fender), spring(STIFFNESS_NPM2, 1.0))
 }

@@ -2,9 +2,12 @@
 //!
 //! Each of the three is a damped oscillator with mass or inertia (added mass included), linear damping and hydrostatic
 //! restoring. They are driven by the moments of all horizontal forces about the centre of gravity, with the height at
-//! which each force acts. The horizontal motion does not depend on them. First-order wave motion is superposed, and does
+//! which each force acts. The horizontal motion depends on them only at fenders that meet a hull with outlines by height
+//! ([`crate::HullByHeight`]). First-order wave motion is superposed, and does
 //! not pass through the oscillators. This is a low-frequency model with constant added mass: it has no memory terms as
 //! in Cummins' equation, and no coupling of heave and pitch.
+
+use fenderline_contact::Vec2;
 
 mod oscillator;
 mod particulars;
@@ -40,6 +43,13 @@ impl AttitudeLoad {
     pub fn add(&mut self, forward_n: f64, starboard_n: f64, above_m: f64) {
         self.roll_nm += starboard_n * above_m;
         self.pitch_nm -= forward_n * above_m;
+    }
+
+    /// Adds a vertical force, positive up (N), at a place forward and to starboard of the centre of gravity (m).
+    pub fn add_upward(&mut self, up_n: f64, at_m: Vec2) {
+        self.heave_n -= up_n;
+        self.roll_nm -= up_n * at_m.y;
+        self.pitch_nm += up_n * at_m.x;
     }
 }
 

@@ -4,7 +4,7 @@ use fenderline_contact::number::bounded;
 
 use core::f64::consts::PI;
 
-use super::check::{BEAM, BLOCK_COEFFICIENT, DRAUGHT, UNDER_KEEL_CLEARANCE};
+use super::check::{BEAM, BLOCK_COEFFICIENT, DRAUGHT, LENGTH, Range, UNDER_KEEL_CLEARANCE};
 use super::error::BerthingError;
 
 /// Cm by PIANC 2002: 1.8 where the under-keel clearance is at most 0.1 of the draught, 1.5 where it
@@ -49,9 +49,71 @@ pub fn vasco_costa_added_mass(draught_m: f64, beam_m: f64) -> Result<f64, Berthi
     Ok(1.0 + 2.0 * DRAUGHT.check(draught_m)? / BEAM.check(beam_m)?)
 }
 
+/// Cm by UFC 4-152-01: Cm₀ + (Cm₁ − Cm₀)(D/d)^3.5 with the depth of water d, Cm₀ = 1.3 + 1.5 D/B and
+/// Cm₁ = F (12.4 (D/B)^0.3 − 50 D/L). F is 1.5 Cb below a block coefficient of 0.6 and 0.9 from there on. In little water
+/// under the keel it is far above the other formulas: 5.0 where they give 1.5 to 1.8.
+///
+/// Source: found (mooringberthing, a public calculator in Python: `berth_coeff.py`); the text of the UFC was not read. The calculator
+/// puts the product of the other berthing factors where this has the block coefficient, which is recalled: added mass depends
+/// on the hull and not on where she touches. Both give F = 0.9 for a full ship broadside.
+///
+/// # Errors
+/// A particular out of range, or a ship for which the formula is below 1.
+pub fn ufc_added_mass(
+    under_keel_clearance_m: f64,
+    draught_m: f64,
+    beam_m: f64,
+    length_bp_m: f64,
+    block_coefficient: f64,
+) -> Result<f64, BerthingError> {
+    let clearance_m = UNDER_KEEL_CLEARANCE.check(under_keel_clearance_m)?;
+    let (draught_m, beam_m) = (DRAUGHT.check(draught_m)?, BEAM.check(beam_m)?);
+    let length_m = LENGTH.check(length_bp_m)?;
+    let fullness = ufc_fullness(BLOCK_COEFFICIENT.check(block_coefficient)?);
+    UFC.check(ufc_by_fullness(clearance_m, draught_m, beam_m, length_m, fullness))
+}
+
+static UFC: Range = Range::new("added mass factor Cm by UFC 4-152-01", 1.0, 10.0);
+
+/// F.
+fn ufc_fullness(block_coefficient: f64) -> f64 {
+    if block_coefficient < 0.6 { 1.5 * block_coefficient } else { 0.9 }
+}
+
+fn ufc_by_fullness(
+    clearance_m: f64,
+    draught_m: f64,
+    beam_m: f64,
+    length_m: f64,
+    fullness: f64,
+) -> f64 {
+    let over_beam = draught_m / beam_m;
+    let deep = 1.3 + 1.5 * over_beam;
+    let shallow = fullness * (12.4 * libm::pow(over_beam, 0.3) - 50.0 * draught_m / length_m);
+    deep + (shallow - deep) * libm::pow(draught_m / (draught_m + clearance_m), 3.5)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The supply ship T-AKE of that calculator's test, in feet: 689 by 106, draught 31.8, 33.49 of water. It takes 0.9 for F
+    /// broadside and 1.5 times the product of its other factors, 0.4803 · 0.95, at the quarter point: Cm 5.045 and 3.907.
+    #[test]
+    fn the_ufc_s_formula_gives_what_the_public_calculator_has() {
+        let [length_m, beam_m, draught_m, depth_m] =
+            [689.0, 106.0, 31.8, 33.49].map(|ft| 0.3048 * ft);
+        let clearance_m = depth_m - draught_m;
+        let broadside = ufc_added_mass(clearance_m, draught_m, beam_m, length_m, 0.686).unwrap();
+        assert!((broadside - 5.045).abs() < 5e-4, "{broadside}");
+        let fullness = 1.5 * 0.4803 * 0.95;
+        let quarter = ufc_by_fullness(clearance_m, draught_m, beam_m, length_m, fullness);
+        assert!((quarter - 3.907).abs() < 1e-3, "{quarter}");
+        // F has no jump, and in deep water Cm is 1.3 + 1.5 D/B.
+        assert!((ufc_fullness(0.6 - 1e-12) - ufc_fullness(0.6)).abs() < 1e-9);
+        let deep = ufc_added_mass(2e4, draught_m, beam_m, length_m, 0.686).unwrap();
+        assert!((deep - (1.3 + 1.5 * 31.8 / 106.0)).abs() < 1e-6, "{deep}");
+    }
 
     /// By hand from the three formulas: KC 6.28 m, D 13.72 m, B 51 m, Cb 0.831. They are given
     /// to three decimals.

@@ -31,12 +31,20 @@ mod eccentricity;
 mod energy;
 mod error;
 mod fenders;
+mod formula;
+mod hit;
+mod outcome;
+mod setup;
 mod study;
 
-pub use added_mass::{pianc_2002_added_mass, ueda_added_mass, vasco_costa_added_mass};
+pub use added_mass::{
+    pianc_2002_added_mass, ueda_added_mass, ufc_added_mass, vasco_costa_added_mass,
+};
 pub use eccentricity::{ContactPoint, eccentricity_factor, frictionless_factor, gyradius_m};
 pub use energy::{BerthingEnergy, Configuration, Softness, abnormal_energy_j};
 pub use error::BerthingError;
 pub use fenders::{compression_time_s, hull_pressure_npm2, largest_spacing_m};
-pub use study::{BerthingOutcome, BerthingSetup};
+pub use formula::{AddedMass, AddedMassFormula};
+pub use outcome::{AddedSway, BerthingOutcome, LaterHit, OtherShip, ShallowFactor};
+pub use setup::BerthingSetup;
 pub(crate) use study::{Study, StudyStep};

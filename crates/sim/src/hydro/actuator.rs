@@ -140,6 +140,23 @@ impl Telegraph {
         Telegraph::NavigationFull,
     ];
 
+    /// The order in words, as in scenario files.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Telegraph::FullAstern => "full astern",
+            Telegraph::HalfAstern => "half astern",
+            Telegraph::SlowAstern => "slow astern",
+            Telegraph::DeadSlowAstern => "dead slow astern",
+            Telegraph::Stop => "stop",
+            Telegraph::DeadSlowAhead => "dead slow ahead",
+            Telegraph::SlowAhead => "slow ahead",
+            Telegraph::HalfAhead => "half ahead",
+            Telegraph::FullAhead => "full ahead",
+            Telegraph::NavigationFull => "navigation full",
+        }
+    }
+
     /// Revolutions over those at full ahead at sea. Typical values for slow-running engines; a vessel with a table of her own
     /// uses that.
     pub fn revolutions_ratio(self) -> f64 {

@@ -5,6 +5,7 @@ use fenderline_contact::{BodyState, Contact, Memory, Model, Wrench};
 use super::Simulation;
 use super::check::whole_steps;
 use crate::berthing::{BerthingError, BerthingOutcome};
+use crate::dolphin::DolphinSummary;
 use crate::environment::current::Current;
 use crate::environment::wind::Wind;
 use crate::error::SetupError;
@@ -114,13 +115,21 @@ impl Simulation {
         self.fender_summaries.all.iter().flatten()
     }
 
+    /// A summary of each flexible dolphin, in the order of the set-up.
+    #[must_use]
+    pub fn dolphin_summaries(&self) -> &[DolphinSummary] {
+        &self.dolphins.summaries
+    }
+
     /// What was found in the run so far, the worst first. [`Verdict::of`] gives the verdict.
     #[must_use]
     pub fn findings(&self) -> Vec<Finding> {
         let gain = self.energy_gain();
         let gain = gain
             .map(|EnergyGain { gained_j, taken_j }| Finding::EnergyGained { gained_j, taken_j });
-        self.watch.findings(&self.setup, self.fender_summaries(), gain)
+        let touched = (self.fender_summaries(), self.sides.missed());
+        let piles = self.dolphins.summaries.as_slice();
+        self.watch.findings(&self.setup, touched, piles, gain)
     }
 
     /// Bodies that started inside each other; empty in a sound scenario. Known before the first step.

@@ -27,6 +27,7 @@ impl Simulation {
             water_inertia: &self.world.water_inertia,
             tugs: &self.world.tugs,
             lines: &self.world.lines,
+            dolphins: &self.dolphins.motions,
             order: &self.world.order,
             step_s: self.setup.step_s,
         };
@@ -35,7 +36,8 @@ impl Simulation {
             inertias: &self.inertias,
             states: &self.states,
         };
-        self.ledger.add(bodies, &step.works(), &self.contact_totals);
+        let dolphins = &self.dolphins.motions;
+        self.ledger.add(bodies, &step.works(), &self.contact_totals, dolphins);
     }
 
     /// The contact engine moves the bodies itself.
@@ -68,7 +70,7 @@ impl Simulation {
         let engine_moves = self.engine_moves();
         let (contacts, buffers) = (self.work.contacts(), &self.buffers);
         let totals = &mut self.contact_totals;
-        totals.open(contacts);
+        totals.open(contacts, &self.sides.works);
         if engine_moves {
             totals.add(contacts, &buffers.mean, WorkSource::Engine);
         } else if self.setup.method == Method::Paper && self.setup.integrator == Integrator::Rk4 {

@@ -4,6 +4,7 @@ use fenderline_contact::{BodyState, Contact, Memory, Model, Vec2, Workspace, Wre
 
 use crate::integrate::Rate;
 use crate::mean_velocity::MeanVelocity;
+use crate::world::WorldBackup;
 
 /// One entry per body, but for the last fields.
 #[derive(Clone, Debug)]
@@ -36,6 +37,8 @@ pub(super) struct Buffers {
     pub(super) stage_work: Workspace,
     /// The contact memory before the step, restored if a later Runge–Kutta stage fails.
     pub(super) backup: Memory,
+    /// The world before the step, restored if the step fails.
+    pub(super) world: WorldBackup,
 }
 
 impl Buffers {
@@ -57,6 +60,7 @@ impl Buffers {
             stage_memory: memory.clone(),
             stage_work: Workspace::new(model),
             backup: memory.clone(),
+            world: WorldBackup::default(),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Checks of a set-up that concern several of its parts.
 
-use crate::berthing::Study;
+use crate::berthing::{ShallowFactor, Study};
 use crate::error::SetupError;
 use crate::setup::{Load, Setup};
 use crate::world::LineEnd;
@@ -74,9 +74,21 @@ pub(super) fn check_lines(setup: &Setup) -> Result<(), SetupError> {
 pub(super) fn berthing_study(setup: &Setup) -> Result<Option<Study>, SetupError> {
     let Some(berthing) = setup.berthing else { return Ok(None) };
     let ship = setup.bodies.get(berthing.ship).and_then(|body| body.mass);
-    let Some(mass) = ship else {
+    let Some(_) = ship else {
         return Err(SetupError::BadBody { owner: "berthing", body: berthing.ship });
     };
     berthing.check().map_err(SetupError::Berthing)?;
-    Ok(Some(Study::new(berthing, mass.mass_kg)))
+    let displacements_kg = setup.bodies.iter().map(|body| body.mass.map(|mass| mass.mass_kg));
+    Ok(Some(Study::new(berthing, displacements_kg.collect(), shallow_factor(setup, berthing.ship))))
+}
+
+/// The factor of the water at the start on the added mass in sway of a vessel.
+fn shallow_factor(setup: &Setup, ship: usize) -> Option<ShallowFactor> {
+    let depth_m = setup.world.environment.depth_at_m(0.0)?;
+    let vessel = setup.world.vessels.iter().find(|vessel| vessel.body == ship)?;
+    let deep_m3 = vessel.deep.added_mass.sway_m3;
+    (deep_m3 > 0.0).then(|| ShallowFactor {
+        factor: vessel.ship.added_mass.sway_m3 / deep_m3,
+        depth_over_draught: depth_m / vessel.deep.particulars.draught_m,
+    })
 }

@@ -1,7 +1,8 @@
 //! From a set-up to the inertias of its bodies and the contact model.
 
-use fenderline_contact::{Body, BodyId, BodyState, Fender, MaterialId, Model, Pair};
+use fenderline_contact::{Body, BodyId, BodyState, Fender, MaterialId, Model, Pair, Panel};
 
+use crate::chain::tension_chains;
 use crate::error::SetupError;
 use crate::fender::FenderSetup;
 use crate::order::check_order;
@@ -16,10 +17,15 @@ impl Setup {
     /// Method and integrator decide what the inertia of a body is: with the coupled method and the semi-implicit
     /// integrator the engine adds the Coriolis terms itself, as it does in a simulation.
     ///
+    /// Fenders meet a body with outlines by height at its waterline: the heights are known to a simulation only.
+    ///
     /// # Errors
     /// [`SetupError`], naming what is wrong.
     pub fn contact_model(&self) -> Result<Model, SetupError> {
-        build_model(self, &inertias(self)?)
+        if let Some(body) = self.bodies.iter().find(|body| body.dolphin.is_some()) {
+            return Err(SetupError::DolphinOfHost { body: body.name.clone() });
+        }
+        build_model(self, &inertias(self)?, Fenders::MeetOutlines)
     }
 
     /// The initial states of the bodies, in the order of the set-up.
@@ -33,7 +39,15 @@ impl Setup {
 pub(super) fn inertias(setup: &Setup) -> Result<Vec<Inertia>, SetupError> {
     let engine_moves =
         setup.method == Method::Coupled && setup.integrator == Integrator::SemiImplicit;
-    let of_body = |body: &BodySetup| Inertia::of(body.mass.as_ref(), setup.method, engine_moves);
+    let of_body = |body: &BodySetup| match &body.dolphin {
+        Some(dolphin) => Inertia::of_dolphin(dolphin, body.position_m),
+        None => Inertia::of(body.mass.as_ref(), setup.method, engine_moves),
+    };
+    if let Some(body) = setup.bodies.iter().find(|body| body.dolphin.is_some())
+        && !engine_moves
+    {
+        return Err(SetupError::DolphinNeedsEngine { body: body.name.clone() });
+    }
     let mut inertias: Vec<Inertia> = setup.bodies.iter().map(of_body).collect();
     let density_kgpm3 = setup.world.environment.water_density_kgpm3;
     for vessel in &setup.world.vessels {
@@ -56,8 +70,21 @@ pub(super) fn inertias(setup: &Setup) -> Result<Vec<Inertia>, SetupError> {
     Ok(inertias)
 }
 
+/// What fenders meet of bodies with outlines by height.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Fenders {
+    /// The outline at the waterline.
+    MeetOutlines,
+    /// The outline at their own height, which the simulation cuts.
+    MeetSlices,
+}
+
 /// The contact model of a set-up.
-pub(super) fn build_model(setup: &Setup, inertias: &[Inertia]) -> Result<Model, SetupError> {
+pub(super) fn build_model(
+    setup: &Setup,
+    inertias: &[Inertia],
+    fenders_do: Fenders,
+) -> Result<Model, SetupError> {
     let mut builder = Model::builder();
     let keys = keys_of(setup.bodies.iter().map(|body| body.name.as_str()))
         .map_err(|name| SetupError::DuplicateName { what: "bodies", name })?;
@@ -68,6 +95,16 @@ pub(super) fn build_model(setup: &Setup, inertias: &[Inertia]) -> Result<Model, 
             outline: body.outline.clone(),
             mobility: inertia.mobility(),
         });
+    }
+    for (body, hull) in
+        setup.bodies.iter().enumerate().filter_map(|(i, b)| Some((i, b.hull.as_ref()?)))
+    {
+        if setup.method == Method::Paper {
+            return Err(SetupError::HullByPaperMethod { body });
+        }
+        if fenders_do == Fenders::MeetSlices {
+            builder.outlines_by_height(BodyId(body as u32), hull.radius_m());
+        }
     }
     for material in &setup.materials {
         builder.material(material.material);
@@ -103,6 +140,10 @@ fn engine_fender(fender: &FenderSetup, key: u64) -> Fender {
         rated_deflection_m: fender.rated.map_or(fender.projection_m, |rated| rated.deflection_m),
         stop: fender.stop,
         factors: fender.factors.clone(),
+        panel: fender
+            .panel
+            .as_ref()
+            .map(|panel| Panel { tension_chains: tension_chains(&fender.chains), ..panel.clone() }),
     }
 }
 

@@ -3,6 +3,9 @@
 use super::finding::Finding;
 use crate::fender::{FenderSetup, FenderSummary};
 
+/// A share of a catalogue's rating that is shown as 101 % or more.
+const ABOVE_CATALOGUE: f64 = 1.005;
+
 impl FenderSummary {
     /// The worst that there is to say of this fender after a run; `None` if it stayed within its rating and within the
     /// permissible hull pressure.
@@ -22,4 +25,45 @@ impl FenderSummary {
             return None;
         })
     }
+
+    /// The quantity, `energy` or `reaction`, that is above the catalogue's rating, its share of that, and its share of the rating
+    /// with the factors of this run. `None` within the catalogue's rating, and for a fender that is beyond the run's rating too.
+    ///
+    /// A curve that buckles can peak a little above its rated reaction: that is within the catalogue.
+    fn above_catalogue(&self, setup: &FenderSetup) -> Option<(&'static str, f64, f64)> {
+        if self.failed || self.governing()?.1 > 1.0 {
+            return None;
+        }
+        let energy = self.share_of_catalogue_energy(setup)?;
+        let reaction = self.share_of_catalogue_reaction()?;
+        let within_curve = self.share_of_largest_reaction? * self.factor <= ABOVE_CATALOGUE;
+        let of_energy = ("energy", energy, self.share_of_rated_energy?);
+        let of_reaction = ("reaction", reaction, self.share_of_rated_reaction?);
+        let of_reaction = Some(of_reaction).filter(|_| !within_curve);
+        let of_energy = Some(of_energy).filter(|_| energy > ABOVE_CATALOGUE);
+        of_energy.into_iter().chain(of_reaction).max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// The chains that parted.
+    pub(super) fn chains_parted(&self) -> impl Iterator<Item = Finding> {
+        let fender = self.fender;
+        self.chains.iter().filter_map(move |chain| {
+            let (kind, tension_n) = (chain.kind, chain.peak_tension_n);
+            let at_s = chain.parted_at_s?;
+            Some(Finding::ChainParted { fender, kind, at_s, tension_n })
+        })
+    }
+}
+
+/// One finding on all fenders that took more than their catalogue rates, within their ratings with the factors of the run: it names the
+/// one farthest above.
+pub(super) fn above_catalogue<'a>(
+    setups: &[FenderSetup],
+    fenders: impl Iterator<Item = &'a FenderSummary>,
+) -> Option<Finding> {
+    let above = fenders.filter_map(|of| Some((of.fender, of.above_catalogue(&setups[of.fender])?)));
+    let mut number = 0;
+    let worst = above.inspect(|_| number += 1).max_by(|a, b| a.1.1.total_cmp(&b.1.1));
+    let (fender, (quantity, share, share_of_run)) = worst?;
+    Some(Finding::AboveCatalogue { fender, quantity, share, share_of_run, others: number - 1 })
 }

@@ -1,6 +1,7 @@
 //! What can be found in a run.
 
 use super::Verdict;
+use crate::chain::ChainKind;
 use crate::setup::Setup;
 
 /// Something found in a run, with the body, fender, line or vessel that it is about: indices into the [`Setup`].
@@ -27,6 +28,28 @@ pub enum Finding {
         at_s: f64,
         /// Peak deflection (m).
         deflection_m: f64,
+    },
+    /// A chain of a fender parted.
+    ChainParted {
+        /// The fender.
+        fender: usize,
+        /// What the chain held.
+        kind: ChainKind,
+        /// Start of the step (s).
+        at_s: f64,
+        /// The tension at which it parted (N).
+        tension_n: f64,
+    },
+    /// The pile of a flexible dolphin yielded.
+    PileYielded {
+        /// The dolphin.
+        body: usize,
+        /// Start of the first step of it (s).
+        first_s: f64,
+        /// Its yield load (N).
+        load_n: f64,
+        /// Permanent deflection (m).
+        offset_m: f64,
     },
     /// A line parted.
     LineParted {
@@ -64,6 +87,31 @@ pub enum Finding {
         quantity: &'static str,
         /// Its peak over the rated one.
         share: f64,
+    },
+    /// A fender took more than its catalogue rates. The factors of the run (temperature, tolerance, speed, angle) explain it:
+    /// with them it stayed within its rating.
+    AboveCatalogue {
+        /// The fender, of several the one farthest above.
+        fender: usize,
+        /// `energy` or `reaction`.
+        quantity: &'static str,
+        /// Its peak over the rating of the catalogue.
+        share: f64,
+        /// Its peak over the rating with the factors of the run.
+        share_of_run: f64,
+        /// How many other fenders are above their catalogue's rating.
+        others: usize,
+    },
+    /// A fender would have pressed on a hull, but she has no side at its height.
+    NoSideAtFender {
+        /// The fender.
+        fender: usize,
+        /// The hull's body.
+        body: usize,
+        /// Start of the first step of it (s).
+        first_s: f64,
+        /// How far the middle of its face was above the highest outline of the hull (m); negative: below the lowest.
+        off_m: f64,
     },
     /// A line could not be made fast: its ends were farther apart than its length.
     LineNotMadeFast {
@@ -131,11 +179,14 @@ impl Finding {
     pub fn verdict(&self) -> Verdict {
         match self {
             Finding::StructureStruck { .. } => Verdict::StructureStruck,
-            Finding::FenderFailed { .. } => Verdict::FenderFailed,
+            Finding::FenderFailed { .. } | Finding::ChainParted { .. } => Verdict::FenderFailed,
+            Finding::PileYielded { .. } => Verdict::PileYielded,
             Finding::LineParted { .. } => Verdict::LineParted,
             Finding::StartInside { .. } => Verdict::StartInside,
             Finding::Aground { .. } => Verdict::Aground,
             Finding::FenderOverRated { .. } => Verdict::FenderOverRated,
+            Finding::AboveCatalogue { .. } => Verdict::AboveCatalogue,
+            Finding::NoSideAtFender { .. } => Verdict::NoSideAtFender,
             Finding::LineOverWorking { .. } => Verdict::LineOverWorking,
             Finding::LineNotMadeFast { .. } => Verdict::LineNotMadeFast,
             Finding::HullPressure { .. } => Verdict::HullPressure,
@@ -161,8 +212,13 @@ impl Finding {
                 names.extend(bodies.map(body));
                 names
             }
+            Finding::NoSideAtFender { fender: index, body: of, .. } => {
+                vec![fender(index), body(of)]
+            }
             Finding::FenderFailed { fender: index, .. }
+            | Finding::ChainParted { fender: index, .. }
             | Finding::FenderOverRated { fender: index, .. }
+            | Finding::AboveCatalogue { fender: index, .. }
             | Finding::HullPressure { fender: index, .. }
             | Finding::FenderNotRated { fender: index } => vec![fender(index)],
             Finding::LineParted { line, .. }
@@ -171,6 +227,7 @@ impl Finding {
             | Finding::LineRendered { line, .. } => {
                 vec![setup.world.lines[line].line.name.as_str()]
             }
+            Finding::PileYielded { body: of, .. } => vec![body(of)],
             Finding::Aground { vessel, .. } => vec![body(setup.world.vessels[vessel].body)],
             Finding::EnergyGained { .. }
             | Finding::NotConverged { .. }
@@ -194,13 +251,29 @@ impl Finding {
                 )
             }
             Finding::FenderFailed { at_s, deflection_m, .. } => format!(
-                "Fender {} was compressed {} at {at_s:.1} s, into its stop or flat; the structure behind it carried \
+                "{} was compressed {} at {at_s:.1} s, into its stop or flat; the structure behind it carried \
                  the hull",
-                names[0],
+                called("Fender", names[0]),
                 length(deflection_m)
             ),
+            Finding::ChainParted { kind, at_s, tension_n, .. } => format!(
+                "A {} chain of {} parted at {at_s:.1} s under {}",
+                kind.word(),
+                called("fender", names[0]),
+                force(tension_n)
+            ),
+            Finding::PileYielded { first_s, load_n, offset_m, .. } => format!(
+                "The pile of {} yielded at {first_s:.1} s under {}: {} of its deflection stay",
+                names[0],
+                force(load_n),
+                length(offset_m)
+            ),
             Finding::LineParted { at_s, tension_n, .. } => {
-                format!("Line {} parted at {at_s:.1} s under {}", names[0], force(tension_n))
+                format!(
+                    "{} parted at {at_s:.1} s under {}",
+                    called("Line", names[0]),
+                    force(tension_n)
+                )
             }
             Finding::StartInside { fender: None, depth_m, .. } => format!(
                 "{} starts {} inside {}; forces of the first contact are not physical: correct the start position",
@@ -209,9 +282,9 @@ impl Finding {
                 names[1]
             ),
             Finding::StartInside { fender: Some(_), depth_m, .. } => format!(
-                "Fender {} starts compressed {} between {} and {}, more than any berthing explains; forces of the first \
+                "{} starts compressed {} between {} and {}, more than any berthing explains; forces of the first \
                  contact are not physical",
-                names[0],
+                called("Fender", names[0]),
                 length(depth_m),
                 names[1],
                 names[2]
@@ -220,20 +293,45 @@ impl Finding {
                 format!("{} was aground from {first_s:.1} s for {}", names[0], duration(lasting_s))
             }
             Finding::FenderOverRated { quantity, share, .. } => {
-                format!("Fender {}: {quantity} {:.0} % of rated", names[0], 100.0 * share)
+                format!(
+                    "{}: {quantity} {:.0} % of rated",
+                    called("Fender", names[0]),
+                    100.0 * share
+                )
             }
+            Finding::AboveCatalogue { quantity, share, share_of_run, others, .. } => {
+                let others = match others {
+                    0 => String::new(),
+                    1 => "; one other fender is above it too".to_owned(),
+                    others => format!("; {others} other fenders are above it too"),
+                };
+                format!(
+                    "{}: {quantity} {:.0} % of the catalogue's rating, {:.0} % of the rating with this run's factors \
+                     (temperature, tolerance, speed, angle){others}",
+                    called("Fender", names[0]),
+                    100.0 * share,
+                    100.0 * share_of_run
+                )
+            }
+            Finding::NoSideAtFender { first_s, off_m, .. } => format!(
+                "{} has no side at {}, {} {}, at {first_s:.1} s: the fender did not touch her",
+                names[1],
+                called("fender", names[0]),
+                length(off_m.abs()),
+                if off_m > 0.0 { "above her highest outline" } else { "below her lowest outline" }
+            ),
             Finding::LineOverWorking { first_s, lasting_s, share, .. } => format!(
-                "Line {}: {:.0} % of its working load, above it from {first_s:.1} s for {}",
-                names[0],
+                "{}: {:.0} % of its working load, above it from {first_s:.1} s for {}",
+                called("Line", names[0]),
                 100.0 * share,
                 duration(lasting_s)
             ),
             Finding::LineNotMadeFast { at_s, .. } => {
-                format!("Line {} could not be made fast at {at_s:.1} s", names[0])
+                format!("{} could not be made fast at {at_s:.1} s", called("Line", names[0]))
             }
             Finding::HullPressure { share, .. } => format!(
-                "Fender {}: {:.0} % of the permissible hull pressure",
-                names[0],
+                "{}: {:.0} % of the permissible hull pressure",
+                called("Fender", names[0]),
                 100.0 * share
             ),
             Finding::EnergyGained { gained_j, taken_j } => format!(
@@ -246,10 +344,10 @@ impl Finding {
                 if steps == 1 { "step" } else { "steps" }
             ),
             Finding::LineRendered { rendered_m, .. } => {
-                format!("The winch of line {} rendered {}", names[0], length(rendered_m))
+                format!("The winch of {} rendered {}", called("line", names[0]), length(rendered_m))
             }
             Finding::FenderNotRated { .. } => {
-                format!("Fender {} has no rating to compare with", names[0])
+                format!("{} has no rating to compare with", called("Fender", names[0]))
             }
             Finding::ContactNotRated { .. } => {
                 format!(
@@ -260,6 +358,12 @@ impl Finding {
             Finding::NoFenderTouched => "No fender was touched".to_owned(),
         }
     }
+}
+
+/// A name with what it is the name of, unless it begins with that: `Fender north`, but `fender_9`.
+pub fn called(kind: &str, name: &str) -> String {
+    let begins = name.get(..kind.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(kind));
+    if begins { name.to_owned() } else { format!("{kind} {name}") }
 }
 
 fn force(force_n: f64) -> String {
@@ -279,5 +383,19 @@ fn duration(lasting_s: f64) -> String {
         format!("{lasting_s:.1} s")
     } else {
         format!("{:.0} min", lasting_s / 60.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::called;
+
+    #[test]
+    fn a_name_is_not_said_twice() {
+        assert_eq!(called("Fender", "north"), "Fender north");
+        assert_eq!(called("Fender", "fender_9"), "fender_9");
+        assert_eq!(called("fender", "Fender 9"), "Fender 9");
+        assert_eq!(called("Line", "é"), "Line é");
+        assert_eq!(called("Fender", "fend"), "Fender fend");
     }
 }

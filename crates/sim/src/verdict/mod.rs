@@ -15,7 +15,7 @@ mod finding;
 mod start;
 mod watch;
 
-pub use finding::Finding;
+pub use finding::{Finding, called};
 pub(crate) use start::starts_inside;
 pub(crate) use watch::Watch;
 
@@ -28,6 +28,8 @@ pub enum Verdict {
     NoFenderTouched,
     /// Bodies touched where no limit is known: a fender without rating, or hulls without a fender between them.
     NotRated,
+    /// A fender took more energy or reaction than its catalogue rates, within its rating with the factors of the run.
+    AboveCatalogue,
     /// The brake of a line's winch rendered.
     LineRendered,
     /// The coupled solve of a contact did not converge within its iteration limit.
@@ -40,6 +42,8 @@ pub enum Verdict {
     LineNotMadeFast,
     /// A line was above its working load.
     LineOverWorking,
+    /// A hull passed above or below a fender, at whose height she has no side.
+    NoSideAtFender,
     /// Deflection, reaction or energy of a fender was beyond its rating.
     FenderOverRated,
     /// A vessel was aground.
@@ -48,6 +52,8 @@ pub enum Verdict {
     StartInside,
     /// A line parted.
     LineParted,
+    /// The pile of a flexible dolphin yielded.
+    PileYielded,
     /// A fender was compressed to its stop, or to its whole projection.
     FenderFailed,
     /// A hull struck a structure that fenders should protect.
@@ -69,20 +75,23 @@ pub enum Gravity {
 
 impl Verdict {
     /// All verdicts, from best to worst.
-    pub const ALL: [Verdict; 15] = [
+    pub const ALL: [Verdict; 18] = [
         Verdict::AllWell,
         Verdict::NoFenderTouched,
         Verdict::NotRated,
+        Verdict::AboveCatalogue,
         Verdict::LineRendered,
         Verdict::NotConverged,
         Verdict::EnergyGained,
         Verdict::HullPressure,
         Verdict::LineNotMadeFast,
         Verdict::LineOverWorking,
+        Verdict::NoSideAtFender,
         Verdict::FenderOverRated,
         Verdict::Aground,
         Verdict::StartInside,
         Verdict::LineParted,
+        Verdict::PileYielded,
         Verdict::FenderFailed,
         Verdict::StructureStruck,
     ];
@@ -97,21 +106,24 @@ impl Verdict {
     #[must_use]
     pub fn text(self) -> &'static str {
         match self {
-            Verdict::AllWell => "all well",
-            Verdict::NoFenderTouched => "no fender was touched",
-            Verdict::NotRated => "no rating to compare with",
-            Verdict::LineRendered => "a winch rendered",
-            Verdict::NotConverged => "the contact solve did not converge",
-            Verdict::EnergyGained => "the method created energy",
-            Verdict::HullPressure => "permissible hull pressure exceeded",
-            Verdict::LineNotMadeFast => "line could not be made fast",
-            Verdict::LineOverWorking => "line over its working load",
-            Verdict::FenderOverRated => "fender over its rating",
-            Verdict::Aground => "aground",
-            Verdict::StartInside => "bodies start inside each other",
-            Verdict::LineParted => "line parted",
-            Verdict::FenderFailed => "fender failed",
-            Verdict::StructureStruck => "structure struck",
+            Verdict::AllWell => "All well",
+            Verdict::NoFenderTouched => "No fender was touched",
+            Verdict::NotRated => "No rating to compare with",
+            Verdict::AboveCatalogue => "Fender above its catalogue rating",
+            Verdict::LineRendered => "A winch rendered",
+            Verdict::NotConverged => "The contact solve did not converge",
+            Verdict::EnergyGained => "The method created energy",
+            Verdict::HullPressure => "Permissible hull pressure exceeded",
+            Verdict::LineNotMadeFast => "Line could not be made fast",
+            Verdict::LineOverWorking => "Line over its working load",
+            Verdict::NoSideAtFender => "A fender met no side",
+            Verdict::FenderOverRated => "Fender over its rating",
+            Verdict::Aground => "Aground",
+            Verdict::StartInside => "Bodies start inside each other",
+            Verdict::LineParted => "Line parted",
+            Verdict::PileYielded => "Pile yielded",
+            Verdict::FenderFailed => "Fender failed",
+            Verdict::StructureStruck => "Structure struck",
         }
     }
 
@@ -122,16 +134,19 @@ impl Verdict {
             Verdict::AllWell => "all_well",
             Verdict::NoFenderTouched => "no_fender_touched",
             Verdict::NotRated => "not_rated",
+            Verdict::AboveCatalogue => "fender_above_catalogue",
             Verdict::LineRendered => "line_rendered",
             Verdict::NotConverged => "not_converged",
             Verdict::EnergyGained => "energy_gained",
             Verdict::HullPressure => "hull_pressure_exceeded",
             Verdict::LineNotMadeFast => "line_not_made_fast",
             Verdict::LineOverWorking => "line_over_working_load",
+            Verdict::NoSideAtFender => "no_side_at_fender",
             Verdict::FenderOverRated => "fender_over_rated",
             Verdict::Aground => "aground",
             Verdict::StartInside => "start_inside",
             Verdict::LineParted => "line_parted",
+            Verdict::PileYielded => "pile_yielded",
             Verdict::FenderFailed => "fender_failed",
             Verdict::StructureStruck => "structure_struck",
         }
@@ -142,18 +157,23 @@ impl Verdict {
     pub fn gravity(self) -> Gravity {
         match self {
             Verdict::AllWell => Gravity::Ok,
-            Verdict::NoFenderTouched | Verdict::NotRated | Verdict::LineRendered => Gravity::Note,
+            Verdict::NoFenderTouched
+            | Verdict::NotRated
+            | Verdict::AboveCatalogue
+            | Verdict::LineRendered => Gravity::Note,
             Verdict::NotConverged
             | Verdict::EnergyGained
             | Verdict::HullPressure
             | Verdict::LineNotMadeFast
             | Verdict::LineOverWorking
+            | Verdict::NoSideAtFender
             | Verdict::FenderOverRated
             | Verdict::Aground
             | Verdict::StartInside => Gravity::Attention,
-            Verdict::LineParted | Verdict::FenderFailed | Verdict::StructureStruck => {
-                Gravity::Failed
-            }
+            Verdict::LineParted
+            | Verdict::PileYielded
+            | Verdict::FenderFailed
+            | Verdict::StructureStruck => Gravity::Failed,
         }
     }
 }

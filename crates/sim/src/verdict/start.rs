@@ -12,16 +12,18 @@ const PENETRATION_M: f64 = 0.001;
 /// fenders protect, or a fender compressed beyond its rated deflection (beyond half its projection without a rating). A
 /// moored ship that starts on compressed fenders is none of them.
 ///
+/// `memory` is that of bodies that have never touched; it is used, and `work` too.
+///
 /// Empty too where the engine refuses the states; the first step then says why.
 pub(crate) fn starts_inside(
     setup: &Setup,
     model: &Model,
     states: &[BodyState],
+    (memory, work): (&mut Memory, &mut Workspace),
     is_protected: impl Fn([usize; 2]) -> bool,
 ) -> Vec<Finding> {
-    let mut work = Workspace::new(model);
     // Any Δt serves: only depths are used, which are those of the given states.
-    if contact::step(model, &mut Memory::new(model), &mut work, states, setup.step_s).is_err() {
+    if contact::step(model, memory, work, states, setup.step_s).is_err() {
         return Vec::new();
     }
     let mut found: Vec<Finding> = Vec::new();

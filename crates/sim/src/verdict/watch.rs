@@ -3,8 +3,11 @@
 use fenderline_contact::EventKind;
 use fenderline_contact::number::greater;
 
+use super::fender::above_catalogue;
 use super::finding::Finding;
+use crate::dolphin::DolphinSummary;
 use crate::fender::FenderSummary;
+use crate::hull::SideMissed;
 use crate::record::StepRecord;
 use crate::setup::Setup;
 use crate::world::{Mooring, WorldEventKind};
@@ -91,6 +94,19 @@ impl Watch {
         }
     }
 
+    /// Forgets the run; `starts_inside` finds what overlaps at the start of the next.
+    pub(crate) fn restart(
+        &mut self,
+        starts_inside: impl FnOnce(&dyn Fn([usize; 2]) -> bool) -> Vec<Finding>,
+    ) {
+        let Watch { protected, starts, touches, aground, lines, not_converged } = self;
+        *starts = starts_inside(&|bodies: [usize; 2]| bodies.iter().any(|&b| protected[b]));
+        touches.clear();
+        aground.fill(Lasting::default());
+        lines.fill(LineWatch::default());
+        *not_converged = Lasting::default();
+    }
+
     /// What was found before the first step.
     pub(crate) fn starts(&self) -> &[Finding] {
         &self.starts
@@ -147,21 +163,30 @@ impl Watch {
     pub(crate) fn findings<'a>(
         &self,
         setup: &Setup,
-        fenders: impl Iterator<Item = &'a FenderSummary>,
+        (fenders, missed): (
+            impl Iterator<Item = &'a FenderSummary>,
+            impl Iterator<Item = &'a SideMissed>,
+        ),
+        dolphins: &[DolphinSummary],
         gain: Option<Finding>,
     ) -> Vec<Finding> {
         let step_s = setup.step_s;
         let mut all = self.starts.clone();
         let touches = self.touches.iter().filter(|touch| touch.peak_force_n > 0.0);
         all.extend(touches.map(|touch| self.touch_finding(touch, step_s)));
-        let mut any_touched = false;
-        for summary in fenders {
-            any_touched = true;
+        let touched: Vec<&FenderSummary> = fenders.collect();
+        for summary in &touched {
             all.extend(summary.finding(&setup.fenders[summary.fender]));
+            all.extend(summary.chains_parted());
         }
-        if !any_touched && !setup.fenders.is_empty() {
+        all.extend(above_catalogue(&setup.fenders, touched.iter().copied()));
+        all.extend(dolphins.iter().filter_map(DolphinSummary::finding));
+        if touched.is_empty() && !setup.fenders.is_empty() {
             all.push(Finding::NoFenderTouched);
         }
+        all.extend(missed.map(|&SideMissed { fender, body, first_s, off_m }| {
+            Finding::NoSideAtFender { fender, body, first_s, off_m }
+        }));
         for (vessel, own) in self.aground.iter().enumerate() {
             let found = own.first_and_lasting(step_s);
             all.extend(found.map(|(first_s, lasting_s)| Finding::Aground {

@@ -55,6 +55,16 @@ pub struct Mooring {
 }
 
 impl Mooring {
+    /// Becomes a copy of another, without allocation where both are of one line that was made fast once.
+    pub(crate) fn copy_from(&mut self, other: &Mooring) {
+        let mut line = self.line.take();
+        match (&mut line, &other.line) {
+            (Some((own, state)), Some((line, now))) if own == line => *state = *now,
+            _ => line.clone_from(&other.line),
+        }
+        *self = Mooring { line, ..*other };
+    }
+
     pub(crate) fn new() -> Mooring {
         Mooring {
             line: None,

@@ -8,6 +8,7 @@
 mod assist;
 mod azimuth;
 mod azimuth_pilot;
+mod backup;
 mod environment;
 mod event;
 mod fault;
@@ -21,10 +22,12 @@ mod vessel;
 use fenderline_contact::{BodyState, Contact, Rotation, Wrench};
 
 use self::azimuth_pilot::Stream;
+pub(crate) use self::backup::WorldBackup;
 use self::pilot::Abilities;
-use self::shore::Shore;
+pub(crate) use self::shore::Shore;
 use crate::fender::FenderSetup;
 use crate::fixed_order::SumOrder;
+use crate::hull::{Heights, HullTouch, place_m};
 use crate::order::{Action, LineAction, Order};
 use crate::setup::BodySetup;
 
@@ -37,8 +40,8 @@ pub use line::{LineEnd, Mooring, MooringSetup};
 pub use pilot::Pilots;
 pub use setup::{ProviderSetup, WorldSetup};
 pub use tug::{TugAtWork, TugSetup};
-pub(crate) use vessel::WaterInertia;
 pub use vessel::{Float, VesselForces, VesselOrders, VesselSetup, VesselState, mass_matrix};
+pub(crate) use vessel::{HullMotion, WaterInertia};
 
 /// The variable state of a world: plain data, besides values that are computed anew.
 #[derive(Clone, Debug)]
@@ -81,6 +84,25 @@ impl World {
             order: SumOrder::new(setup, bodies),
             fixed: bodies.iter().map(BodySetup::is_fixed).collect(),
         }
+    }
+
+    /// The world at the start of another run with this set-up, of which only wind and current may have changed.
+    pub(crate) fn restart(&mut self, setup: &WorldSetup) {
+        for (own, setup) in self.vessels.iter_mut().zip(&setup.vessels) {
+            *own = VesselState::new(setup);
+        }
+        self.forces.fill(VesselForces::default());
+        self.water_inertia.fill(WaterInertia::default());
+        self.lines.fill_with(Mooring::new);
+        for (own, setup) in self.tugs.iter_mut().zip(&setup.tugs) {
+            *own = TugAtWork::new(setup);
+        }
+        self.events.clear();
+        self.orders.clone_from(&setup.orders);
+        self.orders.sort_by(|one, other| one.at_s.total_cmp(&other.at_s));
+        self.taken = 0;
+        self.clamped.fill(false);
+        self.helpers_n.clear();
     }
 
     /// Adds the forces on each vessel in the step from `states` to the load of her body. The velocities belong to
@@ -203,12 +225,23 @@ impl World {
         }
     }
 
+    /// Heights in the step that begins at a time and has a length (s).
+    pub(crate) fn heights<'a>(
+        &'a self,
+        setup: &WorldSetup,
+        (t_s, step_s): (f64, f64),
+    ) -> Heights<'a> {
+        let level_m = setup.environment.tide.level_m(t_s + 0.5 * step_s);
+        let shore = Shore { fixed: &self.fixed, level_m };
+        Heights { shore, vessels: &self.vessels, t_s, step_s }
+    }
+
     /// Moves the vessels in heave, roll and pitch after a step, by their own forces and by contact at the height of the fenders.
     pub(crate) fn settle(
         &mut self,
         setup: &WorldSetup,
         fenders: &[FenderSetup],
-        contacts: &[Contact],
+        (contacts, touches): (&[Contact], &[Option<HullTouch>]),
         states: &[BodyState],
         (t_s, step_s): (f64, f64),
     ) {
@@ -223,7 +256,7 @@ impl World {
             let Some(float) = &vessel.float else { continue };
             let mut load = vessel.attitude_load(&self.forces[index], float);
             let attitude = Rotation::from_angle(states[vessel.body].heading_rad);
-            for contact in contacts {
+            for (index_of_contact, contact) in contacts.iter().enumerate() {
                 let [one, two] = [contact.body_1.0 as usize, contact.body_2.0 as usize];
                 let sign = match vessel.body {
                     body if body == one => 1.0,
@@ -231,14 +264,26 @@ impl World {
                     _ => continue,
                 };
                 // Fenders act at their height, outlines at the waterline.
-                let height_m = contact.fender.map_or(0.0, |id| {
-                    let fender = &fenders[id.0 as usize];
-                    shore.above_water_m(fender.body, fender.above_water_m)
-                });
+                let height_m = contact
+                    .fender
+                    .map_or(0.0, |id| shore.fender_above_water_m(&fenders[id.0 as usize]));
                 let own = attitude.apply_inverse(contact.force_on_body_1_n() * sign);
                 // Squat lowers her centre of gravity, but not the fender.
                 let gravity_m = float.gravity_above_water_m - self.vessels[index].squat_m;
-                load.add(own.x, own.y, height_m - gravity_m);
+                let Some(touch) = touches.get(index_of_contact).copied().flatten() else {
+                    load.add(own.x, own.y, height_m - gravity_m);
+                    continue;
+                };
+                // A side that leans out over the fender is pushed up, and the fender's own body down.
+                let up_n = contact.normal_force_n * touch.slope;
+                if contact.fender.is_some_and(|id| fenders[id.0 as usize].body == vessel.body) {
+                    load.add(own.x, own.y, height_m - gravity_m);
+                    load.add_upward(-up_n, place_m(contact, vessel.body, state));
+                } else {
+                    let keel_m = -float.draught_m;
+                    load.add(own.x, own.y, touch.height_m + keel_m - float.gravity_above_water_m);
+                    load.add_upward(up_n, touch.place_m);
+                }
             }
             let state = &mut self.vessels[index];
             state.attitude = state.attitude.after(&float.hydrostatics, &load, step_s);

@@ -1,5 +1,7 @@
 //! Heights above the water on fixed and floating bodies.
 
+use crate::fender::FenderSetup;
+
 /// The fixed bodies and the water level.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Shore<'a> {
@@ -14,5 +16,13 @@ impl Shore<'_> {
     /// floating one.
     pub(crate) fn above_water_m(&self, body: usize, height_m: f64) -> f64 {
         if self.fixed[body] { height_m - self.level_m } else { height_m }
+    }
+
+    /// Height of the middle of a fender's face above the water (m).
+    pub(crate) fn fender_above_water_m(&self, fender: &FenderSetup) -> f64 {
+        if fender.floating {
+            return fender.above_water_m;
+        }
+        self.above_water_m(fender.body, fender.above_water_m)
     }
 }

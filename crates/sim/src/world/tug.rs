@@ -34,6 +34,14 @@ pub struct TugAtWork {
 }
 
 impl TugAtWork {
+    /// Becomes a copy of another, without allocation where the buffers are large enough.
+    pub(crate) fn copy_from(&mut self, other: &TugAtWork) {
+        let mut waiting = std::mem::take(&mut self.state.waiting);
+        waiting.clone_from(&other.state.waiting);
+        let state = TugState { waiting, ..other.state };
+        *self = TugAtWork { state, ..*other };
+    }
+
     pub(crate) fn new(setup: &TugSetup) -> TugAtWork {
         TugAtWork {
             state: TugState::default(),

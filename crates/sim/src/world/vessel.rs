@@ -8,7 +8,7 @@ use super::azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
 use super::environment::Environment;
 use super::fault::Faults;
 use super::pilot::Pilots;
-use crate::attitude::{Attitude, AttitudeLoad, Hydrostatics};
+use crate::attitude::{Attitude, AttitudeLoad, Hydrostatics, Motion};
 use crate::environment::waves::{
     DriftHull, FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion, mean_drift,
 };
@@ -64,7 +64,7 @@ pub struct Float {
 }
 
 /// The present orders to rudder, engine and thrusters.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct VesselOrders {
     /// Rudder (rad).
     pub rudder_rad: f64,
@@ -74,6 +74,15 @@ pub struct VesselOrders {
     pub thrusters: Vec<f64>,
     /// Each azimuth unit.
     pub azimuths: Vec<AzimuthOrder>,
+}
+
+impl VesselOrders {
+    fn copy_from(&mut self, other: &VesselOrders) {
+        let VesselOrders { rudder_rad, shaft, thrusters, azimuths } = self;
+        (*rudder_rad, *shaft) = (other.rudder_rad, other.shaft);
+        thrusters.clone_from(&other.thrusters);
+        azimuths.clone_from(&other.azimuths);
+    }
 }
 
 /// The variable state of a vessel besides her state in the plane: plain data.
@@ -105,6 +114,24 @@ pub struct VesselState {
     pub held: bool,
     /// Faults.
     pub faults: Faults,
+}
+
+/// Heave, roll and pitch of a hull, squat and first-order wave motion included.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct HullMotion {
+    /// Positive down (m).
+    pub(crate) heave_m: f64,
+    /// Positive to starboard (rad).
+    pub(crate) roll_rad: f64,
+    /// Positive bow up (rad).
+    pub(crate) pitch_rad: f64,
+}
+
+impl HullMotion {
+    /// How much lower a place on the hull is than at rest (m), for small angles.
+    pub(crate) fn sinkage_m(&self, place_m: Vec2) -> f64 {
+        self.heave_m - place_m.x * self.pitch_rad + place_m.y * self.roll_rad
+    }
 }
 
 /// The forces on a vessel by source, in her axes about midship.
@@ -159,6 +186,19 @@ impl VesselForces {
 }
 
 impl VesselState {
+    /// Becomes a copy of another state, without allocation where both are of one vessel.
+    pub(crate) fn copy_from(&mut self, other: &VesselState) {
+        let (mut orders, mut thrusters, mut azimuths) = (
+            std::mem::take(&mut self.orders),
+            std::mem::take(&mut self.thrusters),
+            std::mem::take(&mut self.azimuths),
+        );
+        orders.copy_from(&other.orders);
+        thrusters.clone_from(&other.thrusters);
+        azimuths.clone_from(&other.azimuths);
+        *self = VesselState { orders, thrusters, azimuths, ..*other };
+    }
+
     /// The state at the start of a run.
     pub(crate) fn new(setup: &VesselSetup) -> VesselState {
         VesselState {
@@ -184,6 +224,18 @@ impl VesselState {
             aground: false,
             held: false,
             faults: Faults::default(),
+        }
+    }
+
+    /// Her heave, roll and pitch some time after the state (s), by their present rates.
+    pub(crate) fn motion_after(&self, seconds: f64) -> HullMotion {
+        let Attitude { heave, roll, pitch } = self.attitude;
+        let FirstOrderMotion { motion, rate } = self.wave_motion;
+        let at = |own: Motion, k: usize| (own.value + motion[k]) + (own.rate + rate[k]) * seconds;
+        HullMotion {
+            heave_m: at(heave, 2) + self.squat_m,
+            roll_rad: at(roll, 3),
+            pitch_rad: at(pitch, 4),
         }
     }
 
@@ -414,8 +466,10 @@ impl VesselSetup {
         let (Some(windage), Some(wind)) = (&self.windage, &environment.wind) else {
             return Force::default();
         };
-        // The coefficients refer to the wind at 10 m.
-        let air = wind.velocity(10.0, t_s);
+        // Gusts act as their mean over the front that she turns to the mean wind. The coefficients refer to the wind at 10 m.
+        let (_, from_rad) = wind.mean_at(t_s);
+        let front = windage.front(from_rad - state.heading_rad);
+        let air = wind.velocity_over(&front, 10.0, t_s);
         let relative = RelativeWind::of(air, state.velocity_mps, state.heading_rad);
         let [surge_n, sway_n, yaw_nm] = windage.force(&relative, environment.air_density_kgpm3);
         Force { surge_n, sway_n, yaw_nm }

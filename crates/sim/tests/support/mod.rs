@@ -38,6 +38,7 @@ pub(crate) fn two(
         materials: vec![NamedMaterial { name: "fender".into(), material }],
         pairs: vec![PairSetup { bodies: [0, 1], material: 0 }],
         all_other_pairs: None,
+        approaches: vec![],
         fenders: vec![],
         berthing: None,
         loads: vec![],

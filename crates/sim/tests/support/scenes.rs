@@ -51,6 +51,7 @@ pub(crate) fn body(of: small_host::BodySetup) -> BodySetup {
     BodySetup {
         name,
         outline,
+        hull: None,
         mass: mass.map(|mass| MassProperties {
             mass_kg: mass.mass_kg,
             yaw_inertia_kgm2: mass.yaw_inertia_kgm2,
@@ -61,6 +62,7 @@ pub(crate) fn body(of: small_host::BodySetup) -> BodySetup {
         position_m,
         heading_rad,
         velocity: BodyVelocity { surge_mps, sway_mps, yaw_radps },
+        dolphin: None,
     }
 }
 
@@ -79,6 +81,7 @@ fn fender(of: Fender) -> FenderSetup {
         width_m: of.width_m,
         height_m: 3.0,
         above_water_m: 2.0,
+        floating: false,
         projection_m: of.projection_m,
         rated: Rated::of(&of.law, of.rated_deflection_m),
         stop: of.stop,
@@ -90,6 +93,9 @@ fn fender(of: Fender) -> FenderSetup {
         hull_pressure: HullPressure::OverFace,
         hull_pressure_limit_npm2: None,
         source: None,
+        panel: of.panel,
+        chains: vec![],
+        panel_mass_kg: 0.0,
     }
 }
 
@@ -117,6 +123,7 @@ fn setup(of: Scene) -> Setup {
         materials: materials(of.materials),
         pairs: of.pairs.into_iter().map(pair).collect(),
         all_other_pairs: None,
+        approaches: vec![],
         fenders: of.fenders.into_iter().map(fender).collect(),
         berthing: None,
         loads: of.loads.into_iter().map(load).collect(),

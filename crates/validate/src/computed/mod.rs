@@ -3,6 +3,7 @@
 //! Each file has one subject and fills a [`Values`]. It has the inputs of its cases, never the published numbers.
 
 mod berth;
+mod dolphin;
 pub(crate) mod estimates;
 mod finite_elements;
 mod float;
@@ -13,6 +14,7 @@ mod sea;
 mod shallow;
 mod ships;
 mod wind;
+mod worked;
 
 use std::collections::BTreeMap;
 
@@ -40,6 +42,8 @@ impl Values {
         sea::compute(&mut values);
         float::compute(&mut values);
         berth::compute(&mut values);
+        dolphin::compute(&mut values);
+        worked::compute(&mut values);
         finite_elements::compute(&mut values);
         values
     }

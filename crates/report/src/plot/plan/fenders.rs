@@ -50,6 +50,14 @@ fn look(of: Use) -> (&'static str, bool) {
     }
 }
 
+impl Use {
+    /// Its colour.
+    #[must_use]
+    pub fn fill(self) -> &'static str {
+        look(self).0
+    }
+}
+
 impl FenderBox {
     /// Its corners as they are drawn (px): two where it is mounted, then two of its face.
     pub(super) fn corners(&self, map: &Map) -> [(f64, f64); 4] {

@@ -93,7 +93,10 @@ fn beside((x, y): (f64, f64), side: Vec2, half_width: f64, map: &Map) -> Vec<(f6
     let is_in_view = Box2 { x: near_x, y: near_y, half_width, half_height: HALF_LINE }
         .lies_within(map.width, map.height);
     if is_in_view {
-        [0.0, -SHIFT, SHIFT, -2.0 * SHIFT, 2.0 * SHIFT].map(|along| at(off, along)).to_vec()
+        // Farther off where a ring or an arrow stands beside the point.
+        let off = [off, off + SHIFT, off + 2.0 * SHIFT];
+        let along = [0.0, -SHIFT, SHIFT, -2.0 * SHIFT, 2.0 * SHIFT];
+        off.into_iter().flat_map(|off| along.map(|along| at(off, along))).collect()
     } else {
         vec![at(-off, 0.0)]
     }

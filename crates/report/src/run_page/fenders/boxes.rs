@@ -37,7 +37,9 @@ pub(in crate::run_page) fn names<'a>(
     if fenders.len() > NAMED {
         return Vec::new();
     }
-    let names = fenders.iter().filter_map(|fender| {
+    // The fender of a dolphin often has the dolphin's name, which stands there already.
+    let other = fenders.iter().filter(|of| of.name != outcome.setup.bodies[of.body].name);
+    let names = other.filter_map(|fender| {
         let at = placed(fender, state_of(fender.body)?, 0.0, Use::Untouched);
         let length_m = at.out_m.length();
         let side = if length_m > 0.0 { at.out_m * (-1.0 / length_m) } else { vec2(0.0, 1.0) };
@@ -61,7 +63,7 @@ fn placed(fender: &FenderSetup, state: &BodyState, pressed_m: f64, used: Use) ->
     }
 }
 
-fn used(outcome: &Outcome<'_>, index: usize) -> Use {
+pub(in crate::run_page) fn used(outcome: &Outcome<'_>, index: usize) -> Use {
     let Some(summary) = outcome.fenders.iter().find(|f| f.fender == index) else {
         return Use::Untouched;
     };

@@ -88,6 +88,50 @@ pub(super) fn reactions(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     chart.render()
 }
 
+/// Turns of the panels on several cones over time; nothing where none turned.
+pub(super) fn turns(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
+    let setups = &charts.outcome.setup.fenders;
+    let in_degrees = |p: &Point| Point { x: p.x, y: p.y.to_degrees() };
+    let series = recorder.held.panels.iter().map(|trace| {
+        Series::line(&setups[trace.fender].name, trace.tilt_rad.points()).mapped(in_degrees)
+    });
+    let series = largest(series.collect());
+    if series.is_empty() {
+        return html! {};
+    }
+    let axis = Axis::new("turn", "deg").including(0.0);
+    charts.chart("Turns of the panels", axis, series).render()
+}
+
+/// Tensions of the chains of fenders over time; nothing where none was taut.
+pub(super) fn tensions(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
+    let setups = &charts.outcome.setup.fenders;
+    let series = recorder.held.chains.iter().map(|trace| {
+        let fender = &setups[trace.fender];
+        let kind = fender.chains[trace.chain].kind;
+        let of_kind = fender.chains.iter().filter(|chain| chain.kind == kind).count();
+        let number = if of_kind > 1 { format!(" {}", trace.chain + 1) } else { String::new() };
+        Series::line(&format!("{}, {}{number}", fender.name, kind.word()), trace.tension_n.points())
+    });
+    let series = largest(series.collect());
+    if series.is_empty() {
+        return html! {};
+    }
+    let (unit, series) = scaled(series, "N");
+    let axis = Axis::new("tension", &unit).including(0.0);
+    charts.chart("Tensions of the chains", axis, series).render()
+}
+
+/// The series with the largest values, as many as can be told apart, in their order; none that is zero throughout.
+fn largest(series: Vec<Series>) -> Vec<Series> {
+    let mut all: Vec<(usize, Series)> =
+        series.into_iter().filter(|line| line.largest() > 0.0).enumerate().collect();
+    all.sort_by(|a, b| b.1.largest().total_cmp(&a.1.largest()).then(a.0.cmp(&b.0)));
+    all.truncate(STYLES);
+    all.sort_by_key(|(place, _)| *place);
+    all.into_iter().map(|(_, line)| line).collect()
+}
+
 /// For the most used fender of each type, its curve and the path of the run.
 pub(super) fn diagrams(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let setups = &outcome.setup.fenders;
@@ -122,7 +166,13 @@ fn diagram(fender: &FenderSetup, summary: &FenderSummary, trace: &FenderTrace) -
         Series::line("unloading", going(&path, |from, to| to.x < from.x)),
     ];
     if let FenderLaw::Curve(_) = fender.law {
-        let name = format!("the fender's curve × {}", significant(summary.factor, 4));
+        let factor = significant(summary.factor, 4);
+        let name = match &fender.panel {
+            Some(panel) => {
+                format!("{} cones equally compressed × {factor}", panel.cones_m.len())
+            }
+            None => format!("the fender's curve × {factor}"),
+        };
         series.push(Series::line(&name, curve(fender, summary, None)));
         if let Some(unloading) = &fender.unloading {
             series
@@ -148,6 +198,11 @@ fn diagram(fender: &FenderSetup, summary: &FenderSummary, trace: &FenderTrace) -
             " Its rubber returns {} % of the energy that it absorbs up to its rated deflection.",
             significant(100.0 * share, 3)
         ));
+    }
+    if fender.panel.is_some() {
+        note.push_str(
+            " The deflection is that of the most compressed cone, the reaction that of all.",
+        );
     }
     if fender.law == FenderLaw::Area {
         note.push_str(
@@ -208,7 +263,7 @@ fn curve(
             }
             _ => 1.0,
         };
-        summary.factor * share * (reaction_n + stop_n)
+        fender.cones() * summary.factor * share * (reaction_n + stop_n)
     };
     (0..=POINTS)
         .map(|k| end_m * f64::from(k) / f64::from(POINTS))

@@ -2,6 +2,9 @@
 
 mod boxes;
 mod charts;
+mod dolphins;
+mod hull;
+mod panels;
 mod setup;
 mod table;
 
@@ -13,8 +16,9 @@ use crate::plot::fixed;
 use fenderline_results::Outcome;
 use fenderline_results::worst_first;
 
-pub(super) use boxes::{boxes, names};
+pub(super) use boxes::{boxes, names, used};
 pub(super) use setup::setup_table;
+pub(super) use table::{data, to_check};
 
 /// The result in one or two sentences, for the top of the page; nothing without fenders.
 pub(super) fn headline(outcome: &Outcome<'_>) -> Markup {
@@ -53,8 +57,15 @@ pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
             p { "None of the " (outcome.setup.fenders.len()) " fenders was touched." }
         } @else {
             (table::table(outcome))
+            (dolphins::table(outcome))
+            (hull::table(outcome))
+            (panels::panels(outcome))
+            (panels::chains(outcome))
             (charts::utilisation(outcome))
-            (charts::reactions(&Charts::new(outcome), recorder))
+            @let page = Charts::new(outcome);
+            (charts::reactions(&page, recorder))
+            (charts::turns(&page, recorder))
+            (charts::tensions(&page, recorder))
             (charts::diagrams(outcome, recorder))
         }
     }

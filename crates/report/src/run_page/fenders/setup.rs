@@ -5,46 +5,60 @@ use fenderline_sim::{FenderSetup, Setup};
 use maud::{Markup, html};
 
 use crate::plot::{plain, significant};
+use crate::run_page::system::signed;
 use crate::run_page::tables::{ROWS, more, number};
+use crate::table::breakable;
 use crate::{Head, table_head};
 
 /// One row per fender: position, size and rating.
 pub(in crate::run_page) fn setup_table(setup: &Setup) -> Markup {
+    let material = |fender: &FenderSetup| setup.materials[fender.material].name.as_str();
+    let one_material = setup.fenders.iter().all(|f| f.material == setup.fenders[0].material);
     html! {
         div class="wide" {
             table {
                 (table_head(&[
+                    Head::Number("No.", ""),
                     Head::Name("Fender"),
-                    Head::Text("On", "material"),
+                    Head::Text("On", if one_material { "" } else { "material" }),
                     Head::Number("Position", "forward, starboard, m"),
                     Head::Number("Facing", "deg"),
+                    Head::Number("Height", "of the middle, m"),
                     Head::Number("Face", "width × height, m"),
                     Head::Number("Projection", "m"),
                     Head::Number("Rated", "mm, kN, kJ"),
                     Head::Number("Stop", "from mm, MN/m"),
                 ]))
                 tbody {
-                    @for fender in setup.fenders.iter().take(ROWS) { (row(fender, setup)) }
+                    @for (index, fender) in setup.fenders.iter().enumerate().take(ROWS) {
+                        (row(index, fender, setup, one_material))
+                    }
                 }
             }
         }
         (more(setup.fenders.len()))
         p class="note" {
-            "Position and facing are in the axes of the body that carries the fender. Ratings are without factors; the "
-            "rated energy is the integral of the reaction."
+            @if one_material && !setup.fenders.is_empty() { "Material of all: " (material(&setup.fenders[0])) ". " }
+            "Position and facing are in the axes of the body that carries the fender; heights are above datum on a fixed "
+            "body, above the water otherwise. Ratings are without factors; the rated energy is the integral of the reaction."
         }
     }
 }
 
-fn row(fender: &FenderSetup, setup: &Setup) -> Markup {
+fn row(index: usize, fender: &FenderSetup, setup: &Setup, one_material: bool) -> Markup {
     let material = &setup.materials[fender.material];
     html! {
         tr {
-            td class="name" { (fender.name) }
-            td { (setup.bodies[fender.body].name) small { (material.name) } }
+            (number(&(index + 1).to_string()))
+            td class="name" { (breakable(&fender.name)) }
+            td {
+                (setup.bodies[fender.body].name)
+                @if !one_material { small { (material.name) } }
+            }
             (number(&format!("{}, {}",
                 plain(fender.position_m.x, 5), plain(fender.position_m.y, 5))))
             (number(&plain(fender.facing_rad.to_degrees(), 4)))
+            (number(&signed(fender.above_water_m)))
             (number(&format!("{} × {}", plain(fender.width_m, 3), plain(fender.height_m, 3))))
             (number(&plain(fender.projection_m, 3)))
             @match (&fender.law, fender.rated) {

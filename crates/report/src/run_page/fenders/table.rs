@@ -1,12 +1,13 @@
 //! The table of fenders, and where their data come from.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use fenderline_contact::Unloading;
-use fenderline_sim::{FenderSetup, FenderSource, FenderSummary, HullPressure};
+use fenderline_sim::{FenderSetup, FenderSource, FenderSummary, HullPressure, Setup};
 use maud::{Markup, html};
 
 use crate::plot::{decimals_for, fixed, plain, significant};
+use crate::table::breakable;
 use crate::{Head, table_head};
 use fenderline_results::Outcome;
 use fenderline_results::{FenderVerdict, worst_first};
@@ -31,12 +32,12 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
                     Head::Name("Fender"),
                     Head::Number("Deflection", "mm"),
                     Head::Number("Reaction", "kN"),
-                    Head::Number("Energy", "kJ"),
+                    Head::Number("Energy", "kJ (kN·m)"),
                     Head::Number("Hull pressure", "kN/m²"),
                     Head::Number("First touch", "s"),
                     Head::Number("Approach", "m/s, deg"),
-                    Head::Number("Factor", "on reaction, on energy"),
-                    Head::Text("FenderVerdict", ""),
+                    Head::Number("Factor", "reaction, energy"),
+                    Head::Text("Verdict", ""),
                 ]))
                 tbody {
                     @for &index in &shown {
@@ -50,6 +51,7 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
         }
         ul class="note" {
             @if setups.len() > 1 && worst.is_some() { li { "The most used fender is marked." } }
+            li { strong { "Verdict" } ": below it the quantity that governs, and its share of the rated one." }
             @if setups.len() > shown.len() {
                 li {
                     "The table has the " (shown.len()) " most used of " (setups.len())
@@ -58,11 +60,17 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
             }
             li {
                 "Values are peaks, sub-steps included. The share below each is that of the rated deflection, of "
-                "the rated reaction or energy times its factor, or of the permissible hull pressure."
+                "the rated reaction or energy times its factor, or of the permissible hull pressure. The share of the rating in the "
+                "catalogue, without the factors of this run, stands in brackets where it differs."
             }
             li {
                 strong { "Deflection" }
-                ": the mean over the width for a fender with a curve, the deepest point for one by area."
+                ": the mean over the width for a fender with a curve, the deepest point for one by area"
+                @if setups.iter().any(|fender| fender.panel.is_some()) {
+                    ", and that of the most compressed cone of a panel on several. Its shares of rated deflection, "
+                    "energy and reaction are those of that cone too"
+                }
+                "."
             }
             (hull_pressure_note(setups))
             li { strong { "Approach" } ": speed, and angle between face and hull, at the first touch." }
@@ -72,7 +80,6 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
                 "below it, on the energy. In some families the angle has another factor on the energy."
             }
         }
-        (sources(setups))
     }
 }
 
@@ -130,14 +137,24 @@ fn cells(
     let fender = &outcome.setup.fenders[index];
     html! {
         td class="name" {
-            (fender.name)
+            (breakable(&fender.name))
             @if names_kind { small { (kind_of(fender)) } }
         }
         @if let Some(summary) = summary {
             @let verdict = FenderVerdict::of(fender, summary);
             (value(&fixed(summary.peak_deflection_m * 1e3, 0), summary.share_of_rated_deflection))
-            (value(&significant(summary.peak_reaction_n / 1e3, 3), summary.share_of_rated_reaction))
-            (value(&significant(summary.peak_energy_j / 1e3, 3), summary.share_of_rated_energy))
+            (rated_value(
+                &significant(summary.peak_reaction_n / 1e3, 3),
+                summary.share_of_rated_reaction,
+                summary.share_of_catalogue_reaction(),
+                summary.share_of_largest_reaction.is_some_and(|share| share > 1.0)
+            ))
+            (rated_value(
+                &significant(summary.peak_energy_j / 1e3, 3),
+                summary.share_of_rated_energy,
+                summary.share_of_catalogue_energy(fender),
+                summary.share_of_rated_energy.is_some_and(|share| share > 1.0)
+            ))
             (value(
                 &summary.peak_hull_pressure_npm2.map_or_else(|| "–".into(), |p| fixed(p / 1e3, 0)),
                 summary.share_of_hull_pressure
@@ -151,7 +168,12 @@ fn cells(
                 (fixed(summary.factor, 3))
                 small { (fixed(energy_factor(fender, summary), 3)) }
             }
-            td { span class={ "verdict " (verdict.key()) } { (verdict.text()) } }
+            td {
+                span class={ "verdict " (verdict.key()) } { (verdict.text()) }
+                @if let Some((quantity, share)) = summary.governing() {
+                    small class="line" { (quantity) " " (fixed(100.0 * share, 0)) " %" }
+                }
+            }
         } @else {
             td class="untouched" colspan="8" { "not touched" }
         }
@@ -176,8 +198,25 @@ fn value(text: &str, share: Option<f64>) -> Markup {
     }
 }
 
+/// A value with its share of the rating with the run's factors below it, and that of the catalogue where it differs.
+fn rated_value(text: &str, share: Option<f64>, of_catalogue: Option<f64>, is_over: bool) -> Markup {
+    let percent = |share: f64| fixed(100.0 * share, 0);
+    let other = share.zip(of_catalogue).filter(|(share, other)| percent(*share) != percent(*other));
+    html! {
+        td class="number" {
+            (text)
+            @if let Some(share) = share {
+                small class=[is_over.then_some("over")] {
+                    (percent(share)) " %"
+                    @if let Some((_, other)) = other { " (" (percent(other)) " %)" }
+                }
+            }
+        }
+    }
+}
+
 /// Type and size, or the size of the face if no type is given.
-pub(super) fn kind_of(fender: &FenderSetup) -> String {
+pub(in crate::run_page) fn kind_of(fender: &FenderSetup) -> String {
     match &fender.source {
         Some(source) => source.designation.clone(),
         None => format!(
@@ -187,6 +226,27 @@ pub(super) fn kind_of(fender: &FenderSetup) -> String {
             plain(fender.projection_m, 3)
         ),
     }
+}
+
+/// The sources of the fenders' data, each once. What was not read in a source is marked. Nothing without fenders.
+pub(in crate::run_page) fn data(setup: &Setup) -> Markup {
+    if setup.fenders.is_empty() {
+        html! {}
+    } else {
+        sources(&setup.fenders)
+    }
+}
+
+/// What has to be checked of the fenders' data, each once.
+pub(in crate::run_page) fn to_check(setup: &Setup) -> Vec<String> {
+    let sources = setup.fenders.iter().filter_map(|fender| fender.source.as_ref());
+    let doubtful = sources.filter(|source| {
+        source.standing.contains("recalled") || source.standing.contains("derived")
+    });
+    let texts: BTreeSet<String> = doubtful
+        .map(|source| format!("Fender {}: {}", source.designation, source.standing))
+        .collect();
+    texts.into_iter().collect()
 }
 
 /// The sources of the data, each once. What was not read in a source is marked.

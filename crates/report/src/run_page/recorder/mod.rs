@@ -5,6 +5,7 @@ mod docking;
 mod energy;
 mod fender;
 mod pair;
+mod panel;
 mod parts;
 mod path;
 mod world;
@@ -22,6 +23,7 @@ pub(super) use energy::EnergyTrace;
 pub(super) use fender::FenderTrace;
 pub(super) use pair::PairTrace;
 use pair::{Deflections, Touch};
+pub(super) use panel::Held;
 pub(super) use parts::PartsTrace;
 use path::Path;
 use world::tug_marks;
@@ -55,6 +57,8 @@ pub struct Recorder {
     pub(super) bodies: Vec<BodyTrace>,
     /// In the order of first touch.
     pub(super) fenders: Vec<FenderTrace>,
+    /// Panels on several cones, and chains.
+    pub(super) held: Held,
     pub(super) energy: EnergyTrace,
     pub(super) world: WorldTrace,
     /// All tugs in the last step.
@@ -64,8 +68,6 @@ pub struct Recorder {
     pub(super) start_energy: Energy,
     /// The most that springs, stops and shear springs stored at the end of a step (J), and when (s).
     pub(super) most_stored: (f64, f64),
-    /// The most that the springs and stops of all fenders stored at the start of a step (J), and when (s).
-    pub(super) most_in_fenders: (f64, f64),
     pub(super) start: Vec<BodyState>,
     /// The step of the largest force of all pairs, followed or not.
     pub(super) peak: Option<ScenePeak>,
@@ -91,13 +93,13 @@ impl Recorder {
             pairs_not_followed: false,
             bodies: floating.take(FOLLOWED).map(|(body, _)| BodyTrace::new(body)).collect(),
             fenders: Vec::new(),
+            held: Held::new(setup),
             energy,
             world: WorldTrace::new(setup),
             last_tugs: Vec::new(),
             setup: setup.clone(),
             start_energy: start,
             most_stored: (0.0, 0.0),
-            most_in_fenders: (0.0, 0.0),
             start: Vec::new(),
             peak: None,
             touching: BTreeMap::new(),
@@ -137,6 +139,7 @@ impl Recorder {
         for body in &mut self.bodies {
             body.push(step);
         }
+        self.held.push(step);
         self.record_energy(step);
         self.world.push(step);
         if !step.tugs.is_empty() {
@@ -188,10 +191,6 @@ impl Recorder {
             if is_new && self.fenders.len() < FOLLOWED {
                 self.fenders.push(FenderTrace::begin(fender, step.t_s, self.step_s));
             }
-        }
-        let stored_j = self.touched.values().map(|fender| fender.stored_j).sum();
-        if stored_j > self.most_in_fenders.0 {
-            self.most_in_fenders = (stored_j, step.t_s);
         }
         for trace in &mut self.fenders {
             trace.push(step.t_s, self.touched.get(&trace.fender));

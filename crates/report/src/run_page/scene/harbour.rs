@@ -116,6 +116,11 @@ fn weather(environment: &Environment) -> Vec<Weather> {
     wind.into_iter().chain(current).chain(waves).collect()
 }
 
+/// Wind, current and waves in words, each with its direction.
+pub(in crate::run_page) fn weather_texts(environment: &Environment) -> Vec<String> {
+    weather(environment).into_iter().map(|weather| weather.text).collect()
+}
+
 fn both(speed_mps: f64) -> String {
     format!("{} m/s ({} kn)", plain(speed_mps, 3), fixed(speed_mps / KNOT_MPS, 1))
 }

@@ -17,7 +17,7 @@ use crate::plot::{
 };
 use fenderline_results::Outcome;
 
-pub(super) use harbour::moored;
+pub(super) use harbour::{moored, weather_texts};
 
 /// Bodies drawn at most.
 const DRAWN: usize = 300;
@@ -25,6 +25,9 @@ const DRAWN: usize = 300;
 const NAMED: usize = 16;
 /// Longest name in a view (characters).
 const NAME_LENGTH: usize = 26;
+/// The title page shows the berth if the whole scene is larger by this factor; and the room around it, over its size.
+const FAR: f64 = 1.8;
+const BERTH_ROOM: f64 = 0.12;
 /// Fixed bodies are shown whole if that widens the view by no more than this factor.
 const WIDEN: f64 = 3.0;
 
@@ -45,8 +48,48 @@ fn styles(setup: &Setup) -> Vec<usize> {
     styles.collect()
 }
 
-/// The whole scene: start, peak force, end, tracks. Nothing if there are no bodies.
+/// The picture of the title page: the berth if the ships come from far away, otherwise the whole scene. Nothing if there are no
+/// bodies.
+pub(super) fn first(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
+    scene(outcome, recorder, berth_frame(outcome, recorder))
+}
+
+/// The whole scene, if that is not on the title page.
 pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
+    if berth_frame(outcome, recorder).is_none() {
+        return html! {};
+    }
+    scene(outcome, recorder, None)
+}
+
+/// Around floating bodies and fenders at the largest force; `None` where the whole scene is not much larger.
+fn berth_frame(outcome: &Outcome<'_>, recorder: &Recorder) -> Option<Frame> {
+    let peak = recorder.peak.as_ref()?;
+    let setup = outcome.setup;
+    let around = |body: usize, state: &BodyState| {
+        let outline = outlined(&setup.bodies[body], state, Stage::Peak, 0);
+        Frame::around(outline.vertices_m)
+    };
+    let floating = || (0..setup.bodies.len()).filter(|&body| !setup.bodies[body].is_fixed());
+    let fenders = setup.fenders.iter().filter_map(|fender| {
+        let pose = peak.states.get(fender.body)?.pose();
+        Frame::around(std::iter::once(pose.apply(fender.position_m)))
+    });
+    let at_berth = floating().filter_map(|body| around(body, peak.states.get(body)?));
+    let near = at_berth.chain(fenders).fold(None, |all, one| joined(all, Some(one)))?;
+    let stages = floating().flat_map(|body| {
+        let stages = stages(body, outcome, recorder).into_iter();
+        stages.filter_map(move |(state, _)| around(body, state))
+    });
+    let all = stages.fold(None, |all, one| joined(all, Some(one)))?;
+    let extent = |frame: Frame| greater(frame.size().x, frame.size().y);
+    let room = vec2(1.0, 1.0) * (BERTH_ROOM * extent(near));
+    (extent(all) > FAR * extent(near))
+        .then_some(Frame { low: near.low - room, high: near.high + room })
+}
+
+/// Start, peak force, end, tracks; all of it, or what lies in `berth`.
+fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Markup {
     let setup = outcome.setup;
     let styles = styles(setup);
     let order = by_importance(setup, recorder);
@@ -78,13 +121,16 @@ pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     });
     let title = match &recorder.peak {
         Some(peak) => {
-            format!("Whole scene; largest contact force at {} s", plain(peak.t_s, 4))
+            let what = if berth.is_some() { "The berth" } else { "Whole scene" };
+            format!("{what}; largest contact force at {} s", plain(peak.t_s, 4))
         }
         None => "Whole scene; no contact".to_owned(),
     };
-    let Some(frame) = scene_frame(floating, fixed) else { return html! {} };
+    let Some(frame) = berth.or_else(|| scene_frame(floating, fixed)) else { return html! {} };
     let note = if setup.bodies.len() > drawn.len() {
         format!("{} of {} bodies are drawn.", drawn.len(), setup.bodies.len())
+    } else if berth.is_some() {
+        "The whole scene is among the plan views.".to_owned()
     } else {
         String::new()
     };
@@ -259,7 +305,9 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
             "N is the force on {}{}: a mean over the time step. The {} is that at the start of the step. \
              The tables have the peaks within steps.",
             bodies[1].name,
-            by.map_or_else(String::new, |name| format!(" through {name}")),
+            // A fender of a dolphin often has the dolphin's name.
+            by.filter(|name| *name != bodies[1].name)
+                .map_or_else(String::new, |name| format!(" through {name}")),
             if by.is_some() { "deflection" } else { "penetration" },
         ),
     }

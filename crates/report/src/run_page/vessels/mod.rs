@@ -14,6 +14,21 @@ use fenderline_results::Outcome;
 pub(super) use headline::{headline, remarks};
 pub(super) use orders::compass;
 
+/// What of the vessels' data has to be checked: estimates, and what was recalled.
+pub(super) fn to_check(outcome: &Outcome<'_>) -> Vec<String> {
+    let vessels = outcome.setup.world.vessels.iter();
+    let mut all = Vec::new();
+    for vessel in vessels {
+        let estimated: Vec<&str> =
+            vessel.origin.estimates().map(|source| source.group.as_str()).collect();
+        if !estimated.is_empty() {
+            let name = &outcome.setup.bodies[vessel.body].name;
+            all.push(format!("Vessel {name}, estimated: {}", estimated.join(", ")));
+        }
+    }
+    all
+}
+
 /// All sections.
 pub(super) fn sections(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let world = &outcome.setup.world;

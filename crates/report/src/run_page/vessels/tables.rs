@@ -9,7 +9,8 @@ use maud::{Markup, html};
 
 use super::headline::class;
 use crate::plot::{fixed, plain, significant};
-use crate::run_page::tables::{ROWS, more, number};
+use crate::run_page::tables::{ROWS, TONNE_N, more, number};
+use crate::words::with_code;
 use crate::{Head, table_head};
 use fenderline_results::Outcome;
 use fenderline_results::{ACCURACY, accuracy};
@@ -90,7 +91,7 @@ fn source(outcome: &Outcome<'_>, vessel: &VesselSetup) -> Markup {
         p { (name) ": " strong { (origin.title) } ". Sources of her data:" }
         ul class="plain" {
             @for source in origin.sources.iter().filter(|source| !source.is_estimate) {
-                li { (source.group) ": " (source.source) " – " (standing(source)) }
+                li { (source.group.replace('_', " ")) ": " (source.source) " – " (standing(source)) }
             }
         }
         @if has_estimates {
@@ -102,7 +103,7 @@ fn source(outcome: &Outcome<'_>, vessel: &VesselSetup) -> Markup {
             (estimates(origin))
             @let accuracy = accuracy(origin, outcome.estimate_errors);
             @if !accuracy.is_empty() {
-                p { (ACCURACY) ":" }
+                p { (with_code(ACCURACY)) ":" }
                 ul class="plain" { @for line in &accuracy { li { (line) } } }
             }
         }
@@ -133,7 +134,11 @@ fn under_keel(name: &str, totals: &VesselTotals, environment: &Environment) -> M
                 (plain(least.at_s, 6)) " s"
                 @if environment.tide != Tide::default() {
                     @let [low_m, high_m] = environment.tide.range_m();
-                    ", the water between " (plain(low_m, 4)) " and " (plain(high_m, 4)) " m above datum"
+                    @if low_m < high_m {
+                        ", the water between " (plain(low_m, 4)) " and " (plain(high_m, 4)) " m above datum"
+                    } @else {
+                        ", the water " (plain(low_m, 4)) " m above datum"
+                    }
                 }
                 @if let Some(squat) = environment.squat {
                     "; largest squat " (fixed(totals.squat_m.value, 2)) " m at "
@@ -190,7 +195,8 @@ fn estimates(origin: &Origin) -> Markup {
 /// A text in which a `m_x` is a symbol with its subscript; longer names with a `_` stay.
 fn symbols(text: &str) -> Markup {
     let is_symbol = |before: &str| {
-        let mut last = before.chars().rev();
+        // A prime stands for a number without dimension.
+        let mut last = before.trim_end_matches('\'').chars().rev();
         last.next().is_some_and(char::is_alphabetic)
             && !last.next().is_some_and(char::is_alphanumeric)
     };
@@ -253,7 +259,7 @@ pub(super) fn tugs(outcome: &Outcome<'_>) -> Markup {
 }
 
 fn tug_cells(bollard_pull_n: f64, totals: &TugTotals) -> Markup {
-    let tonnes = |n: f64| format!("{} ({})", plain(n / 9806.65, 3), significant(n / 1e3, 3));
+    let tonnes = |n: f64| format!("{} ({})", plain(n / TONNE_N, 3), significant(n / 1e3, 3));
     html! {
         (number(&tonnes(bollard_pull_n)))
         (number(&tonnes(totals.force_n.value)))
@@ -272,9 +278,9 @@ pub(super) fn lines(outcome: &Outcome<'_>) -> Markup {
                 (table_head(&[
                     Head::Name("Line"),
                     Head::Number("Made fast", "s"),
-                    Head::Number("Break load", "kN"),
-                    Head::Number("Working load", "kN"),
-                    Head::Number("Peak tension", "kN"),
+                    Head::Number("Break load", "kN (t)"),
+                    Head::Number("Working load", "kN (t)"),
+                    Head::Number("Peak tension", "kN (t)"),
                     Head::Number("of break load", "%"),
                     Head::Number("at", "s"),
                     Head::Number("Rendered", "m"),
@@ -302,11 +308,15 @@ pub(super) fn lines(outcome: &Outcome<'_>) -> Markup {
 fn line_cells(totals: &LineTotals) -> Markup {
     let verdict = totals.verdict();
     let kilo = |value: Option<f64>| value.map_or_else(|| "–".into(), |n| significant(n / 1e3, 3));
+    let load = |value: Option<f64>| {
+        let text = |n: f64| format!("{} ({})", significant(n / 1e3, 3), plain(n / TONNE_N, 3));
+        value.map_or_else(|| "–".into(), text)
+    };
     html! {
         (number(&totals.made_fast_s.map_or_else(|| "–".to_owned(), |t| fixed(t, 1))))
-        (number(&kilo(totals.break_load_n)))
-        (number(&kilo(totals.working_load_n)))
-        (number(&kilo(totals.made_fast_s.map(|_| totals.tension_n.value))))
+        (number(&load(totals.break_load_n)))
+        (number(&load(totals.working_load_n)))
+        (number(&load(totals.made_fast_s.map(|_| totals.tension_n.value))))
         (number(&totals.share_of_break_load().map_or_else(|| "–".to_owned(), |s| fixed(100.0 * s, 0))))
         (number(&totals.made_fast_s.map_or_else(|| "–".to_owned(), |_| fixed(totals.tension_n.at_s, 1))))
         (number(&fixed(totals.rendered_m, 2)))
@@ -325,6 +335,7 @@ mod tests {
             ("m_x/m", "m<sub>x</sub>/m"),
             ("J_z/I_z", "J<sub>z</sub>/I<sub>z</sub>"),
             ("C_T = 0.004", "C<sub>T</sub> = 0.004"),
+            ("x'_H = -0.4", "x'<sub>H</sub> = -0.4"),
             ("own_file and m_y", "own_file and m<sub>y</sub>"),
             ("plain", "plain"),
         ] {

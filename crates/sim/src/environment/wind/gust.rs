@@ -1,7 +1,7 @@
 //! Gusts: a spectrum as a seeded sum of harmonics.
 
-use core::f64::consts::TAU;
-
+use super::admittance::WindFront;
+use super::lanes::{self, Group};
 use super::mean::MeanWind;
 use super::spectrum::GustSpectrum;
 use crate::environment::error::EnvironmentError;
@@ -14,6 +14,12 @@ const BAND_HZ: [f64; 2] = [1.0 / 3600.0, 0.5];
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gusts {
     harmonics: Vec<Harmonic>,
+    /// The same, for their sums.
+    groups: Vec<Group>,
+    /// Mean wind (m/s).
+    mean_mps: f64,
+    /// They act on the whole of a ship at once.
+    is_uniform: bool,
 }
 
 impl Gusts {
@@ -30,20 +36,48 @@ impl Gusts {
         spectrum.check()?;
         realisation.check()?;
         if mean.speed_mps == 0.0 {
-            return Ok(Gusts { harmonics: vec![] });
+            return Ok(Gusts {
+                harmonics: vec![],
+                groups: vec![],
+                mean_mps: 0.0,
+                is_uniform: false,
+            });
         }
         let density = |f_hz| spectrum.density(f_hz, mean.speed_mps);
-        Ok(Gusts { harmonics: realisation.harmonics_of(density, BAND_HZ[0], BAND_HZ[1]) })
+        let harmonics = realisation.harmonics_of(density, BAND_HZ[0], BAND_HZ[1]);
+        let groups = Group::all(&harmonics);
+        Ok(Gusts { harmonics, groups, mean_mps: mean.speed_mps, is_uniform: false })
     }
 
-    /// Difference from the mean speed at a time (m/s).
+    /// The same gusts without averaging over ships: each acts on the whole of a ship at once.
+    #[must_use]
+    pub fn uniform(self) -> Gusts {
+        Gusts { is_uniform: true, ..self }
+    }
+
+    /// Difference from the mean speed at a time, as its mean over a front (m/s).
+    #[must_use]
+    pub fn speed_over_mps(&self, front: &WindFront, t_s: f64) -> f64 {
+        if self.is_uniform || *front == WindFront::POINT {
+            return self.speed_mps(t_s);
+        }
+        lanes::sum_over(&self.groups, front.scales_s(self.mean_mps), t_s)
+    }
+
+    /// Standard deviation of [`Gusts::speed_over_mps`] (m/s): √Σ½(χa)².
+    #[must_use]
+    pub fn deviation_over_mps(&self, front: &WindFront) -> f64 {
+        let of = |h: &Harmonic| {
+            let share = if self.is_uniform { 1.0 } else { front.share(h.frequency, self.mean_mps) };
+            0.5 * (share * h.amplitude) * (share * h.amplitude)
+        };
+        self.harmonics.iter().map(of).sum::<f64>().sqrt()
+    }
+
+    /// Difference from the mean speed at a time and a point (m/s).
     #[must_use]
     pub fn speed_mps(&self, t_s: f64) -> f64 {
-        let speeds = self
-            .harmonics
-            .iter()
-            .map(|h| h.amplitude * libm::cos(TAU * h.frequency * t_s + h.phase_rad));
-        speeds.sum()
+        lanes::sum(&self.groups, t_s)
     }
 
     /// Standard deviation of the speed (m/s): √Σ½a².

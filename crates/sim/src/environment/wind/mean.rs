@@ -3,6 +3,7 @@
 use fenderline_contact::number::greater;
 use fenderline_contact::{Vec2, vec2};
 
+use super::admittance::WindFront;
 use super::gust::Gusts;
 use super::series::WindSeries;
 use crate::environment::error::EnvironmentError;
@@ -103,7 +104,8 @@ impl Wind {
         Ok(Wind(Kind::Mean(mean, None)))
     }
 
-    /// A wind with gusts. Gusts change the speed but not the direction, and are the same over the whole ship.
+    /// A wind with gusts. Gusts change the speed but not the direction. A ship feels their mean over her front
+    /// ([`Wind::velocity_over`]), unless they are [`Gusts::uniform`].
     ///
     /// # Errors
     /// See [`MeanWind::check`].
@@ -137,9 +139,16 @@ impl Wind {
     /// Velocity of the air at a height above the water and a time, north and east (m/s).
     #[must_use]
     pub fn velocity(&self, height_m: f64, t_s: f64) -> Vec2 {
+        self.velocity_over(&WindFront::POINT, height_m, t_s)
+    }
+
+    /// The same, with the gusts averaged over a front.
+    #[must_use]
+    pub fn velocity_over(&self, front: &WindFront, height_m: f64, t_s: f64) -> Vec2 {
         match &self.0 {
             Kind::Mean(mean, gusts) => {
-                let gust_mps = gusts.as_ref().map_or(0.0, |gusts| gusts.speed_mps(t_s));
+                let gust = |gusts: &Gusts| gusts.speed_over_mps(front, t_s);
+                let gust_mps = gusts.as_ref().map_or(0.0, gust);
                 towards(mean.from_rad) * (mean.speed_at(height_m) + gust_mps)
             }
             Kind::Series(series) => {

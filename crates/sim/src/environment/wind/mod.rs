@@ -7,7 +7,9 @@
 //! The wind angle γ is the direction from which the wind comes, measured from the bow, positive over the *port* side:
 //! for γ > 0 the force is to starboard, Y > 0 (the convention of Fossen's toolbox, found).
 
+mod admittance;
 mod gust;
+mod lanes;
 mod mean;
 mod method;
 mod relative;
@@ -16,6 +18,7 @@ mod spectrum;
 mod windage;
 
 pub use super::harmonics::Realisation;
+pub use admittance::WindFront;
 pub use gust::Gusts;
 pub use mean::{MeanWind, Wind, WindProfile};
 // All of them, so that a new method is named in its own folder alone.

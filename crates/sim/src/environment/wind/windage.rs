@@ -2,6 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
+use super::admittance::WindFront;
 use super::method::WindMethod;
 use super::relative::RelativeWind;
 use crate::range::{OutOfRange, within};
@@ -81,6 +82,17 @@ impl ShipWindage {
         let side =
             if wrapped_rad == 0.0 || wrapped_rad.abs() >= PI { 0.0 } else { wrapped_rad.signum() };
         WindCoefficients { sway: side * from_port.sway, yaw: side * from_port.yaw, ..from_port }
+    }
+
+    /// The front that she turns to a wind at an angle γ (rad): the width of her length and beam across it, and the mean height
+    /// A_L/L of her side.
+    #[must_use]
+    pub fn front(&self, angle_rad: f64) -> WindFront {
+        let across_m = self.length_m * libm::sin(angle_rad).abs();
+        WindFront {
+            width_m: across_m + self.beam_m * libm::cos(angle_rad).abs(),
+            height_m: self.lateral_m2 / self.length_m,
+        }
     }
 
     /// Force and moment about midship, [X, Y, N] in (N, N, N·m), in air of a density (kg/m³), 1.224 at

@@ -1,0 +1,80 @@
+//! Documents of a run for people: the report as PDF, the results as an Excel workbook.
+
+mod browser;
+mod pdf;
+mod sheets;
+mod workbook;
+
+use std::path::{Path, PathBuf};
+
+use fenderline_sim::{OutputTable, Setup};
+
+use crate::cli;
+use crate::failure::Failure;
+use crate::output::write_whole;
+use crate::played::{Played, Start};
+use crate::terminal::say;
+use browser::Browser;
+use sheets::Sheets;
+pub(crate) use workbook::cases_workbook;
+
+/// The documents that the command line asks for.
+pub(crate) struct Documents {
+    /// Where the PDF goes, and the browser that prints it.
+    pdf: Option<(PathBuf, Browser)>,
+    xlsx: Option<PathBuf>,
+    /// The tables that the workbook holds as time series.
+    series: Vec<OutputTable>,
+}
+
+impl Documents {
+    /// Checks what is asked for before the run: a browser that is missing after hours of it would be late.
+    ///
+    /// # Errors
+    /// Bad input: no browser, an unknown table, a series that is too long for a sheet.
+    pub(crate) fn of(asked: &cli::Documents, setup: &Setup) -> Result<Documents, Failure> {
+        let pdf = match &asked.pdf {
+            Some(path) => Some((path.clone(), Browser::find().map_err(Failure::input)?)),
+            None => None,
+        };
+        let series = sheets::chosen(asked.sheets.as_deref(), setup)?;
+        Ok(Documents { pdf, xlsx: asked.xlsx.clone(), series })
+    }
+
+    /// Whether no document is asked for.
+    pub(crate) fn is_none(&self) -> bool {
+        self.pdf.is_none() && self.xlsx.is_none()
+    }
+
+    /// The time series of the workbook, to be filled during the run.
+    ///
+    /// # Errors
+    /// As [`Sheets::write`].
+    pub(crate) fn sheets(&self, start: &Start) -> Result<Sheets, Failure> {
+        Sheets::start(&self.series, start)
+    }
+
+    /// Writes the documents and says where they are. `page` is the report.
+    ///
+    /// # Errors
+    /// A file that cannot be written; a browser that fails. The documents before it are complete.
+    pub(crate) fn write(&self, played: &Played, page: &str, sheets: Sheets) -> Result<(), Failure> {
+        if let Some(path) = &self.xlsx {
+            let series = sheets.finish()?;
+            let bytes =
+                workbook::workbook(&played.outcome(), &series).map_err(|e| refused(path, &e))?;
+            write_whole(path, &bytes)?;
+            say(&format!("workbook: {}\n", path.display()))?;
+        }
+        if let Some((path, browser)) = &self.pdf {
+            let bytes = pdf::print(browser, page, path).map_err(|e| refused(path, &e))?;
+            write_whole(path, &bytes)?;
+            say(&format!("PDF: {}\n", path.display()))?;
+        }
+        Ok(())
+    }
+}
+
+fn refused(path: &Path, error: &dyn core::fmt::Display) -> Failure {
+    Failure::case(format_args!("error: cannot make {}: {error}", path.display()))
+}

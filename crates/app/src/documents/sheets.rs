@@ -1,0 +1,100 @@
+//! The time series of a workbook, collected during the run.
+
+use fenderline_results::{InMemory, KeptTable, NotFinite, Tables};
+use fenderline_sim::{OutputPlan, OutputTable, Setup, StepRecord};
+
+use crate::failure::Failure;
+use crate::played::Start;
+
+/// Rows of a sheet, the two rows of its head apart: the most that Excel opens.
+pub(super) const MOST_ROWS: usize = 1_048_576 - 2;
+
+/// Time series in memory; none where the command line asks for none.
+pub(crate) struct Sheets(Option<Tables<InMemory>>);
+
+/// The tables that `names` lists, separated by commas.
+///
+/// # Errors
+/// Bad input: a name that is no table's, or a table about something that the scenario does not have.
+pub(super) fn chosen(names: Option<&str>, setup: &Setup) -> Result<Vec<OutputTable>, Failure> {
+    let Some(names) = names else { return Ok(Vec::new()) };
+    let mut all = Vec::new();
+    for name in names.split(',').map(str::trim) {
+        let Some(table) = OutputTable::ALL.into_iter().find(|table| table.name() == name) else {
+            let known = OutputTable::ALL.map(OutputTable::name).join(", ");
+            return Err(Failure::input(format_args!(
+                "error: --sheets {names}: there is no table `{name}`; the tables are {known}"
+            )));
+        };
+        if is_empty(table, setup) {
+            return Err(Failure::input(format_args!(
+                "error: --sheets {names}: the scenario has no {name}"
+            )));
+        }
+        if !all.contains(&table) {
+            all.push(table);
+        }
+    }
+    Ok(all)
+}
+
+/// Whether the set-up has nothing that the table is about.
+fn is_empty(table: OutputTable, setup: &Setup) -> bool {
+    let world = &setup.world;
+    match table {
+        OutputTable::Bodies | OutputTable::Contacts | OutputTable::Energy => false,
+        OutputTable::Fenders => setup.fenders.is_empty(),
+        OutputTable::Panels => setup.fenders.iter().all(|fender| fender.panel.is_none()),
+        OutputTable::Chains => setup.fenders.iter().all(|fender| fender.chains.is_empty()),
+        OutputTable::Vessels => world.vessels.is_empty(),
+        OutputTable::Thrusters => world.vessels.iter().all(|vessel| vessel.thrusters.is_empty()),
+        OutputTable::Azimuths => world.vessels.iter().all(|vessel| vessel.azimuths.is_empty()),
+        OutputTable::Tugs => world.tugs.is_empty(),
+        OutputTable::Lines => world.lines.is_empty(),
+        OutputTable::Dolphins => setup.bodies.iter().all(|body| body.dolphin.is_none()),
+    }
+}
+
+impl Sheets {
+    /// Starts the tables, with as many steps a row as the scenario's result files.
+    ///
+    /// # Errors
+    /// As [`Sheets::write`].
+    pub(super) fn start(tables: &[OutputTable], start: &Start) -> Result<Sheets, Failure> {
+        if tables.is_empty() {
+            return Ok(Sheets(None));
+        }
+        let steps_per_row = start.output.steps_per_row;
+        let plan = OutputPlan { steps_per_row, tables: tables.to_vec() };
+        let tables = Tables::start(&InMemory, start.setup(), start.energy(), &plan);
+        Ok(Sheets(Some(tables.map_err(failure)?)))
+    }
+
+    /// Adds a step.
+    ///
+    /// # Errors
+    /// A value that is not finite; more rows than a sheet holds.
+    pub(crate) fn write(&mut self, step: &StepRecord<'_>) -> Result<(), Failure> {
+        let Some(tables) = &mut self.0 else { return Ok(()) };
+        tables.write(step).map_err(failure)?;
+        match tables.rows().into_iter().find(|(_, rows)| *rows > MOST_ROWS as u64) {
+            None => Ok(()),
+            Some((name, _)) => Err(Failure::input(format_args!(
+                "error: --sheets: the table `{name}` has more than {MOST_ROWS} rows, the most that a sheet holds; make a row \
+                 stand for a longer time by --interval"
+            ))),
+        }
+    }
+
+    /// The tables.
+    ///
+    /// # Errors
+    /// As [`Sheets::write`].
+    pub(super) fn finish(self) -> Result<Vec<KeptTable>, Failure> {
+        self.0.map_or(Ok(Vec::new()), |tables| tables.finish().map_err(failure))
+    }
+}
+
+fn failure(error: NotFinite) -> Failure {
+    Failure::case(format_args!("error: {error}"))
+}

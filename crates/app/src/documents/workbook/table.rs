@@ -1,0 +1,194 @@
+//! Heads, cells and formats of a sheet.
+
+use fenderline_contact::number::greater;
+use rust_xlsxwriter::{Color, Format, FormatAlign, FormatBorder, Worksheet, XlsxError};
+
+/// A cell.
+pub(super) enum Cell {
+    Text(String),
+    /// A number in the unit of its column.
+    Number(f64),
+    /// A number in a unit of its own.
+    Of(f64, &'static str),
+    Flag(bool),
+    Empty,
+}
+
+/// A column of a sheet: head, unit, width in characters.
+pub(super) struct Head<'h>(pub(super) &'h str, pub(super) &'h str, pub(super) f64);
+
+impl From<&str> for Cell {
+    fn from(text: &str) -> Cell {
+        Cell::Text(text.to_owned())
+    }
+}
+
+impl From<String> for Cell {
+    fn from(text: String) -> Cell {
+        Cell::Text(text)
+    }
+}
+
+impl From<f64> for Cell {
+    fn from(value: f64) -> Cell {
+        Cell::Number(value)
+    }
+}
+
+impl From<Option<f64>> for Cell {
+    fn from(value: Option<f64>) -> Cell {
+        value.map_or(Cell::Empty, Cell::Number)
+    }
+}
+
+/// Rows of a head: names and units.
+const HEAD_ROWS: u32 = 2;
+/// Most characters of a line on a paper.
+const PAGE_WIDTH: f64 = 190.0;
+/// Width of a bold letter over that of a digit.
+const BOLD: f64 = 1.2;
+/// Height of a line (points).
+const LINE: f64 = 15.0;
+/// ISO A4 in the numbering of Excel.
+const A4: u8 = 9;
+
+/// A sheet that is one table: its heads stay in view and on each printed page, as do its first columns.
+pub(super) fn sheet_of(
+    sheet: &mut Worksheet,
+    name: &str,
+    heads: &[Head<'_>],
+    rows: impl IntoIterator<Item = Vec<Cell>>,
+    fixed_columns: u16,
+) -> Result<(), XlsxError> {
+    sheet.set_name(name)?;
+    let end = table(sheet, 0, heads, rows)?;
+    sheet.set_freeze_panes(HEAD_ROWS, fixed_columns)?;
+    sheet.set_repeat_rows(0, HEAD_ROWS - 1)?;
+    let columns = u16::try_from(heads.len()).expect("few columns");
+    // From the units on: Excel takes the first row of the range as the head of the filter.
+    if end > HEAD_ROWS {
+        sheet.autofilter(HEAD_ROWS - 1, 0, end - 1, columns - 1)?;
+    }
+    if fixed_columns > 0 {
+        sheet.set_repeat_columns(0, fixed_columns - 1)?;
+    }
+    let width: f64 = heads.iter().map(|Head(.., width)| width).sum();
+    print_on_a4(sheet, name, 1 + (width / PAGE_WIDTH) as u16);
+    Ok(())
+}
+
+/// Landscape, on so many papers side by side, with name and page number at their feet.
+pub(super) fn print_on_a4(sheet: &mut Worksheet, name: &str, papers: u16) {
+    sheet.set_paper_size(A4);
+    sheet.set_landscape();
+    sheet.set_print_fit_to_pages(papers, 0);
+    sheet.set_footer(format!("&L{name}&RPage &P of &N"));
+}
+
+/// Head and rows of a table, from row `top` on; returns the row after the last. The row below the heads has the units.
+pub(super) fn table(
+    sheet: &mut Worksheet,
+    top: u32,
+    heads: &[Head<'_>],
+    rows: impl IntoIterator<Item = Vec<Cell>>,
+) -> Result<u32, XlsxError> {
+    let tint = Color::RGB(0x00F3_F6F9);
+    let head = at_top().set_text_wrap().set_bold().set_background_color(tint);
+    let unit = Format::new().set_font_color(Color::RGB(0x005B_6675));
+    let unit = unit.set_background_color(tint).set_border_bottom(FormatBorder::Thin);
+    let mut lines = 1.0;
+    for (column, Head(name, symbol, width)) in (0_u16..).zip(heads) {
+        // Over the numbers of a column, which stand to the right.
+        let side = |format: &Format| match *symbol {
+            "" | "-" => format.clone().set_align(FormatAlign::Left).set_indent(1),
+            _ => format.clone().set_align(FormatAlign::Right),
+        };
+        sheet.write_string_with_format(top, column, *name, &side(&head))?;
+        sheet.write_string_with_format(top + 1, column, *symbol, &side(&unit))?;
+        sheet.set_column_width(column, *width)?;
+        lines = greater(lines, lines_of(name, *width));
+    }
+    sheet.set_row_height(top, LINE * lines)?;
+    let formats: Vec<Format> = heads.iter().map(|Head(_, unit, _)| format_of(unit)).collect();
+    let mut row = top + HEAD_ROWS;
+    for cells in rows {
+        for ((column, format), cell) in (0_u16..).zip(&formats).zip(cells) {
+            put(sheet, (row, column), &cell, format)?;
+        }
+        row += 1;
+    }
+    Ok(row)
+}
+
+/// Lines of a bold head that wraps between words in a column of this width (characters).
+fn lines_of(head: &str, width: f64) -> f64 {
+    let (mut lines, mut used) = (1.0, 0.0);
+    for word in head.split(' ') {
+        let length = BOLD * word.chars().count() as f64;
+        if used > 0.0 && used + 1.0 + length > width {
+            (lines, used) = (lines + 1.0, 0.0);
+        }
+        used += length + if used > 0.0 { 1.0 } else { 0.0 };
+    }
+    lines
+}
+
+/// Writes a cell. `format` is that of a number in the unit of its column.
+pub(super) fn put(
+    sheet: &mut Worksheet,
+    (row, column): (u32, u16),
+    cell: &Cell,
+    format: &Format,
+) -> Result<(), XlsxError> {
+    match cell {
+        // As a text, never as a formula.
+        Cell::Text(text) => sheet.write_string_with_format(row, column, text, &wrapped())?,
+        Cell::Number(value) => sheet.write_number_with_format(row, column, *value, format)?,
+        Cell::Of(value, unit) => {
+            sheet.write_number_with_format(row, column, *value, &format_of(unit))?
+        }
+        Cell::Flag(value) => {
+            let middle = at_top().set_align(FormatAlign::Center);
+            sheet.write_boolean_with_format(row, column, *value, &middle)?
+        }
+        Cell::Empty => return Ok(()),
+    };
+    Ok(())
+}
+
+/// A text that wraps in its column.
+fn wrapped() -> Format {
+    at_top().set_text_wrap().set_align(FormatAlign::Left).set_indent(1)
+}
+
+fn at_top() -> Format {
+    Format::new().set_align(FormatAlign::Top)
+}
+
+/// How numbers of a unit are shown; the cells hold all digits.
+pub(super) fn format_of(unit: &str) -> Format {
+    let digits = match unit {
+        "mm" | "kN·s" | "N" | "J" | "N·m" | "N·s" | "N/m²" => "#,##0",
+        "kN" | "t" | "kJ (kN·m)" | "kN·m" | "kN/m²" | "MN/m" => "#,##0.0",
+        "%" => "0.0",
+        "s" => "0.0##",
+        "kn" | "deg" | "deg/min" => "0.00",
+        "m" | "m/s" | "–" => "0.000",
+        "1" | "rad" | "rad/s" => "0.00000",
+        _ => return at_top(),
+    };
+    at_top().set_num_format(digits)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::lines_of;
+
+    #[test]
+    fn a_head_wraps_between_its_words() {
+        assert_eq!(lines_of("Reaction", 11.0), 1.0);
+        assert_eq!(lines_of("Approach speed", 10.0), 2.0);
+        assert_eq!(lines_of("Largest turn of the panel", 12.0), 3.0);
+        assert_eq!(lines_of("Penetration", 4.0), 1.0);
+    }
+}

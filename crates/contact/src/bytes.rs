@@ -1,0 +1,218 @@
+//! Snapshots as bytes, little-endian: magic, version, records, and FNV-1a of all bytes before.
+//!
+//! A [`Record`] lists its parts once, for writing and for reading.
+
+use alloc::vec::Vec;
+
+use crate::error::RestoreError;
+use crate::hash::Fnv1a;
+use crate::report::Wrench;
+use crate::state::BodyState;
+use crate::vec2::{Rotation, Vec2};
+
+/// The version of the snapshots that this library writes and reads.
+pub const SNAPSHOT_VERSION: u32 = 8;
+
+/// Numbers after each other: a [`Writer`] appends them, a [`Reader`] replaces them by those it reads.
+pub(crate) trait Codec {
+    fn word(&mut self, word: &mut u32);
+    fn number(&mut self, number: &mut f64);
+    /// Notes that what was read is impossible.
+    fn refuse(&mut self);
+}
+
+/// A part of a snapshot.
+pub(crate) trait Record: Copy + Default {
+    /// Passes all of its numbers to the codec, in their order.
+    fn code(&mut self, codec: &mut impl Codec);
+
+    /// Number of its bytes.
+    fn byte_count() -> u128 {
+        let mut out = Writer(Vec::new());
+        out.put(Self::default());
+        out.0.len() as u128
+    }
+}
+
+/// Makes records of structs: the fields in the order of their bytes.
+macro_rules! records {
+    ($($record:ty { $($field:ident),* })*) => {
+        $(impl $crate::bytes::Record for $record {
+            fn code(&mut self, codec: &mut impl $crate::bytes::Codec) {
+                $(self.$field.code(codec);)*
+            }
+        })*
+    };
+}
+pub(crate) use records;
+
+records! {
+    Vec2 { x, y }
+    Rotation { cos, sin }
+    BodyState { position_m, heading_rad, velocity_mps, yaw_rate_radps }
+    Wrench { force_n, moment_nm }
+}
+
+impl Record for u32 {
+    fn code(&mut self, codec: &mut impl Codec) {
+        codec.word(self);
+    }
+}
+
+impl Record for f64 {
+    fn code(&mut self, codec: &mut impl Codec) {
+        codec.number(self);
+    }
+}
+
+/// A word: 0 or 1.
+impl Record for bool {
+    fn code(&mut self, codec: &mut impl Codec) {
+        let mut word = u32::from(*self);
+        codec.word(&mut word);
+        *self = word == 1;
+        if word > 1 {
+            codec.refuse();
+        }
+    }
+}
+
+/// Whether it is there, and the record, of any value where it is not.
+impl<R: Record> Record for Option<R> {
+    fn code(&mut self, codec: &mut impl Codec) {
+        let (mut is_some, mut record) = (self.is_some(), self.unwrap_or_default());
+        is_some.code(codec);
+        record.code(codec);
+        *self = is_some.then_some(record);
+    }
+}
+
+impl<R: Record, S: Record> Record for (R, S) {
+    fn code(&mut self, codec: &mut impl Codec) {
+        self.0.code(codec);
+        self.1.code(codec);
+    }
+}
+
+impl Record for [f64; 3] {
+    fn code(&mut self, codec: &mut impl Codec) {
+        self.iter_mut().for_each(|number| codec.number(number));
+    }
+}
+
+/// Writes a snapshot.
+pub(crate) struct Writer(Vec<u8>);
+
+impl Codec for Writer {
+    fn word(&mut self, word: &mut u32) {
+        self.bytes(&word.to_le_bytes());
+    }
+
+    fn number(&mut self, number: &mut f64) {
+        self.bytes(&number.to_le_bytes());
+    }
+
+    fn refuse(&mut self) {}
+}
+
+impl Writer {
+    /// Begins a snapshot.
+    pub(crate) fn new(magic: &[u8; 8]) -> Writer {
+        let mut out = Writer(magic.to_vec());
+        out.put(SNAPSHOT_VERSION);
+        out
+    }
+
+    pub(crate) fn bytes(&mut self, bytes: &[u8]) {
+        self.0.extend_from_slice(bytes);
+    }
+
+    pub(crate) fn put(&mut self, mut record: impl Record) {
+        record.code(self);
+    }
+
+    /// The bytes, with their checksum.
+    pub(crate) fn sealed(mut self) -> Vec<u8> {
+        let sum = Fnv1a::of(&self.0);
+        self.bytes(&sum.to_le_bytes());
+        self.0
+    }
+}
+
+/// Reads a snapshot. Of faults it keeps the first, and reads zeros from there.
+pub(crate) struct Reader<'b> {
+    rest: &'b [u8],
+    outcome: Result<(), RestoreError>,
+}
+
+impl Codec for Reader<'_> {
+    fn word(&mut self, word: &mut u32) {
+        *word = u32::from_le_bytes(self.array());
+    }
+
+    /// Finite and of a size that cannot overflow in the next step.
+    fn number(&mut self, number: &mut f64) {
+        *number = f64::from_le_bytes(self.array());
+        let is_usable = number.abs() <= 1e30;
+        if !is_usable {
+            self.refuse();
+            *number = 0.0;
+        }
+    }
+
+    fn refuse(&mut self) {
+        self.outcome = self.outcome.and(Err(RestoreError::Content));
+    }
+}
+
+impl<'b> Reader<'b> {
+    /// Checks magic and version. The checksum is checked by [`check_sum`].
+    pub(crate) fn open(bytes: &'b [u8], magic: &[u8; 8]) -> Result<Reader<'b>, RestoreError> {
+        let mut input = Reader { rest: bytes, outcome: Ok(()) };
+        let (found_magic, found) = (input.array::<8>(), input.get());
+        input.outcome?;
+        match found {
+            _ if found_magic != *magic => Err(RestoreError::NotASnapshot),
+            SNAPSHOT_VERSION => Ok(input),
+            _ => Err(RestoreError::Version { found }),
+        }
+    }
+
+    pub(crate) fn get<R: Record>(&mut self) -> R {
+        let mut record = R::default();
+        record.code(self);
+        record
+    }
+
+    pub(crate) fn array<const N: usize>(&mut self) -> [u8; N] {
+        let mut array = [0; N];
+        array.copy_from_slice(self.bytes(N).unwrap_or(&[0; N]));
+        array
+    }
+
+    /// So many bytes as they are.
+    pub(crate) fn bytes(&mut self, count: usize) -> Result<&'b [u8], RestoreError> {
+        let Some((bytes, rest)) = self.rest.split_at_checked(count) else {
+            self.outcome = self.outcome.and(Err(RestoreError::Length));
+            return Err(RestoreError::Length);
+        };
+        self.rest = rest;
+        Ok(bytes)
+    }
+
+    /// The first fault so far.
+    pub(crate) fn outcome(&self) -> Result<(), RestoreError> {
+        self.outcome
+    }
+
+    /// Checks that so many bytes and the checksum are left.
+    pub(crate) fn check_left(&self, bytes: u128) -> Result<(), RestoreError> {
+        if self.rest.len() as u128 == bytes + 8 { Ok(()) } else { Err(RestoreError::Length) }
+    }
+}
+
+/// Checks the checksum of a whole snapshot.
+pub(crate) fn check_sum(snapshot: &[u8]) -> Result<(), RestoreError> {
+    let (summed, sum) = snapshot.split_last_chunk().ok_or(RestoreError::Length)?;
+    if *sum == Fnv1a::of(summed).to_le_bytes() { Ok(()) } else { Err(RestoreError::Checksum) }
+}

@@ -1,0 +1,210 @@
+//! Renewal of slices: a host changes the outline that a fender meets of a hull, because her height at the fender has
+//! changed (docs/contact_model.md, section 8).
+//!
+//! The contact lives on: shear, tops of rubber and reference speed stay. What the change stores in the fender or takes out
+//! of it is no work of the bodies' motion in the plane; the host books it as work of tide, heave, roll and pitch. The
+//! contact may return it. Its damper answers the change of the area, as it does any other.
+//!
+//! The forces of a (sub-)step act for half a step before its start and half a step after it (section 6.7). So the change
+//! counts from half a step before the start: there the energies before and after it are compared. With those at the
+//! start, a ship that closes in while the tide takes her side away would gain k δ̇² h/2 for ever.
+//!
+//! A fender with an unloading law follows the net change of its deflection from the start of the last (sub-)step to this
+//! one. So the work is the energy that this takes, less what the motion gives: its force at the last start for half a step,
+//! and that at this one for another half.
+
+use alloc::vec::Vec;
+
+use crate::bodies::Bodies;
+use crate::candidates::{Candidate, Pairing};
+use crate::coupled::add_held;
+use crate::coupled::held::Held;
+use crate::geometry::clip::ClipBuffers;
+use crate::material::{BodyId, FenderId};
+use crate::memory::{Memory, PatchMemory};
+use crate::model::Model;
+use crate::number::greater;
+use crate::overlap::{Hints, Overlap, overlap};
+use crate::slice::{SideMet, Slice};
+use crate::state::BodyState;
+use crate::touch::{Movers, Scene, touch};
+use crate::vec2::Pose;
+
+/// What a renewal did.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Renewal {
+    /// The energy that it put into the fender (J), negative where it took some out.
+    pub work_j: f64,
+    /// The slice that was replaced.
+    pub before: Option<Slice>,
+}
+
+impl Model {
+    /// Sets the outline that a fender meets of a body with outlines by height, from the next step on; `None`: the body has no
+    /// side at that height. `states` are those at which that step begins.
+    ///
+    /// # Panics
+    /// If the builder did not declare the body with [`crate::ModelBuilder::outlines_by_height`], or an id does not exist.
+    pub fn renew_slice(
+        &mut self,
+        memory: &mut Memory,
+        states: &[BodyState],
+        (fender, body): (FenderId, BodyId),
+        slice: Option<Slice>,
+    ) -> Renewal {
+        let (candidate, place) = self.met(fender, body);
+        let is_near = self.is_near(&candidate, states);
+        // By the time before the start, in halves of the last (sub-)step.
+        let held = |model: &Model, memory: &Memory, halves: f64| {
+            if is_near { model.held(memory, &candidate, states, halves) } else { Held::default() }
+        };
+        let (last, old) = (held(self, memory, 2.0), held(self, memory, 1.0));
+        let before = core::mem::replace(self.slices.slot(place), slice);
+        let (new, next) = (held(self, memory, 1.0), held(self, memory, 0.0));
+        let by_motion_j = last.share() * (old.loading_j - last.loading_j)
+            + next.share() * (next.loading_j - new.loading_j);
+        let work_j = next.energy_j - last.energy_j - by_motion_j;
+        memory.contacts.hints.retain(|hint| hint.candidate() != candidate.key());
+        let own =
+            memory.contacts.patches.iter_mut().filter(|patch| patch.candidate() == candidate.key());
+        let own: Vec<&mut PatchMemory> = own.collect();
+        let whole_m2: f64 = own.iter().map(|patch| patch.area_m2).sum();
+        for patch in own {
+            let share = patch.area_m2 / whole_m2;
+            patch.taken_j = greater(patch.taken_j + work_j * share, 0.0);
+        }
+        Renewal { work_j, before }
+    }
+
+    /// Puts back the slice of a renewal, after a step that failed. The caller restores the memory.
+    ///
+    /// # Panics
+    /// As [`Model::renew_slice`].
+    pub fn undo_renewal(&mut self, (fender, body): (FenderId, BodyId), before: Option<Slice>) {
+        let (_, place) = self.met(fender, body);
+        *self.slices.slot(place) = before;
+    }
+
+    /// The side of a body with outlines by height before a fender's face: where they touch, or where she is nearest. Where
+    /// she flares out upwards, the fender pushes her up with the slope's share of the contact's normal force. `None` for a
+    /// body with one outline, and where no side of hers is before the face.
+    ///
+    /// # Panics
+    /// If an id does not exist.
+    #[must_use]
+    pub fn side_met_by(
+        &self,
+        fender: FenderId,
+        body: BodyId,
+        states: &[BodyState],
+    ) -> Option<SideMet> {
+        let rank = self.rank_of[body.0 as usize];
+        let number = self.face_of(Some(fender));
+        let face = &self.faces[number as usize - 1];
+        let pose = |rank: u32| states[self.id_of[rank as usize].0 as usize].pose();
+        // Relative to the host, so that no digits are lost far from the origin.
+        let hull = pose(face.host).to(pose(rank));
+        self.side_met(face, number, rank, hull, Pose::IDENTITY)
+    }
+
+    /// Whether a fender would press on a body with this outline.
+    ///
+    /// # Panics
+    /// As [`Model::renew_slice`].
+    #[must_use]
+    pub fn would_press(
+        &mut self,
+        (fender, body): (FenderId, BodyId),
+        states: &[BodyState],
+        slice: &Slice,
+    ) -> bool {
+        let (candidate, place) = self.met(fender, body);
+        if !self.is_near(&candidate, states) {
+            return false;
+        }
+        let own = self.slices.slot(place).replace(slice.clone());
+        let mut found = Overlap::default();
+        let bodies = self.poses_of(&candidate, |rank| states[self.id_of[rank as usize].0 as usize]);
+        self.overlap_of(&candidate, &bodies, &mut found);
+        *self.slices.slot(place) = own;
+        !found.patches.is_empty()
+    }
+
+    /// The candidate of a fender and a body with outlines by height, and the place of its slice.
+    fn met(&self, fender: FenderId, body: BodyId) -> (Candidate, usize) {
+        let number = self.face_of(Some(fender));
+        let face = &self.faces[number as usize - 1];
+        let rank = self.rank_of[body.0 as usize];
+        let place = self.slices.place(number, rank).expect("a body with outlines by height");
+        let (a, b) = (face.host.min(rank), face.host.max(rank));
+        (Candidate { a, b, face: number, material: face.material }, place)
+    }
+
+    /// Does the circle about the fender's zone meet that about the body?
+    fn is_near(&self, candidate: &Candidate, states: &[BodyState]) -> bool {
+        let Some(face) = candidate.fender(self) else { return false };
+        let other = if face.host == candidate.a { candidate.b } else { candidate.a };
+        let state = |rank: u32| &states[self.id_of[rank as usize].0 as usize];
+        let center_m = state(face.host).pose().apply(face.zone.center_m());
+        let reach_m = face.zone.radius_m() + self.ranked[other as usize].radius_m;
+        (center_m - state(other).position_m).length_squared() <= reach_m * reach_m
+    }
+
+    /// Poses by rank, of which only those of a candidate's bodies are set.
+    fn poses_of(&self, candidate: &Candidate, state: impl Fn(u32) -> BodyState) -> Bodies {
+        let mut bodies = Bodies::with_capacity(0);
+        bodies.poses = alloc::vec![Pose::IDENTITY; self.ranked.len()];
+        for rank in [candidate.a, candidate.b] {
+            bodies.poses[rank as usize] = state(rank).pose();
+        }
+        bodies
+    }
+
+    fn overlap_of(&self, candidate: &Candidate, bodies: &Bodies, found: &mut Overlap) {
+        let pairing = Pairing { candidate: *candidate, island: 0, pair: 0 };
+        let (mut hints, mut clip) = (Vec::new(), ClipBuffers::default());
+        let _ = overlap(self, bodies, &[pairing], 0, Hints::new(&[], &mut hints), &mut clip, found);
+    }
+
+    /// What the contacts of a candidate hold, some halves of the last (sub-)step before these states, with the memory of
+    /// that step.
+    fn held(
+        &self,
+        memory: &Memory,
+        candidate: &Candidate,
+        states: &[BodyState],
+        halves: f64,
+    ) -> Held {
+        let earlier = |rank: u32| {
+            let state = states[self.id_of[rank as usize].0 as usize];
+            let half_s = memory.behind_s.get(rank as usize).map_or(0.0, |&s| greater(s, 0.0));
+            let ago_s = halves * half_s;
+            BodyState {
+                position_m: state.position_m - state.velocity_mps * ago_s,
+                heading_rad: state.heading_rad - state.yaw_rate_radps * ago_s,
+                ..state
+            }
+        };
+        let bodies = self.poses_of(candidate, earlier);
+        let mut found = Overlap::default();
+        self.overlap_of(candidate, &bodies, &mut found);
+        let by_rank: Vec<BodyState> = (0..self.ranked.len() as u32).map(earlier).collect();
+        let scene = Scene { model: self, overlap: &found, poses: &bodies.poses, states: &by_rank };
+        let mut clip = ClipBuffers::default();
+        let mut held = Held::default();
+        for patch in &found.patches {
+            let (a, b, number) = candidate.key();
+            let wanted = (a, b, number, patch.number);
+            let place = memory.contacts.patches.binary_search_by_key(&wanted, PatchMemory::key);
+            let old = place.ok().map(|index| &memory.contacts.patches[index]);
+            let face = candidate.fender(self);
+            if let Some(face) = face {
+                let factor = old.map(|memory| memory.factor);
+                clip.panel.state = face.chain_state(number, &memory.parted, factor);
+            }
+            let touch = touch(&scene, &mut clip, patch, face, old, Movers::Both);
+            add_held(&mut held, self, patch, touch, old);
+        }
+        held
+    }
+}

@@ -1,0 +1,228 @@
+//! Outlines of a hull at the heights of fenders, and the slope of her side there (docs/contact_model.md, section 8).
+//!
+//! A body with outlines by height has no one outline for fenders: each fender meets the one at its own height. The host
+//! cuts these slices, and renews them between steps where tide, heave, roll or pitch have changed them: see
+//! [`crate::Model::renew_slice`].
+
+use alloc::vec::Vec;
+
+use crate::fender::RankedFender;
+use crate::geometry::convex::ConvexPolygon;
+use crate::number::{greater, lesser};
+use crate::outline::{Outline, OutlineError};
+use crate::vec2::{Pose, Vec2, vec2};
+
+/// Where a hull does not reach a fender's face yet, her slope is that within this depth of her nearest point (m).
+const NEAREST_M: f64 = 1e-6;
+
+/// The outline of a body at the height of a fender.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Slice {
+    pub(crate) pieces: Vec<ConvexPolygon>,
+    edges: Vec<Edge>,
+}
+
+/// The side of a hull before a fender's face.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SideMet {
+    /// The tangent of the angle by which the side leans out over the fender: how fast the overlap grows with height, over how
+    /// fast it grows with the hull's motion along the force. Positive where the side flares out upwards.
+    pub slope: f64,
+    /// The middle of the side, in the hull's frame (m).
+    pub place_m: Vec2,
+}
+
+/// An edge of a slice, walked in the positive sense: its ends (m), and how they move with height (m/m).
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Edge {
+    ends_m: [Vec2; 2],
+    rates: [Vec2; 2],
+}
+
+impl Slice {
+    /// A slice from its vertices in the body's frame (m), in either direction, and the rate at which each moves as the
+    /// height rises (m/m). Missing rates are zero: a vertical side.
+    ///
+    /// # Errors
+    /// As [`Outline::new`].
+    pub fn new(vertices_m: &[Vec2], rates: &[Vec2]) -> Result<Slice, OutlineError> {
+        let (outline, _) = Outline::new(vertices_m)?;
+        let pieces = outline.pieces().iter().map(|piece| ConvexPolygon::new(piece)).collect();
+        let rate = |index: usize| rates.get(index).copied().unwrap_or(Vec2::ZERO);
+        let count = vertices_m.len();
+        let turned = doubled_area_m2(vertices_m) < 0.0;
+        let edge = |index: usize| {
+            let next = (index + 1) % count;
+            let (from, to) = if turned { (next, index) } else { (index, next) };
+            Edge { ends_m: [vertices_m[from], vertices_m[to]], rates: [rate(from), rate(to)] }
+        };
+        Ok(Slice { pieces, edges: (0..count).map(edge).collect() })
+    }
+
+    /// Its edges, by their ends (m).
+    pub(crate) fn edges_m(&self) -> impl Iterator<Item = [Vec2; 2]> {
+        self.edges.iter().map(|edge| edge.ends_m)
+    }
+
+    /// The hull's side before a fender's face: where they touch, or where the hull is nearest. `None` where no side of hers
+    /// is before the face.
+    ///
+    /// With p the pressure on the face, the slope is ∫ p v′·n ds / |∫ p n ds| over the sides before the face: the ratio of
+    /// the two gradients of the stored energy, by height and in the plane. p is uniform for a reaction curve, and grows
+    /// with the depth for the area law. `hull` and `host` are poses of the two bodies in one frame.
+    pub(crate) fn side(
+        &self,
+        face: &RankedFender,
+        grows_with_depth: bool,
+        hull: Pose,
+        host: Pose,
+    ) -> Option<SideMet> {
+        let inward = host.rotation.apply(face.inward);
+        let along = inward.quarter_turn();
+        let face_m = host.apply(face.face_m);
+        let turned = |v: Vec2| {
+            let v = hull.rotation.apply(v);
+            vec2(v.dot(inward), v.dot(along))
+        };
+        let place = |v: Vec2| {
+            let v = hull.apply(v) - face_m;
+            vec2(v.dot(inward), v.dot(along))
+        };
+        let half_m = 0.5 * face.width_m;
+        // Sides that face the fender, cut to the strip before it.
+        let sides = || {
+            self.edges.iter().filter_map(|edge| {
+                let ends_m = edge.ends_m.map(place);
+                let faces_it = (ends_m[1] - ends_m[0]).quarter_turn_back().x > 0.0;
+                let whole = Part { ends_m, rates: edge.rates.map(turned) };
+                if faces_it { whole.within(|v| v.y, -half_m, half_m) } else { None }
+            })
+        };
+        let deepest_m =
+            sides().flat_map(|side| side.ends_m.map(|end| end.x)).fold(f64::NEG_INFINITY, greater);
+        let presses = deepest_m > 0.0;
+        let (from_m, to_m) = if presses {
+            (0.0, 2.0 * face.bounds.projection_m)
+        } else {
+            (deepest_m - NEAREST_M, deepest_m)
+        };
+        let by_depth = grows_with_depth && presses;
+        let (mut by_height, mut by_motion) = (0.0, Vec2::ZERO);
+        let (mut moment, mut weight) = (Vec2::ZERO, 0.0);
+        for side in sides().filter_map(|side| side.within(|v| v.x, from_m, to_m)) {
+            let (height, motion) = side.gradients(by_depth);
+            by_height += height;
+            by_motion += motion;
+            let size = motion.length();
+            moment += (side.ends_m[0] + side.ends_m[1]) * (0.5 * size);
+            weight += size;
+        }
+        let size = by_motion.length();
+        (size > 0.0).then(|| {
+            let at = moment * (1.0 / weight);
+            let place_m = hull.apply_inverse(face_m + inward * at.x + along * at.y);
+            SideMet { slope: by_height / size, place_m }
+        })
+    }
+}
+
+/// A part of a side in the face's frame: x inwards, y along the face.
+#[derive(Clone, Copy, Debug)]
+struct Part {
+    ends_m: [Vec2; 2],
+    rates: [Vec2; 2],
+}
+
+impl Part {
+    /// What of it has a coordinate from `low_m` to `high_m`; `None` for nothing.
+    fn within(&self, coordinate: impl Fn(Vec2) -> f64, low_m: f64, high_m: f64) -> Option<Part> {
+        let [from_m, to_m] = self.ends_m.map(coordinate);
+        let (mut first, mut last) = (0.0, 1.0);
+        let length_m = to_m - from_m;
+        if length_m == 0.0 {
+            return (low_m..=high_m).contains(&from_m).then_some(*self);
+        }
+        let [one, two] = [low_m, high_m].map(|bound_m| (bound_m - from_m) / length_m);
+        first = greater(first, lesser(one, two));
+        last = lesser(last, greater(one, two));
+        let at = |[from, to]: [Vec2; 2]| [first, last].map(|share| from + (to - from) * share);
+        (first < last).then(|| Part { ends_m: at(self.ends_m), rates: at(self.rates) })
+    }
+
+    /// ∫ p v′·n ds and ∫ p n ds with p = 1, or p = x. Exact: the integrands are polynomials of the second degree at most,
+    /// for which Simpson's rule holds.
+    fn gradients(&self, by_depth: bool) -> (f64, Vec2) {
+        let [from, to] = self.ends_m;
+        let normal = (to - from).quarter_turn_back();
+        let [first, last] = self.rates;
+        let points =
+            [(from, first, 1.0), ((from + to) * 0.5, (first + last) * 0.5, 4.0), (to, last, 1.0)];
+        let (mut height, mut motion) = (0.0, 0.0);
+        for (at, rate, weight) in points {
+            let p = if by_depth { at.x } else { 1.0 } * weight * (1.0 / 6.0);
+            height += p * rate.dot(normal);
+            motion += p;
+        }
+        (height, normal * motion)
+    }
+}
+
+/// Twice the signed area of a polygon, about its first vertex (m²).
+fn doubled_area_m2(vertices_m: &[Vec2]) -> f64 {
+    let first = vertices_m[0];
+    vertices_m[1..].windows(2).map(|two| (two[0] - first).cross(two[1] - first)).sum()
+}
+
+/// The slices of a model.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Slices {
+    /// By rank: the number of the body among those with outlines by height, from 1; 0 for the others. Empty without any.
+    numbers: Vec<u32>,
+    /// Number of these bodies.
+    count: u32,
+    /// For each face and each of these bodies; `None`: the body has no side at that height.
+    slots: Vec<Option<Slice>>,
+}
+
+impl Slices {
+    /// For the bodies of these ranks and a number of faces.
+    pub(crate) fn new(bodies: usize, ranks: &[u32], faces: usize) -> Slices {
+        if ranks.is_empty() {
+            return Slices::default();
+        }
+        let mut numbers = alloc::vec![0; bodies];
+        for (number, &rank) in (1..).zip(ranks) {
+            numbers[rank as usize] = number;
+        }
+        let slots = (0..faces * ranks.len()).map(|_| None).collect();
+        Slices { numbers, count: ranks.len() as u32, slots }
+    }
+
+    /// True for a model without outlines by height.
+    #[inline(always)]
+    pub(crate) fn is_empty(&self) -> bool {
+        self.numbers.is_empty()
+    }
+
+    /// The ranks of the bodies with outlines by height.
+    pub(crate) fn ranks(&self) -> impl Iterator<Item = u32> {
+        (0..).zip(&self.numbers).filter(|&(_, &number)| number > 0).map(|(rank, _)| rank)
+    }
+
+    /// The place of the slice that a face (by its number, from 1) meets of a body; `None` for a body with one outline.
+    #[inline]
+    pub(crate) fn place(&self, face: u32, rank: u32) -> Option<usize> {
+        let number = self.numbers.get(rank as usize)?.checked_sub(1)?;
+        Some(((face - 1) * self.count + number) as usize)
+    }
+
+    /// The slice at a place.
+    #[inline]
+    pub(crate) fn at(&self, place: usize) -> Option<&Slice> {
+        self.slots[place].as_ref()
+    }
+
+    pub(crate) fn slot(&mut self, place: usize) -> &mut Option<Slice> {
+        &mut self.slots[place]
+    }
+}

@@ -1,0 +1,89 @@
+//! What a program draws of fenders: their faces as they are compressed now.
+
+use fenderline_contact::number::greater;
+use fenderline_contact::{BodyId, Fender, FenderId, Rotation, Vec2, vec2};
+
+use crate::engine::Engine;
+
+/// A fender as it is drawn, in the frame of the body that carries it: x forward, y to starboard of the centre of gravity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FenderView {
+    /// The body that carries it.
+    pub body: BodyId,
+    /// The body that presses it; of several the one that presses deepest. `None`: it is not pressed.
+    pub hull: Option<BodyId>,
+    /// The two ends of the line where it is mounted (m): left and right as seen when looking out from its body.
+    pub mount_m: [Vec2; 2],
+    /// The two ends of its face, compressed and turned as it is now (m), in the same order.
+    pub face_m: [Vec2; 2],
+    /// Deflection in the last step (m); 0 if it is not pressed.
+    pub deflection_m: f64,
+    /// Rated deflection (m).
+    pub rated_deflection_m: f64,
+    /// Normal force in the last step, the sum over all that press it (N).
+    pub normal_force_n: f64,
+    /// Largest normal force of one body within the last step (N).
+    pub peak_normal_force_n: f64,
+    /// Largest deflection within the last step (m).
+    pub peak_deflection_m: f64,
+    /// Turn of a panel on several cones about the vertical (rad); positive where the right end, as seen by one who looks at
+    /// the face, is deflected more. 0 for other fenders.
+    pub panel_turn_rad: f64,
+}
+
+impl Engine {
+    /// All fenders, in the order of the model, as they are after the last step; uncompressed before the first.
+    pub fn fender_views(&self) -> impl Iterator<Item = FenderView> + '_ {
+        let count = self.model().fenders().len() as u32;
+        (0..count).map(|index| self.fender_view(FenderId(index)))
+    }
+
+    fn fender_view(&self, id: FenderId) -> FenderView {
+        let fender = &self.model().fenders()[id.0 as usize];
+        let mut view = at_rest(fender);
+        let Ok(results) = self.results() else { return view };
+        for contact in results.contacts.iter().filter(|contact| contact.fender == Some(id)) {
+            view.normal_force_n += contact.normal_force_n;
+            view.peak_normal_force_n =
+                greater(view.peak_normal_force_n, contact.peak_normal_force_n);
+            view.peak_deflection_m = greater(view.peak_deflection_m, contact.peak_depth_m);
+            if view.hull.is_none() || contact.depth_m > view.deflection_m {
+                let [one, two] = [contact.body_1, contact.body_2];
+                view.hull = Some(if one == fender.body { two } else { one });
+                view.deflection_m = contact.depth_m;
+            }
+        }
+        if view.hull.is_some() {
+            let panel = results.panels.iter().find(|p| p.fender == id && Some(p.hull) == view.hull);
+            view.panel_turn_rad = panel.map_or(0.0, |panel| panel.tilt_rad);
+            view.face_m = face(fender, view.deflection_m, view.panel_turn_rad);
+        }
+        view
+    }
+}
+
+fn at_rest(fender: &Fender) -> FenderView {
+    let along = Rotation::from_angle(fender.facing_rad).apply(vec2(0.0, 0.5 * fender.width_m));
+    FenderView {
+        body: fender.body,
+        hull: None,
+        mount_m: [fender.position_m - along, fender.position_m + along],
+        face_m: face(fender, 0.0, 0.0),
+        deflection_m: 0.0,
+        rated_deflection_m: fender.rated_deflection_m,
+        normal_force_n: 0.0,
+        peak_normal_force_n: 0.0,
+        peak_deflection_m: 0.0,
+        panel_turn_rad: 0.0,
+    }
+}
+
+/// The ends of the face, the left one first as seen when looking out. The right end of one who looks at the face is the left
+/// one of one who looks out.
+fn face(fender: &Fender, deflection_m: f64, turn_rad: f64) -> [Vec2; 2] {
+    let out = Rotation::from_angle(fender.facing_rad);
+    let middle_m = fender.position_m + out.apply(vec2(fender.projection_m - deflection_m, 0.0));
+    let turned = Rotation::from_angle(-turn_rad).apply(vec2(0.0, 0.5 * fender.width_m));
+    let half_m = out.apply(turned);
+    [middle_m - half_m, middle_m + half_m]
+}

@@ -1,0 +1,22 @@
+//! The verdict on the run up to this tick, in the words of every other output.
+
+use fenderline_sim::{Finding, Simulation, Verdict};
+
+use crate::message::{FindingNow, VerdictNow};
+
+/// The verdict and its findings, the worst first.
+pub(crate) fn now(simulation: &Simulation) -> VerdictNow {
+    let (setup, findings) = (simulation.setup(), simulation.findings());
+    let verdict = Verdict::of(&findings);
+    let finding = |finding: &Finding| FindingNow {
+        key: finding.verdict().key(),
+        gravity: finding.verdict().gravity().key(),
+        text: finding.sentence(setup),
+    };
+    VerdictNow {
+        key: verdict.key(),
+        text: verdict.text(),
+        gravity: verdict.gravity().key(),
+        findings: findings.iter().map(finding).collect(),
+    }
+}

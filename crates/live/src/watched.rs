@@ -1,0 +1,132 @@
+//! A run that nobody steers, with the messages to pages that a session has.
+
+use fenderline_sim::{SimError, Simulation, StepRecord};
+
+use crate::action::COMMAND_LIMITS;
+use crate::alarm_book::AlarmBook;
+use crate::cast::Cast;
+use crate::frame;
+use crate::info::Info;
+use crate::message::{self, EventNow, FenderNow, Hello, PROTOCOL, Role, RunState};
+use crate::session::Now;
+
+/// A simulation that pages look at while it runs. It has no commands, recording or branches.
+#[derive(Clone, Debug)]
+pub struct Watched {
+    title: String,
+    file: String,
+    cast: Cast,
+    info: Info,
+    now: Now,
+    alarms: AlarmBook,
+    /// Since the last frame.
+    events: Vec<EventNow>,
+}
+
+impl Watched {
+    /// A simulation before its first step. Pages show the title and the file's name.
+    #[must_use]
+    pub fn new(simulation: Simulation, title: String, file: String) -> Watched {
+        let cast = Cast::of(simulation.setup());
+        let info = Info::of(simulation.setup(), &cast);
+        let now = Now::before_the_first_step(simulation);
+        let (alarms, events) = (AlarmBook::default(), Vec::new());
+        Watched { title, file, cast, info, now, alarms, events }
+    }
+
+    /// The simulation in its present state.
+    #[must_use]
+    pub fn simulation(&self) -> &Simulation {
+        &self.now.simulation
+    }
+
+    /// Takes one step and hands its record to `each`.
+    ///
+    /// # Errors
+    /// As [`Simulation::step`]. Nothing is changed then.
+    pub fn step(&mut self, each: impl FnOnce(&StepRecord<'_>)) -> Result<(), SimError> {
+        let Now { simulation, seen, tick, .. } = &mut self.now;
+        let record = simulation.step()?;
+        seen.keep(&record);
+        each(&record);
+        *tick += 1;
+        Ok(())
+    }
+
+    /// Notes alarms and events of the last step, for frames. Pages need it after every step: a touch of one step raises
+    /// an alarm too. A run without pages saves its cost.
+    pub fn note(&mut self) {
+        let Now { simulation, seen, .. } = &self.now;
+        let t_s = simulation.time_s();
+        let texts = seen.events(simulation.setup());
+        self.events.extend(texts.map(|text| EventNow { t_s, text }));
+        let causes = frame::causes(&self.now, &self.cast, &self.info);
+        self.alarms.update(causes, t_s);
+    }
+
+    /// The message that a page is built from, as text.
+    #[must_use]
+    pub fn hello(&self) -> String {
+        let Watched { info, title, file, .. } = self;
+        message::text(&Hello {
+            protocol: PROTOCOL,
+            role: &Role::Observer,
+            title,
+            file,
+            step_s: self.now.simulation.setup().step_s,
+            bodies: &info.bodies,
+            vessels: &info.vessels,
+            fenders: &info.fenders,
+            lines: &info.lines,
+            tugs: &info.tugs,
+            orders: &info.orders,
+            telegraph: &info.telegraph,
+            limits: COMMAND_LIMITS,
+            places: &info.places,
+            mine: vec![],
+            claims: &[],
+            gallery: &[],
+            berth: info.berth.map(|berth| berth.info()),
+            depth_m: info.depth_m,
+            links: None,
+        })
+    }
+
+    /// The present state as a page shows it, as text, with the events since the last frame. The run has neither pace
+    /// nor wall time: `at_ms` is 0 and `paused` is true.
+    #[must_use]
+    pub fn frame(&mut self) -> String {
+        let run = RunState {
+            paused: true,
+            pace: 1.0,
+            late_ticks: 0,
+            latest_ms: 0.0,
+            branch: 0,
+            branches: vec![],
+            last_tick: self.now.tick,
+            clients: 0,
+            opening: None,
+        };
+        let frame = frame::frame(&self.now, &self.cast, &self.info, 0, run, &self.alarms);
+        let events = std::mem::take(&mut self.events);
+        message::with_events(&message::text(&frame), &events)
+    }
+
+    /// All fenders of the set-up in the present state.
+    #[must_use]
+    pub fn fenders(&self) -> Vec<FenderNow> {
+        self.now.seen.fenders(&self.now.simulation)
+    }
+
+    /// The verdict on the run up to the present state, as text.
+    #[must_use]
+    pub fn verdict(&self) -> String {
+        message::text(&frame::verdict(&self.now.simulation))
+    }
+
+    /// The state's fingerprint, in hexadecimal: as [`crate::Session::bits`].
+    #[must_use]
+    pub fn bits(&self) -> String {
+        crate::session::bits(&self.now.simulation)
+    }
+}

@@ -1,0 +1,74 @@
+//! What a simulation counts beside its steps, for its summary as a tree.
+
+use fenderline_results::{Events, Interrupted, Outcome, ProviderNotices, WorldTotals, summary};
+use fenderline_scenario::Scenario;
+use fenderline_sim::{FenderSummary, Simulation, StepRecord};
+use pyo3::prelude::*;
+
+use crate::errors;
+
+/// Events, and totals of vessels, tugs and lines.
+#[derive(Clone)]
+pub(crate) struct Totals {
+    events: Events,
+    world: WorldTotals,
+    /// The lines of the report's title page.
+    report: Vec<(&'static str, String)>,
+}
+
+impl Totals {
+    pub(crate) fn new(scenario: &Scenario) -> Totals {
+        Totals {
+            events: Events::default(),
+            world: WorldTotals::new(&scenario.setup),
+            report: scenario.report.clone(),
+        }
+    }
+
+    /// Adds one step.
+    pub(crate) fn add(&mut self, step: &StepRecord<'_>) {
+        self.events.count(step);
+        self.world.add(step);
+    }
+
+    /// The tree of `summary.json` of a run up to now, without its files.
+    pub(crate) fn tree<'py>(
+        &self,
+        py: Python<'py>,
+        title: &str,
+        notices: &[String],
+        simulation: &Simulation,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let fenders: Vec<FenderSummary> = simulation.fender_summaries().cloned().collect();
+        let findings = simulation.findings();
+        let interrupted = (!simulation.is_done()).then(|| Interrupted::of(simulation));
+        let outcome = Outcome {
+            title,
+            report: &self.report,
+            scenario_file: "",
+            setup: simulation.setup(),
+            notices,
+            interrupted,
+            steps: simulation.steps_taken(),
+            states: simulation.states(),
+            pairs: simulation.pair_summaries(),
+            energy: simulation.energy(),
+            events: &self.events,
+            findings: &findings,
+            fenders: &fenders,
+            dolphins: simulation.dolphin_summaries(),
+            berthing: simulation.berthing(),
+            world: &self.world,
+            providers: &ProviderNotices::default(),
+            estimate_errors: &[],
+        };
+        let text =
+            summary(&outcome, &[]).map_err(|error| errors::refused(py, error.to_string()))?;
+        let tree = py.import("json")?.getattr("loads")?.call1((text,))?;
+        // Those of a run that writes files.
+        for key in ["files", "scenario_file"] {
+            tree.del_item(key)?;
+        }
+        Ok(tree)
+    }
+}

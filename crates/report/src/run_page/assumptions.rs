@@ -1,0 +1,156 @@
+//! The page of assumptions: method, ships, fenders, water, and what of it has to be checked.
+
+use fenderline_contact::number::greater;
+use fenderline_sim::hydro::shallow::PUBLISHED_RATIO;
+use fenderline_sim::{BodySetup, Integrator, Method, Setup};
+use maud::{Markup, html};
+
+use super::{fenders, scene, vessels};
+use crate::plot::{fixed, plain};
+use fenderline_results::Outcome;
+
+/// From this time on it is given in hours too (s).
+const HOUR_S: f64 = 3600.0;
+/// Ships listed.
+const SHIPS: usize = 8;
+
+/// The whole section.
+pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
+    let setup = outcome.setup;
+    html! {
+        section class="assumptions" {
+            h2 { "Assumptions" }
+            dl {
+                (computation(outcome))
+                (ships(setup))
+                (contact(setup))
+                (formula(outcome))
+                (water(setup))
+            }
+            (fenders::data(setup))
+            (to_check(outcome))
+            h3 { "Method and its limits" }
+            (super::method_notes(outcome))
+        }
+    }
+}
+
+fn computation(outcome: &Outcome<'_>) -> Markup {
+    let setup = outcome.setup;
+    html! {
+        dt { "Contact" }
+        dd { @match setup.method {
+            Method::Coupled => "coupled method: all contacts and loads of a step in one solve, with sub-steps",
+            Method::Paper => "paper method: each pair limited by itself",
+        } }
+        dt { "Time" }
+        dd {
+            (setup.duration_s) " s "
+            @if setup.duration_s >= HOUR_S { "(" (plain(setup.duration_s / HOUR_S, 3)) " h) " }
+            "in steps of " (setup.step_s) " s; "
+            @match setup.integrator {
+                Integrator::Euler => "forward Euler",
+                Integrator::SemiImplicit => "semi-implicit Euler",
+                Integrator::Rk4 => "classical Runge–Kutta of fourth order",
+            }
+        }
+    }
+}
+
+/// Mass and added mass of everything that floats.
+fn ships(setup: &Setup) -> Markup {
+    let floating: Vec<(usize, &BodySetup)> =
+        setup.bodies.iter().enumerate().filter(|(_, body)| body.mass.is_some()).collect();
+    html! {
+        @for &(index, body) in floating.iter().take(SHIPS) {
+            @if let Some(mass) = body.mass {
+                dt { (body.name) }
+                dd {
+                    (plain(mass.mass_kg / 1e3, 6)) " t; added mass "
+                    (fixed(100.0 * mass.added_surge_kg / mass.mass_kg, 0)) " % in surge, "
+                    (fixed(100.0 * mass.added_sway_kg / mass.mass_kg, 0))
+                    " % in sway (virtual mass factor C" sub { "m" } " " (fixed(1.0 + mass.added_sway_kg / mass.mass_kg, 2))
+                    @if let Some(ratio) = extrapolated(setup, index) {
+                        ", by our extrapolation: she has " (fixed(ratio, 2)) " draughts of water, and published tests end at "
+                        (PUBLISHED_RATIO)
+                    }
+                    "); radius of gyration " (plain(libm::sqrt(mass.yaw_inertia_kgm2 / mass.mass_kg), 3)) "\u{a0}m"
+                }
+            }
+        }
+        @if floating.len() > SHIPS {
+            dt { "Other floating bodies" }
+            dd { (floating.len() - SHIPS) ", under Set-up" }
+        }
+    }
+}
+
+/// Depth over draught of a vessel at the start where her added mass is our extrapolation.
+fn extrapolated(setup: &Setup, body: usize) -> Option<f64> {
+    let vessel = setup.world.vessels.iter().find(|vessel| vessel.body == body)?;
+    let ratio = setup.world.environment.depth_at_m(0.0)? / vessel.deep.particulars.draught_m;
+    Some(ratio).filter(|ratio| *ratio < PUBLISHED_RATIO)
+}
+
+/// Friction and factors of the fenders, each range once.
+fn contact(setup: &Setup) -> Markup {
+    let range = |values: &mut dyn Iterator<Item = f64>| {
+        let (low, high) = values.fold((f64::INFINITY, 0.0), |(low, high), value: f64| {
+            (if value < low { value } else { low }, greater(high, value))
+        });
+        if low == high { plain(low, 3) } else { format!("{} to {}", plain(low, 3), plain(high, 3)) }
+    };
+    let fenders = &setup.fenders;
+    let material = |fender: &fenderline_sim::FenderSetup| setup.materials[fender.material].material;
+    let by_speed = fenders.iter().any(|f| !f.factors.by_compression_time.is_empty());
+    let by_angle = fenders.iter().any(|f| !f.factors.by_angle.is_empty());
+    html! {
+        @if !fenders.is_empty() {
+            dt { "Fender factors" }
+            dd {
+                "temperature, tolerance and other constants "
+                (range(&mut fenders.iter().map(|f| f.factors.constant)))
+                "; by speed: " (if by_speed { "yes" } else { "none" })
+                "; by angle: " (if by_angle { "yes" } else { "none" })
+                ". The factor of each fender is in its table."
+            }
+            dt { "Friction on fenders" }
+            dd { "μ " (range(&mut fenders.iter().map(|f| material(f).friction_dynamic))) " when sliding" }
+        }
+    }
+}
+
+/// What the berthing energy by formula assumes.
+fn formula(outcome: &Outcome<'_>) -> Markup {
+    let Some(Ok(berthing)) = outcome.berthing else { return html! {} };
+    html! { dt { "Energy by formula" } dd { (super::berthing::factors_in_words(berthing)) } }
+}
+
+fn water(setup: &Setup) -> Markup {
+    let environment = &setup.world.environment;
+    let weather = scene::weather_texts(environment);
+    html! {
+        dt { "Wind, current, waves" }
+        dd { (if weather.is_empty() { "none".to_owned() } else { weather.join("; ") }) }
+        dt { "Water" }
+        dd { @match environment.depth_range_m() {
+            None => "deep",
+            Some([low_m, high_m]) => {
+                (plain(low_m, 4)) " m deep"
+                @if high_m > low_m { " at low, " (plain(high_m, 4)) " m at high water" }
+            }
+        } }
+    }
+}
+
+/// Data that were recalled, derived or estimated: to be checked before the design is used.
+fn to_check(outcome: &Outcome<'_>) -> Markup {
+    let mut all = fenders::to_check(outcome.setup);
+    all.extend(vessels::to_check(outcome));
+    html! {
+        @if !all.is_empty() {
+            h3 { "To be checked against documents before use" }
+            ul class="plain" { @for text in &all { li { (text) } } }
+        }
+    }
+}

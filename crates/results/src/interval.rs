@@ -1,0 +1,107 @@
+//! Rows that stand for several steps.
+
+use std::collections::BTreeMap;
+
+use crate::columns::{Layout, Names};
+use crate::medium::{Counted, Medium};
+use crate::row::Row;
+
+/// A table, and the rows of the interval that is not over yet.
+pub(crate) struct Rows<M: Medium, R: Row> {
+    table: Counted<M, R>,
+    open: BTreeMap<R::Key, (R, u32)>,
+}
+
+/// The output interval that a step is in.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Interval {
+    steps_per_row: u64,
+    /// Steps of it so far, this one included.
+    steps: u64,
+    /// Start of the interval (s).
+    pub(crate) start_s: f64,
+}
+
+impl Interval {
+    /// Before the first step.
+    pub(crate) fn new(steps_per_row: u64) -> Interval {
+        Interval { steps_per_row, steps: 0, start_s: 0.0 }
+    }
+
+    /// Goes on to a step that begins at `t_s`.
+    pub(crate) fn advance(&mut self, t_s: f64) {
+        if self.steps == 0 {
+            self.start_s = t_s;
+        }
+        self.steps += 1;
+    }
+
+    /// Whether its last step was taken.
+    pub(crate) fn is_over(&self) -> bool {
+        self.steps == self.steps_per_row
+    }
+
+    /// Whether it has begun.
+    pub(crate) fn is_begun(&self) -> bool {
+        self.steps > 0
+    }
+
+    /// The next step begins a new one.
+    pub(crate) fn end(&mut self) {
+        self.steps = 0;
+    }
+
+    fn is_first_step(&self) -> bool {
+        self.steps == 1
+    }
+}
+
+impl<M: Medium, R: Row> Rows<M, R> {
+    pub(crate) fn start(
+        medium: &M,
+        names: &Names,
+        layout: Layout<R>,
+    ) -> Result<Rows<M, R>, M::Error> {
+        Ok(Rows { table: Counted::start(medium, names, layout)?, open: BTreeMap::new() })
+    }
+
+    /// Adds the row of one step of the interval.
+    pub(crate) fn push(&mut self, interval: &Interval, mut row: R) -> Result<(), M::Error> {
+        if interval.steps_per_row == 1 {
+            // In the order in which they come.
+            return self.table.push(&row);
+        }
+        match self.open.get_mut(&row.key()) {
+            Some((open, own)) => {
+                open.join(row);
+                *own += 1;
+            }
+            None => {
+                if !interval.is_first_step() {
+                    row.begin_late();
+                }
+                self.open.insert(row.key(), (row, 1));
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes the rows of an interval that is over.
+    pub(crate) fn close(&mut self, interval: &Interval) -> Result<(), M::Error> {
+        for (_, (mut row, own)) in core::mem::take(&mut self.open) {
+            row.close(f64::from(own), interval.steps as f64);
+            self.table.push(&row)?;
+        }
+        Ok(())
+    }
+
+    /// Name of the table, with the number of rows written.
+    pub(crate) fn rows(&self) -> (&'static str, u64) {
+        self.table.rows()
+    }
+
+    /// Ends the table.
+    pub(crate) fn finish(self) -> Result<M::Done, M::Error> {
+        self.table.finish()
+    }
+}

@@ -1,0 +1,19 @@
+//! What a row of a table can do.
+
+/// A row of a table: what it is about, and how it takes up later steps of its interval.
+pub(crate) trait Row: Sized {
+    /// What the row is about, as the number of a fender. Rows of one interval are written in the order of it.
+    type Key: Ord;
+
+    /// What the row is about.
+    fn key(&self) -> Self::Key;
+
+    /// Called where the row begins in a later step of the interval than the first.
+    fn begin_late(&mut self) {}
+
+    /// Takes up a later step.
+    fn join(&mut self, later: Self);
+
+    /// Makes means of sums: the row has taken up `own` steps of the `all` of the interval.
+    fn close(&mut self, own: f64, all: f64);
+}

@@ -1,0 +1,149 @@
+//! Notices about how deep ships float: in too little water, or with their sides below a fender.
+
+use fenderline_sim::{BodySetup, FenderSetup, Setup};
+
+use super::Assembly;
+use super::plausible::FAR_FROM_WATER_M;
+use super::rows::rounded;
+use crate::checked::Table;
+use crate::sources::quoted;
+
+/// A fender whose lower edge is no higher above the water than this meets most ships (m). Our choice.
+const LOW_M: f64 = 3.0;
+/// Height of a ship's side above the water over her draught, up to which nothing is said: loaded tankers and bulk
+/// carriers have 0.4 to 0.6. Our choice.
+const SIDE_OVER_DRAUGHT: f64 = 0.6;
+/// The draught of a floating body, and where it is known from.
+struct Draught {
+    at_least_m: f64,
+    from: &'static str,
+    /// Outlines by height say where her side is.
+    has_outlines: bool,
+}
+
+impl Assembly<'_, '_> {
+    /// Notes ships that draw more water than there is, and fenders above the side that a ship of her draught has.
+    pub(super) fn note_draughts(
+        &mut self,
+        file: &Table,
+        fenders: &[(String, Table)],
+        setup: &Setup,
+    ) {
+        let draughts = draughts(setup);
+        for (body, draught) in draughts.iter().enumerate() {
+            if let Some(draught) = draught {
+                self.note_little_water(file, setup, body, draught);
+            }
+        }
+        self.note_high_faces(fenders, setup, &draughts);
+    }
+
+    fn note_little_water(&mut self, file: &Table, setup: &Setup, body: usize, draught: &Draught) {
+        let Some([least_m, _]) = setup.world.environment.depth_range_m() else { return };
+        if least_m >= draught.at_least_m {
+            return;
+        }
+        let environment = file.given("environment").table();
+        let item = environment.given("depth");
+        let message = format!(
+            "there are {} m of water at the lowest level, but {} draws {} m{}: more than that was expected",
+            rounded(least_m),
+            quoted(&setup.bodies[body].name),
+            rounded(draught.at_least_m),
+            draught.from
+        );
+        self.note_at(&item.span, environment.path_of("depth"), message);
+    }
+
+    fn note_high_faces(
+        &mut self,
+        tables: &[(String, Table)],
+        setup: &Setup,
+        draughts: &[Option<Draught>],
+    ) {
+        let [_, highest_m] = setup.world.environment.tide.range_m();
+        let lower_m = |fender: &FenderSetup| {
+            fender.above_water_m - level_m(setup, fender, highest_m) - 0.5 * fender.height_m
+        };
+        // The few high ones first, and bodies by lists: fenders, bodies and pairs may be very many.
+        let partners = partners(setup);
+        let floating: Vec<usize> =
+            (0..setup.bodies.len()).filter(|body| !setup.bodies[*body].is_fixed()).collect();
+        let high = tables.iter().zip(&setup.fenders).filter(|(_, fender)| {
+            lower_m(fender) > LOW_M && fender.above_water_m <= FAR_FROM_WATER_M
+        });
+        for ((_, table), fender) in high {
+            let Some(item) = table.item_if_any("above_water") else { continue };
+            let lower_m = lower_m(fender);
+            let met = match setup.all_other_pairs {
+                Some(_) => &floating,
+                None => &partners[fender.body],
+            };
+            for &body in met.iter().filter(|body| **body != fender.body) {
+                let draught = draughts[body].as_ref().filter(|own| !own.has_outlines);
+                let Some(draught) = draught else { continue };
+                if lower_m <= SIDE_OVER_DRAUGHT * draught.at_least_m {
+                    continue;
+                }
+                let message = format!(
+                    "the face is {} to {} m above the water, and {} draws {} m{}: check that her side is so high, or give \
+                     her `outlines`, which say where it is",
+                    rounded(lower_m),
+                    rounded(lower_m + fender.height_m),
+                    quoted(&setup.bodies[body].name),
+                    rounded(draught.at_least_m),
+                    draught.from
+                );
+                self.note_at(&item.span, table.path_of(item.name), message);
+            }
+        }
+    }
+}
+
+/// The level of the water above the zero of a fender's height (m).
+fn level_m(setup: &Setup, fender: &FenderSetup, level_m: f64) -> f64 {
+    let rides = fender.floating || !setup.bodies[fender.body].is_fixed();
+    if rides { 0.0 } else { level_m }
+}
+
+/// The floating bodies that each body may touch, by the named pairs.
+fn partners(setup: &Setup) -> Vec<Vec<usize>> {
+    let mut partners = vec![Vec::new(); setup.bodies.len()];
+    for pair in &setup.pairs {
+        let [one, other] = pair.bodies;
+        for (own, other) in [(one, other), (other, one)] {
+            if !setup.bodies[other].is_fixed() {
+                partners[own].push(other);
+            }
+        }
+    }
+    partners
+}
+
+/// How deep each body floats; `None` for a fixed one.
+fn draughts(setup: &Setup) -> Vec<Option<Draught>> {
+    let water_kgpm3 = setup.world.environment.water_density_kgpm3;
+    // A hull fills less than her outline times her draught.
+    let least_m = |body: &BodySetup| {
+        let mass_kg = body.mass?.mass_kg;
+        Some(mass_kg / (water_kgpm3 * body.outline.area_m2()))
+    };
+    let of_body = |body: &BodySetup| {
+        let has_outlines = body.hull.is_some();
+        let (at_least_m, from) = match &body.hull {
+            Some(hull) => (hull.draught_m(), ""),
+            None => (least_m(body)?, " or more, by her mass over her outline"),
+        };
+        body.mass.map(|_| Draught { at_least_m, from, has_outlines })
+    };
+    let mut all: Vec<Option<Draught>> = setup.bodies.iter().map(of_body).collect();
+    let of_study = setup.berthing.iter().map(|study| (study.ship, study.draught_m));
+    let vessels = setup.world.vessels.iter();
+    let of_vessels = vessels.map(|vessel| (vessel.body, vessel.ship.particulars.draught_m));
+    for (body, draught_m) in of_study.chain(of_vessels) {
+        if let Some(own) = all[body].as_mut().filter(|own| !own.has_outlines) {
+            (own.at_least_m, own.from) = (draught_m, "");
+        }
+    }
+    all
+}

@@ -1,0 +1,85 @@
+//! Notices of fenders whose numbers do not fit each other: newtons for kilonewtons, a face nearer to the quay than the
+//! fender is high.
+
+use fenderline_sim::FenderSetup;
+
+use super::rows::rounded;
+use super::{Assembly, FenderLibrary};
+use crate::checked::{Item, Table};
+use crate::rating::odd_reaction;
+
+/// Fenders are commonly less high than this (m): the largest pneumatic ones of ISO 17357 have 4.5 m.
+const HIGH_M: f64 = 6.0;
+
+impl Assembly<'_, '_> {
+    /// Notes fenders whose reaction, height and projection do not fit each other.
+    pub(super) fn note_odd_fenders(
+        &mut self,
+        tables: &[(String, Table)],
+        fenders: &[FenderSetup],
+        library: &FenderLibrary,
+    ) {
+        for ((_, table), fender) in tables.iter().zip(fenders) {
+            match table.item("type") {
+                Some(family) => self.note_odd_size(table, family, library),
+                None => self.note_weak_law(table, fender),
+            }
+        }
+    }
+
+    /// Of a fender of the library: its rated reaction for its height, and its projection.
+    fn note_odd_size(&mut self, table: &Table, family: &Item, library: &FenderLibrary) {
+        let Ok(fender) = self.catalogue(table, family, library) else { return };
+        let height_m = fender.height_m;
+        if let Some(item) = table.item("rated_reaction") {
+            let message = odd_reaction(*item.number(), height_m, "a height");
+            self.note_if(item, table, message);
+        }
+        if let Some(item) = table.item("height").filter(|_| height_m > HIGH_M) {
+            let message = format!(
+                "a fender {} m high is higher than those of catalogues; the height is measured in the direction of \
+                 compression, in metres",
+                rounded(height_m)
+            );
+            self.note_at(&item.span, table.path_of(item.name), message);
+        }
+        if let Some(item) = table.item("projection").filter(|item| *item.number() < height_m - 1e-9)
+        {
+            let message = format!(
+                "the face is {} m from the mounting, but the fender itself is {} m high: at least its height was expected, \
+                 plus the panel's thickness",
+                rounded(*item.number()),
+                rounded(height_m)
+            );
+            self.note_at(&item.span, table.path_of(item.name), message);
+        }
+    }
+
+    /// Of a fender with a law of its own: its reaction at its rated deflection, and the end of its curve.
+    fn note_weak_law(&mut self, table: &Table, fender: &FenderSetup) {
+        let Some(item) = table.item("curve").or_else(|| table.item("stiffness")) else { return };
+        if let Some(rated) = fender.rated {
+            let message = odd_reaction(rated.reaction_n, fender.projection_m, "a projection");
+            self.note_if(item, table, message);
+        }
+        let end_m = match item.name {
+            "curve" => item.curve().last().map_or(0.0, |row| row.0),
+            _ => 0.0,
+        };
+        if let Some(projection) = table.item("projection").filter(|_| end_m > fender.projection_m) {
+            let message = format!(
+                "the curve goes on to a deflection of {} m, but the face is only {} m from the mounting: the body itself \
+                 is struck before",
+                rounded(end_m),
+                rounded(fender.projection_m)
+            );
+            self.note_at(&projection.span, table.path_of("projection"), message);
+        }
+    }
+
+    fn note_if(&mut self, item: &Item, table: &Table, message: Option<String>) {
+        if let Some(message) = message {
+            self.note_at(&item.span, table.path_of(item.name), message);
+        }
+    }
+}

@@ -1,0 +1,153 @@
+//! The hull by height: from a body's outlines at several heights.
+
+use fenderline_sim::environment::Tide;
+use fenderline_sim::{BodySetup, FenderSetup, HullByHeight, HullError, Level, Setup};
+
+use super::{Assembly, Checked, vessel};
+use crate::checked::{Item, Table};
+use crate::error::{Notice, ScenarioError};
+use crate::sources::quoted;
+
+impl Assembly<'_, '_> {
+    /// The body's outlines by height; `None` where it has one outline.
+    pub(super) fn hull(
+        &self,
+        table: &Table,
+        kind: Option<&vessel::Kind>,
+    ) -> Checked<Option<HullByHeight>> {
+        let draught = table.item("draught");
+        let Some(item) = table.item("outlines") else {
+            return match draught {
+                None => Ok(None),
+                Some(draught) => {
+                    Err(self.draught_refused(table, draught, "is for a body with `outlines`"))
+                }
+            };
+        };
+        if let Some(outline) = table.item("outline") {
+            let path = table.path_of(outline.name);
+            let message = format!("`{path}` does not go together with `outlines`");
+            let error = self.sources.error(&outline.key_span, &path, message);
+            return Err(error.with_help("keep one of the two"));
+        }
+        let fixed = *table.given("fixed").flag();
+        let draught_m = match (fixed, kind, draught) {
+            (true, _, Some(draught)) => {
+                let why = "is for floating bodies: heights on a fixed one are above datum";
+                return Err(self.draught_refused(table, draught, why));
+            }
+            (true, _, None) => 0.0,
+            (false, Some(_), Some(draught)) => {
+                let why = "does not go together with `vessel`, whose draught it is";
+                return Err(self.draught_refused(table, draught, why));
+            }
+            (false, Some(kind), None) => kind.draught_m(),
+            (false, None, Some(draught)) => *draught.number(),
+            (false, None, None) => {
+                let help = "write draught = \"9 m\": heights of `outlines` are above the keel";
+                return Err(self.missing(table, "draught", help));
+            }
+        };
+        let levels = item.list().iter().map(|level| Level {
+            height_m: *level.given("height").number(),
+            vertices_m: level.given("outline").outline().to_vec(),
+        });
+        let hull = HullByHeight::new(levels.collect(), draught_m);
+        hull.map(Some).map_err(|error| self.no_hull(table, item, fixed, &error))
+    }
+
+    fn draught_refused(&self, table: &Table, draught: &Item, why: &str) -> ScenarioError {
+        let path = table.path_of(draught.name);
+        self.sources.error(&draught.key_span, &path, format!("`{path}` {why}"))
+    }
+
+    /// The error of outlines that are no hull, at the outline that causes it.
+    fn no_hull(&self, table: &Table, item: &Item, fixed: bool, error: &HullError) -> ScenarioError {
+        let (level, key) = match *error {
+            HullError::TooFew { .. }
+            | HullError::TooMany { .. }
+            | HullError::WaterlineOutside { .. } => (None, ""),
+            HullError::NotAscending { level, .. } => (Some(level), "height"),
+            HullError::BadOutline { level, .. }
+            | HullError::TooManyVertices { level, .. }
+            | HullError::TurnsBack { level }
+            | HullError::Crossing { level, .. } => (Some(level), "outline"),
+        };
+        let (span, path) = match level.map(|level| &item.list()[level]) {
+            Some(at) => (&at.given(key).span, at.path_of(key)),
+            None => (&item.span, table.path_of(item.name)),
+        };
+        let complaint = self.sources.error(span, &path, format!("`{path}`: {error}"));
+        complaint.with_help(match error {
+            HullError::TooFew { .. } => "give a second outline, or one `outline` for a hull with vertical sides",
+            HullError::TooMany { .. } => "two or three outlines are enough for most hulls",
+            HullError::TooManyVertices { .. } => "leave out vertices where the side is nearly straight",
+            HullError::NotAscending { .. } => "write the lowest outline first",
+            HullError::BadOutline { .. } => "an outline is a polygon whose sides do not cross",
+            HullError::TurnsBack { .. } => "give the same number of vertices in every outline",
+            HullError::Crossing { .. } => {
+                "vertex n of one outline must be at the same place of the hull as vertex n of the next"
+            }
+            HullError::WaterlineOutside { .. } if fixed => "heights on a fixed body are above datum; add an outline",
+            HullError::WaterlineOutside { .. } => {
+                "heights are above the keel, so the waterline is at the draught; add an outline above or below it"
+            }
+        })
+    }
+
+    /// Notices about fenders that lie outside the heights of a hull, at some level of the tide.
+    pub(super) fn note_outside_hulls(&mut self, fenders: &[(String, Table)], setup: &Setup) {
+        let tide = &setup.world.environment.tide;
+        // First of all the few bodies with a hull by height: fenders times bodies times pairs may be very many.
+        let bodies = setup.bodies.iter().enumerate();
+        let hulls: Vec<_> = bodies.filter(|(_, body)| body.hull.is_some()).collect();
+        for ((_, table), fender) in fenders.iter().zip(&setup.fenders) {
+            let host = &setup.bodies[fender.body];
+            for &(index, body) in &hulls {
+                if index == fender.body || !setup.may_touch([index, fender.body]) {
+                    continue;
+                }
+                let Some(outside) = outside(fender, host, body, tide) else { continue };
+                let above = table.item_if_any("above_water");
+                let (span, key) = match above {
+                    Some(item) => (&item.span, table.path_of(item.name)),
+                    None => (&table.span, table.path.clone()),
+                };
+                let message = format!(
+                    "{outside} of {}: at rest there is no contact at this fender",
+                    quoted(&body.name)
+                );
+                self.notices.push(Notice { place: self.sources.place(span), key, message });
+            }
+        }
+    }
+}
+
+/// Where a fender lies that misses a hull at rest at some level of the tide; `None` where it does not.
+fn outside(
+    fender: &FenderSetup,
+    host: &BodySetup,
+    body: &BodySetup,
+    tide: &Tide,
+) -> Option<String> {
+    let hull = body.hull.as_ref()?;
+    let [low_m, high_m] = hull.range_m();
+    let rides = fender.floating || !host.is_fixed();
+    let half_m = 0.5 * fender.height_m;
+    let heights_m = tide.range_m().map(|level_m| match (rides, body.is_fixed()) {
+        (true, true) => fender.above_water_m + level_m,
+        (true, false) => fender.above_water_m + hull.draught_m(),
+        (false, true) => fender.above_water_m,
+        (false, false) => fender.above_water_m - level_m + hull.draught_m(),
+    });
+    let from = if body.is_fixed() { "datum" } else { "the keel" };
+    heights_m.into_iter().find_map(|height_m| {
+        let off = |words: &str, end_m: f64| {
+            format!("it is {height_m:.2} m above {from}, {words} outline, at {end_m} m,")
+        };
+        if height_m - half_m > high_m {
+            return Some(off("above the highest", high_m));
+        }
+        (height_m + half_m < low_m).then(|| off("below the lowest", low_m))
+    })
+}

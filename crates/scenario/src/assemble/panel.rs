@@ -1,0 +1,125 @@
+//! A panel on several cones: from its table to a set-up.
+
+use fenderline_contact::number::{bounded, greater, lesser};
+use fenderline_contact::{FenderLaw, Panel, Unloading};
+use fenderline_sim::Rated;
+
+use super::performance::Performance;
+use super::{Assembly, Checked};
+use crate::checked::Table;
+use crate::vessels::Belting;
+
+/// A panel, and the height of its reaction above the middle of its face (m).
+pub(super) struct PanelParts {
+    pub(super) panel: Panel,
+    pub(super) reaction_above_m: f64,
+}
+
+impl Assembly<'_, '_> {
+    /// The panel of a fender with `cones`; `None` without.
+    pub(super) fn panel(
+        &self,
+        table: &Table,
+        face: &Belting,
+        performance: &Performance,
+    ) -> Checked<Option<PanelParts>> {
+        let Some(item) = table.item("cones") else { return Ok(None) };
+        let cones = item.list();
+        let path = table.path_of("cones");
+        let refused = |message: String, help: &str| {
+            Err(self.sources.error(&item.span, &path, message).with_help(help))
+        };
+        if performance.law == FenderLaw::Area {
+            let message =
+                format!("`{path}` is for fenders with a `type`, a `stiffness` or a `curve`");
+            return refused(message, "give the cones a law of their own");
+        }
+        if !(2..=Panel::MOST_CONES).contains(&cones.len()) {
+            let message = format!(
+                "`{path}` must be 2 to {} cones, but has {}",
+                Panel::MOST_CONES,
+                cones.len()
+            );
+            return refused(message, "a panel on one cone is a fender without `cones`");
+        }
+        for cone in cones {
+            self.within(cone, "at", face.width_m, "width")?;
+            self.within(cone, "height", face.extent_m, "face_height")?;
+        }
+        let cones_m: Vec<f64> = cones.iter().map(|cone| *cone.given("at").number()).collect();
+        let (low_m, high_m) =
+            cones_m.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &at| {
+                (lesser(low, at), greater(high, at))
+            });
+        if high_m - low_m < Panel::LEAST_SPREAD_M {
+            let message = format!(
+                "`{path}`: all cones stand at one place along the panel and do not hold it against turning"
+            );
+            return refused(
+                message,
+                "for cones one above another write `count` instead of `cones`",
+            );
+        }
+        if let FenderLaw::Curve(points) = &performance.law
+            && points[1][1] <= 0.0
+        {
+            let message = format!("`{path}`: the first line of the cones' curve must rise");
+            return refused(
+                message,
+                "behind a panel its slope is the stiffness of a stretched cone",
+            );
+        }
+        let height_m = |cone: &Table| cone.item("height").map_or(0.0, |item| *item.number());
+        let reaction_above_m = cones.iter().map(height_m).sum::<f64>() / cones.len() as f64;
+        Ok(Some(PanelParts {
+            panel: Panel { cones_m, tension_chains: Vec::new() },
+            reaction_above_m,
+        }))
+    }
+
+    /// Refuses a place outside the panel.
+    pub(super) fn within(&self, cone: &Table, name: &str, size_m: f64, of: &str) -> Checked<()> {
+        let Some(item) = cone.item(name) else { return Ok(()) };
+        let at_m = *item.number();
+        let most_m = 0.5 * size_m;
+        if at_m.abs() <= most_m {
+            return Ok(());
+        }
+        let path = cone.path_of(name);
+        let message = format!(
+            "`{path}` must be between {} and {most_m} m, half of the panel's `{of}` from its middle, but is {at_m} m",
+            -most_m
+        );
+        Err(self.sources.error(&item.span, &path, message))
+    }
+}
+
+impl PanelParts {
+    /// The rating of all cones.
+    pub(super) fn rated(&self, of_cone: Option<Rated>) -> Option<Rated> {
+        let cones = self.panel.cones_m.len() as f64;
+        of_cone.map(|rated| Rated {
+            deflection_m: rated.deflection_m,
+            reaction_n: cones * rated.reaction_n,
+            largest_reaction_n: cones * rated.largest_reaction_n,
+            energy_j: cones * rated.energy_j,
+        })
+    }
+
+    /// How the cones unload: a curve counts by the share of the energy that it returns from the rated deflection, because
+    /// the energy of a panel is a sum over cones of different deflections.
+    pub(super) fn unloading(
+        &self,
+        of_cone: Option<Unloading>,
+        performance: &Performance,
+    ) -> Option<Unloading> {
+        match of_cone? {
+            law @ Unloading::Curve(_) => {
+                let rated_m = performance.rated.map_or(performance.end_m, |r| r.deflection_m);
+                let share = law.returned_share(&performance.law, rated_m);
+                Some(Unloading::ReturnedEnergy(bounded(share, Unloading::MIN_RETURNED_SHARE, 1.0)))
+            }
+            share @ Unloading::ReturnedEnergy(_) => Some(share),
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! Particulars of a berthing: from its table, or from the vessel and the water.
+
+use fenderline_contact::number::greater;
+use fenderline_sim::hydro::Particulars;
+use fenderline_sim::{BodySetup, Environment, VesselSetup};
+
+use super::{Assembly, Checked};
+use crate::assemble::plausible::figures;
+use crate::checked::Table;
+use crate::sources::quoted;
+
+/// Length, beam, draught and block coefficient in the table over those of the vessel: beyond this they are not the same ship.
+const SAME_SHIP: f64 = 0.03;
+/// Under-keel clearance in the table beside that of the water, over the latter. Cm goes with the clearance, which is small beside the
+/// depth.
+const SAME_CLEARANCE: f64 = 0.05;
+
+/// The particulars that the formulas take.
+pub(super) struct Taken {
+    pub(super) length_bp_m: f64,
+    pub(super) beam_m: f64,
+    pub(super) draught_m: f64,
+    pub(super) under_keel_clearance_m: f64,
+    pub(super) block_coefficient: f64,
+}
+
+/// A particular that scenario or library have besides the table: its value, and where it is from.
+struct Known {
+    value: f64,
+    from: String,
+}
+
+impl Assembly<'_, '_> {
+    /// The particulars of a berthing. A notice where the table and the vessel, or the water, disagree.
+    ///
+    /// # Errors
+    /// A particular that neither has; a ship that is aground.
+    pub(super) fn particulars(
+        &mut self,
+        table: &Table,
+        ship: usize,
+        (bodies, vessels): (&[BodySetup], &[VesselSetup]),
+        environment: &Environment,
+    ) -> Checked<Taken> {
+        let body = &bodies[ship];
+        let vessel = vessels.iter().find(|vessel| vessel.body == ship);
+        let particulars = vessel.map(|vessel| &vessel.deep.particulars);
+        let of_vessel = |value: fn(&Particulars) -> f64| {
+            let from = format!("the vessel of {}", quoted(&body.name));
+            particulars.map(|particulars| Known { value: value(particulars), from })
+        };
+        let of_hull = body.hull.as_ref().filter(|_| vessel.is_none()).map(|hull| Known {
+            value: hull.draught_m(),
+            from: format!("the hull of {}", quoted(&body.name)),
+        });
+        let why = format!("{} is no vessel: give its own", quoted(&body.name));
+        let length_bp_m =
+            self.particular(table, "length_bp", of_vessel(|ship| ship.length_m), " m", &why)?;
+        let beam_m = self.particular(table, "beam", of_vessel(|ship| ship.beam_m), " m", &why)?;
+        let draught = of_vessel(|ship| ship.draught_m).or(of_hull);
+        let draught_m = self.particular(table, "draught", draught, " m", &why)?;
+        let block = of_vessel(Particulars::block_coefficient);
+        let block_coefficient = self.particular(table, "block_coefficient", block, "", &why)?;
+        let under_keel_clearance_m = self.clearance_m(table, body, draught_m, environment)?;
+        Ok(Taken { length_bp_m, beam_m, draught_m, under_keel_clearance_m, block_coefficient })
+    }
+
+    fn clearance_m(
+        &mut self,
+        table: &Table,
+        body: &BodySetup,
+        draught_m: f64,
+        environment: &Environment,
+    ) -> Checked<f64> {
+        let key = "under_keel_clearance";
+        let depth_m = environment.depth_at_m(0.0);
+        if let (Some(depth_m), None) = (depth_m, table.item(key))
+            && depth_m < draught_m
+        {
+            let path = table.path_of(key);
+            let message = format!(
+                "`{path}`: {} is aground: a draught of {} m in {} m of water",
+                quoted(&body.name),
+                figures(draught_m),
+                figures(depth_m)
+            );
+            let error = self.sources.error(&table.span, &path, message);
+            return Err(error.with_help("check [environment] depth and tide, and the draught"));
+        }
+        let (Some(depth_m), Some([least_m, most_m])) = (depth_m, environment.depth_range_m())
+        else {
+            let why = "[environment] has no depth: give it, or this key";
+            return self.particular(table, key, None, " m", why);
+        };
+        let Some(item) = table.item(key) else { return Ok(depth_m - draught_m) };
+        let given_m = *item.number();
+        let off_m = greater(given_m - (most_m - draught_m), (least_m - draught_m) - given_m);
+        if off_m > SAME_CLEARANCE * (depth_m - draught_m).abs() {
+            let depth = match least_m == most_m {
+                true => format!("{} m", figures(least_m)),
+                false => format!("{} to {} m", figures(least_m), figures(most_m)),
+            };
+            let message = format!(
+                "{0} m is given, but `environment.depth` with the tide, {depth}, less the draught of {1} m leaves {2} m: {0} m is taken",
+                figures(given_m),
+                figures(draught_m),
+                figures(depth_m - draught_m),
+            );
+            self.note_at(&item.span, table.path_of(key), message);
+        }
+        Ok(given_m)
+    }
+
+    /// The number of the table, else the known one.
+    fn particular(
+        &mut self,
+        table: &Table,
+        key: &'static str,
+        known: Option<Known>,
+        unit: &str,
+        why: &str,
+    ) -> Checked<f64> {
+        let Some(item) = table.item(key) else {
+            return known.map(|known| known.value).ok_or_else(|| self.missing(table, key, why));
+        };
+        let given = *item.number();
+        if let Some(Known { value, from }) = known
+            && (given - value).abs() > SAME_SHIP * value.abs()
+        {
+            let [given, value] = [given, value].map(figures);
+            let message = format!(
+                "{given}{unit} is given, but {from} has {value}{unit}: {given}{unit} is taken"
+            );
+            self.note_at(&item.span, table.path_of(key), message);
+        }
+        Ok(given)
+    }
+}

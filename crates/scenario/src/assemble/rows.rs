@@ -1,0 +1,270 @@
+//! Rows of fenders: from the table of a row to the tables of its fenders. The tables keep the path of the row, so that
+//! errors and notices name the row, its key and its line.
+
+pub(super) mod keys;
+mod places;
+
+use std::collections::BTreeSet;
+
+use fenderline_contact::{Vec2, vec2};
+use fenderline_sim::BodySetup;
+
+use self::places::Line;
+use super::edge::{direction_rad, edges_with, facing_rad};
+use super::{Assembly, Checked, Names};
+use crate::checked::{Item, Table, Value};
+use crate::error::ScenarioError;
+use crate::keys::FENDER;
+use crate::overrides::pattern::fits;
+use crate::reader;
+use crate::row_names::name_in_row;
+use crate::sources::{Span, quoted};
+
+/// Where one fender of a row stands.
+struct Stand {
+    body: String,
+    position_m: Vec2,
+    facing_rad: f64,
+}
+
+impl Assembly<'_, '_> {
+    /// The tables of all fenders, those of rows included, in the order of the file.
+    pub(super) fn fender_tables(
+        &mut self,
+        file: &Table,
+        bodies: &[BodySetup],
+        names: &Names,
+    ) -> Checked<Vec<(String, Table)>> {
+        let mut fenders = file.given("fender").named().to_vec();
+        let rows = file.given("fender_row").named();
+        if rows.is_empty() {
+            return Ok(fenders);
+        }
+        let mut known: BTreeSet<String> = fenders.iter().map(|(name, _)| name.clone()).collect();
+        for (name, row) in rows {
+            for (name, fender) in self.row(name, row, bodies, names)? {
+                if !known.insert(name.clone()) {
+                    let message = format!(
+                        "`{}`: there is a fender named {} already",
+                        row.path,
+                        quoted(&name)
+                    );
+                    let error = self.sources.error(&row.span, &row.path, message);
+                    return Err(error.with_help("take another name for the row"));
+                }
+                fenders.push((name, fender));
+            }
+        }
+        fenders.sort_by_key(|(_, table)| table.span.start);
+        Ok(fenders)
+    }
+
+    fn row(
+        &mut self,
+        name: &str,
+        row: &Table,
+        bodies: &[BodySetup],
+        names: &Names,
+    ) -> Checked<Vec<(String, Table)>> {
+        let stands = match row.item("dolphins") {
+            Some(dolphins) => self.on_dolphins(name, row, dolphins, bodies, names)?,
+            None => self.on_a_line(row, bodies, names)?,
+        };
+        let count = stands.len();
+        let fender = |(index, stand): (usize, Stand)| {
+            let name = name_in_row(name, index + 1);
+            let table = self.fender_of_row(&name, row, stand)?;
+            Ok((name, table))
+        };
+        let fenders: Vec<_> = stands.into_iter().enumerate().map(fender).collect::<Checked<_>>()?;
+        for (pattern, exception) in row.given("exception").named() {
+            if !fenders.iter().any(|(name, _)| fits(pattern, name)) {
+                let (first, last) = (name_in_row(name, 1), name_in_row(name, count));
+                let path = &exception.path;
+                let message = format!(
+                    "`{path}`: the row has the fenders {} to {}",
+                    quoted(&first),
+                    quoted(&last)
+                );
+                let at = exception.items.iter().find(|item| !item.is_default);
+                let span = at.map_or(&exception.span, |item| &item.span);
+                return Err(self.sources.error(span, path, message));
+            }
+        }
+        Ok(fenders)
+    }
+
+    fn on_dolphins(
+        &self,
+        name: &str,
+        row: &Table,
+        dolphins: &Item,
+        bodies: &[BodySetup],
+        names: &Names,
+    ) -> Checked<Vec<Stand>> {
+        let position_m = row.item("first").map_or(vec2(0.0, 0.0), |item| *item.vector());
+        let stand = |index: usize| {
+            let body = name_in_row(name, index + 1);
+            let outline = &bodies[names.bodies[&body]].outline;
+            let facing = row.item("facing").map(|item| *item.number());
+            let Some(facing_rad) = facing.or_else(|| facing_rad(outline, position_m)) else {
+                let help = "the fender is not on an edge of its dolphin: give the direction";
+                return Err(self.missing(row, "facing", help));
+            };
+            Ok(Stand { body, position_m, facing_rad })
+        };
+        (0..dolphins.outline().len()).map(stand).collect()
+    }
+
+    fn on_a_line(
+        &mut self,
+        row: &Table,
+        bodies: &[BodySetup],
+        names: &Names,
+    ) -> Checked<Vec<Stand>> {
+        let Some(on) = row.item("on") else {
+            return Err(self.missing(
+                row,
+                "on",
+                "name the body that carries the row, or give `dolphins`",
+            ));
+        };
+        let outline = &bodies[self.body_named(row, on, on.name(), names)?].outline;
+        let line = match row.item("wall") {
+            Some(wall) => self.line_along_wall(row, wall, outline)?,
+            None => self.line_from_first(row, outline)?,
+        };
+        self.refuse_overlap(row, &line)?;
+        let places_m: Vec<Vec2> = line.places_m().collect();
+        let ends_m = [places_m[0], places_m[places_m.len() - 1]];
+        let facing_rad = match (row.item("facing"), line.edge) {
+            (Some(item), _) => *item.number(),
+            (None, Some(edge)) => direction_rad(edge.outward),
+            (None, None) => match edges_with(outline, &ends_m).as_slice() {
+                [edge] => direction_rad(edge.outward),
+                _ => {
+                    let help = "the row does not stand along one edge of its body's outline: give the direction in \
+                                which it faces, or places on an edge";
+                    return Err(self.missing(row, "facing", help));
+                }
+            },
+        };
+        self.check_ends(row, &line)?;
+        let stand = |position_m| Stand { body: on.name().to_owned(), position_m, facing_rad };
+        Ok(places_m.into_iter().map(stand).collect())
+    }
+
+    fn refuse_overlap(&self, row: &Table, line: &Line) -> Checked<()> {
+        let width = row.given("width");
+        let (width_m, spacing_m) = (*width.number(), line.spacing_m);
+        if line.number < 2 || width_m <= spacing_m {
+            return Ok(());
+        }
+        let path = row.path_of("width");
+        let message = format!(
+            "`{path}`: faces {width_m} m wide overlap at a spacing of {} m",
+            rounded(spacing_m)
+        );
+        let error = self.sources.error(&width.span, &path, message);
+        Err(error.with_help("give the width of one panel; the spacing is from middle to middle"))
+    }
+
+    /// Refuses fenders beyond the end of the edge, and notes panels that reach beyond it.
+    fn check_ends(&mut self, row: &Table, line: &Line) -> Checked<()> {
+        let Some(edge) = line.edge else { return Ok(()) };
+        let at = |key: &str| row.item(key).map_or(row.span.clone(), |item| item.span.clone());
+        let ends = [line.first_m, line.place_m(line.number - 1)];
+        let reaches = ends.map(|end| edge.reach_m(end));
+        let [from, to] = [edge.from_m, edge.end_m()].map(shown);
+        let key = if row.item("last").is_some() { "last" } else { "number" };
+        if let Some(end) = ends.iter().find(|end| !edge.holds(**end)) {
+            let path = row.path_of(key);
+            let (number, place) = (line.number, shown(*end));
+            let message = format!(
+                "`{path}`: the row of {number} hangs over the end of the quay: a fender at {place} is not on the edge \
+                 from {from} to {to}"
+            );
+            let error = self.sources.error(&at(key), &path, message);
+            return Err(error.with_help(line.what_fits(&edge)));
+        }
+        let half_m = 0.5 * row.given("width").number();
+        let beyond = |reach: f64| reach - half_m < -1e-6 || reach + half_m > edge.length_m + 1e-6;
+        if reaches.iter().any(|reach| beyond(*reach)) {
+            let message = format!("a face of the row reaches beyond the edge from {from} to {to}");
+            self.note_at(&at(key), row.path_of(key), message);
+        }
+        Ok(())
+    }
+
+    /// The table of one fender: the keys of the row, those of the exceptions for it, and its place.
+    fn fender_of_row(&self, name: &str, row: &Table, stand: Stand) -> Checked<Table> {
+        let placed = |key: &'static str, value: Value| {
+            let of_row = row.item(key).map_or((row.span.clone(), row.span.clone()), |item| {
+                (item.key_span.clone(), item.span.clone())
+            });
+            let (key_span, span) = of_row;
+            Item { name: key, key_span, span, is_default: false, value }
+        };
+        let mut items = vec![
+            placed("on", Value::Name(stand.body)),
+            Item { name: "position", ..placed("first", Value::Vector(stand.position_m)) },
+            placed("facing", Value::Number(stand.facing_rad)),
+        ];
+        let shared = |item: &&Item| {
+            let is_placed = ["on", "position", "facing"].contains(&item.name);
+            !is_placed && FENDER.key(item.name).is_some()
+        };
+        items.extend(row.items.iter().filter(shared).cloned());
+        let mut ranks: Vec<Rank> = items.iter().map(|item| self.rank(false, item)).collect();
+        for (pattern, exception) in row.given("exception").named() {
+            if !fits(pattern, name) {
+                continue;
+            }
+            for item in exception.items.iter().filter(|item| !item.is_default) {
+                let rank = self.rank(true, item);
+                match items.iter().position(|other| other.name == item.name) {
+                    None => {
+                        items.push(item.clone());
+                        ranks.push(rank);
+                    }
+                    Some(at) if ranks[at] < rank => {
+                        items[at] = item.clone();
+                        ranks[at] = rank;
+                    }
+                    Some(_) => {}
+                }
+            }
+        }
+        reader::with_defaults(self.sources, &FENDER, &row.path, &row.span, items)
+    }
+
+    /// Which of two values of a key counts: the command line over the file, and there the later one; in the file the
+    /// exception over the row.
+    fn rank(&self, is_exception: bool, item: &Item) -> Rank {
+        let start = if item.is_default { 0 } else { item.span.start };
+        let is_override = start > self.sources.text.len();
+        (is_override, is_override || is_exception, start)
+    }
+
+    pub(super) fn note_at(&mut self, span: &Span, key: String, message: String) {
+        let place = self.sources.place(span);
+        self.notices.push(crate::error::Notice { place, key, message });
+    }
+}
+
+type Rank = (bool, bool, usize);
+
+/// A point, for messages.
+fn shown(point_m: Vec2) -> String {
+    format!("[{}, {}]", rounded(point_m.x), rounded(point_m.y))
+}
+
+/// To the millimetre, for messages.
+pub(super) fn rounded(value: f64) -> f64 {
+    libm::round(value * 1000.0) / 1000.0 + 0.0
+}
+
+/// As [`Assembly::missing`], for keys of which several would do.
+fn one_of_two(error: ScenarioError) -> ScenarioError {
+    error.with_help("give two of `spacing`, `number` and `last`")
+}

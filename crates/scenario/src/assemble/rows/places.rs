@@ -1,0 +1,233 @@
+//! Where the fenders of a row stand: on a straight line, equally far apart.
+
+use fenderline_contact::{Outline, Rotation, Vec2, vec2};
+
+use super::{one_of_two, rounded, shown};
+use crate::assemble::edge::{Edge, edges_with};
+use crate::assemble::{Assembly, Checked};
+use crate::checked::{Item, Table};
+use crate::keys::fender_row::MOST_IN_ROW;
+
+/// The places of a row.
+pub(super) struct Line {
+    pub(super) first_m: Vec2,
+    /// Unit vector from the first to the last.
+    along: Vec2,
+    pub(super) spacing_m: f64,
+    pub(super) number: usize,
+    /// The edge of the outline along which the row runs.
+    pub(super) edge: Option<Edge>,
+    /// It stands in the middle of its wall, not from a first fender on.
+    is_in_the_middle: bool,
+}
+
+impl Line {
+    pub(super) fn place_m(&self, index: usize) -> Vec2 {
+        self.first_m + self.along * (self.spacing_m * index as f64)
+    }
+
+    pub(super) fn places_m(&self) -> impl Iterator<Item = Vec2> {
+        (0..self.number).map(|index| self.place_m(index))
+    }
+
+    /// What would fit on an edge, for the help of an error.
+    pub(super) fn what_fits(&self, edge: &Edge) -> String {
+        let spacing_m = rounded(self.spacing_m);
+        let room_m = if self.is_in_the_middle {
+            edge.length_m
+        } else {
+            // From the first fender to the end of the edge towards which the row runs.
+            let reach_m = edge.reach_m(self.first_m);
+            let is_along = self.along.dot(edge.along) > 0.0;
+            if is_along { edge.length_m - reach_m } else { reach_m }
+        };
+        if !self.is_in_the_middle && !edge.holds(self.first_m) {
+            return "the first fender is not on this edge itself".to_owned();
+        }
+        let number = 1 + libm::floor(room_m / self.spacing_m + 1e-9) as usize;
+        let gaps = (self.number - 1) as f64;
+        let least_m = libm::floor(room_m / gaps * 1000.0) / 1000.0;
+        format!(
+            "on {} m there is room for {number} at a spacing of {spacing_m} m, or for {} at a spacing of {least_m} m",
+            rounded(room_m),
+            self.number
+        )
+    }
+}
+
+/// Whether an edge runs along a direction, either way.
+fn is_along(edge: &Edge, direction: Vec2) -> bool {
+    edge.along.cross(direction).abs() < 1e-6
+}
+
+/// The direction or its opposite: the one that runs forward, or to starboard where it runs straight across.
+fn forward(direction: Vec2) -> Vec2 {
+    let is_across = direction.x.abs() < 1e-9;
+    let is_back = if is_across { direction.y < 0.0 } else { direction.x < 0.0 };
+    if is_back { -direction } else { direction }
+}
+
+impl Assembly<'_, '_> {
+    /// The row from `first` on.
+    pub(super) fn line_from_first(&self, row: &Table, outline: &Outline) -> Checked<Line> {
+        let Some(first) = row.item("first") else {
+            let help = "give the place of the first fender, or a `wall` or `dolphins`";
+            return Err(self.missing(row, "first", help));
+        };
+        let first_m = *first.vector();
+        match (row.item("spacing"), row.item("number"), row.item("last")) {
+            (Some(spacing), Some(number), None) => {
+                let (along, edge) = self.direction(row, first, outline)?;
+                let number = self.whole_number(row, number)?;
+                let spacing_m = *spacing.number();
+                Ok(Line { first_m, along, spacing_m, number, edge, is_in_the_middle: false })
+            }
+            (Some(_), None, Some(last)) | (None, Some(_), Some(last)) => {
+                self.line_to_last(row, first_m, last, outline)
+            }
+            (Some(_), Some(_), Some(last)) => {
+                let path = row.path_of("last");
+                let message = format!("`{path}` does not go together with `spacing` and `number`");
+                Err(one_of_two(self.sources.error(&last.key_span, &path, message)))
+            }
+            (spacing, _, _) => {
+                let missing = if spacing.is_some() { "number" } else { "spacing" };
+                Err(one_of_two(self.missing(row, missing, "")))
+            }
+        }
+    }
+
+    fn line_to_last(
+        &self,
+        row: &Table,
+        first_m: Vec2,
+        last: &Item,
+        outline: &Outline,
+    ) -> Checked<Line> {
+        let whole_m = *last.vector() - first_m;
+        let length_m = whole_m.length();
+        let path = row.path_of("last");
+        if length_m <= 0.0 {
+            let message = format!("`{path}` is where the first fender is");
+            return Err(self.sources.error(&last.span, &path, message));
+        }
+        let (spacing_m, number) = match row.item("number") {
+            Some(item) => {
+                let number = self.whole_number(row, item)?;
+                if number < 2 {
+                    let path = row.path_of("number");
+                    let message = format!("`{path}` must be at least 2 between `first` and `last`");
+                    return Err(self.sources.error(&item.span, &path, message));
+                }
+                (length_m / (number - 1) as f64, number)
+            }
+            None => {
+                let spacing_m = *row.given("spacing").number();
+                let gaps = libm::round(length_m / spacing_m);
+                if (gaps * spacing_m - length_m).abs() > 0.01 || gaps + 1.0 > MOST_IN_ROW as f64 {
+                    let message = format!(
+                        "`{path}`: the row is {} m long, which is not a multiple of the spacing of {} m, or has more \
+                         than {MOST_IN_ROW} fenders",
+                        rounded(length_m),
+                        rounded(spacing_m)
+                    );
+                    let help =
+                        format!("the nearest is {} m; or give `number`", rounded(gaps * spacing_m));
+                    return Err(self.sources.error(&last.span, &path, message).with_help(help));
+                }
+                (spacing_m, gaps as usize + 1)
+            }
+        };
+        let along = whole_m * (1.0 / length_m);
+        let edge = edges_with(outline, &[first_m]).into_iter().find(|edge| is_along(edge, along));
+        Ok(Line { first_m, along, spacing_m, number, edge, is_in_the_middle: false })
+    }
+
+    /// The direction of a row without `last`, and the edge along which it runs.
+    fn direction(
+        &self,
+        row: &Table,
+        first: &Item,
+        outline: &Outline,
+    ) -> Checked<(Vec2, Option<Edge>)> {
+        let facing = row
+            .item("facing")
+            .map(|item| Rotation::from_angle(*item.number()).apply(vec2(1.0, 0.0)));
+        let edges = edges_with(outline, &[*first.vector()]);
+        let edge = match (edges.as_slice(), facing) {
+            ([edge], _) => Some(*edge),
+            (_, Some(facing)) => {
+                edges.iter().copied().find(|edge| is_along(edge, facing.quarter_turn()))
+            }
+            _ => None,
+        };
+        if let Some(edge) = edge {
+            return Ok((forward(edge.along), Some(edge)));
+        }
+        if let Some(facing) = facing {
+            return Ok((forward(facing.quarter_turn()), None));
+        }
+        let path = row.path_of("first");
+        let message = match edges.len() {
+            0 => format!(
+                "`{path}`: {} is not on the outline of the body, so the direction of the row is not known",
+                shown(*first.vector())
+            ),
+            _ => format!(
+                "`{path}`: {} is a corner of the body, so the edge of the row is not known",
+                shown(*first.vector())
+            ),
+        };
+        let error = self.sources.error(&first.span, &path, message);
+        Err(error.with_help("give `last`, or `facing`, or a place on an edge"))
+    }
+
+    /// The row along a wall.
+    pub(super) fn line_along_wall(
+        &self,
+        row: &Table,
+        wall: &Item,
+        outline: &Outline,
+    ) -> Checked<Line> {
+        let [from_m, to_m] = [wall.outline()[0], wall.outline()[1]];
+        let path = row.path_of("wall");
+        let edges = edges_with(outline, &[from_m, to_m]);
+        let length_m = (to_m - from_m).length();
+        let (Some(edge), true) = (edges.first(), length_m > 0.02) else {
+            let message = format!(
+                "`{path}`: there is no edge of the body's outline with {} and {} on it",
+                shown(from_m),
+                shown(to_m)
+            );
+            let error = self.sources.error(&wall.span, &path, message);
+            return Err(error.with_help("give two corners of the body, in its own axes"));
+        };
+        let along = (to_m - from_m) * (1.0 / length_m);
+        let spacing_m = *row.given("spacing").number();
+        let number = self.whole_number(row, row.given("number"))?;
+        let row_m = spacing_m * (number - 1) as f64;
+        let start_m =
+            row.item("from_corner").map_or(0.5 * (length_m - row_m), |item| *item.number());
+        // The wall may be a part of the edge: the row must not reach beyond the wall.
+        let edge = Edge { along, length_m, from_m, ..*edge };
+        Ok(Line {
+            first_m: from_m + along * start_m,
+            along,
+            spacing_m,
+            number,
+            edge: Some(edge),
+            is_in_the_middle: row.item("from_corner").is_none(),
+        })
+    }
+
+    fn whole_number(&self, row: &Table, item: &Item) -> Checked<usize> {
+        let number = *item.number();
+        if libm::trunc(number) == number {
+            // The key table bounds it.
+            return Ok(number as usize);
+        }
+        let path = row.path_of(item.name);
+        let message = format!("`{path}` must be a whole number, but is {number}");
+        Err(self.sources.error(&item.span, &path, message))
+    }
+}

@@ -1,0 +1,113 @@
+//! Keys of the approach of a ship to a berth.
+
+use fenderline_sim::Side;
+use serde_json::json;
+
+use super::quantities::PLACE;
+use crate::choices::{Choice, Choices};
+use crate::spec::Absent::{Is, Means, Refused, Unless};
+use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::units::measures as unit;
+
+pub(super) static APPROACH: TableSpec = TableSpec {
+    what: "an approach",
+    doc: "The start of a berthing, in the terms of berth design: the ship meets a fender of the berth with a point of her \
+          side, at this speed and angle. It gives position, heading and velocity; from there she moves as her forces tell.",
+    keys: &[
+        key(
+            "to",
+            Kind::BodyName,
+            Refused,
+            "The body with the fenders that she meets: a quay, a dolphin, a row of dolphins.",
+            &["\"quay\""],
+        ),
+        key(
+            "speed_normal",
+            Kind::Quantity(Quantity { measure: &unit::SPEED, low: 1e-3, high: 10.0 }),
+            Refused,
+            "Speed at right angles to the berth, towards it.",
+            &["\"0.12 m/s\""],
+        ),
+        key(
+            "along",
+            Kind::Quantity(Quantity { measure: &unit::SPEED, low: -10.0, high: 10.0 }),
+            Is("0"),
+            "Speed along the berth, forward.",
+            &["\"0.2 kn\""],
+        ),
+        key(
+            "angle",
+            Kind::Quantity(Quantity { measure: &unit::ANGLE, low: -0.79, high: 0.79 }),
+            Is("0"),
+            "Angle between her centreline and the berth, up to 45 degrees; positive with the bow towards the berth.",
+            &["\"5 deg\""],
+        ),
+        key(
+            "side",
+            Kind::Choice(&SIDES),
+            Is("\"starboard\""),
+            "The side that meets the berth.",
+            &["\"port\""],
+        ),
+        key(
+            "contact",
+            Kind::NameOr(PLACE),
+            Refused,
+            "The point of her side that meets the fender: \"quarter point\", \"third point\" (a quarter, a third of her length \
+                  from the end that is nearer to the berth), \"midship\", or a distance forward of midship. Or the name of a fender: \
+                  she meets it with the part of her side that comes first.",
+            &["\"quarter point\"", "\"-20 m\"", "\"midship\""],
+        ),
+        key(
+            "fender",
+            Kind::Text,
+            Means("the fender nearest to the middle of the berth's fenders"),
+            "The fender that she meets.",
+            &[],
+        ),
+        key(
+            "distance",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 1e4 }),
+            Is("1"),
+            "From that point to the fender's face at the start, at right angles to the berth.",
+            &["\"2 m\""],
+        ),
+        key(
+            "abnormal",
+            Kind::Table(&ABNORMAL),
+            Means("a normal berthing"),
+            "Makes the run that of an abnormal berthing: `speed_normal` times a factor.",
+            &["{ energy_factor = 1.5 }"],
+        ),
+    ],
+    rules: None,
+};
+
+static ABNORMAL: TableSpec = TableSpec {
+    what: "an abnormal berthing",
+    doc: "How much more than a normal one. Energy goes with the square of the speed.",
+    keys: &[
+        key(
+            "energy_factor",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 4.0 }),
+            Unless("`speed_factor` is given"),
+            "Energy over that of the normal berthing: the speed is multiplied by its square root.",
+            &["1.5"],
+        ),
+        key(
+            "speed_factor",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 2.0 }),
+            Unless("`energy_factor` is given"),
+            "Speed over that of the normal berthing.",
+            &["1.25"],
+        ),
+    ],
+    rules: Some(
+        || json!({ "oneOf": [{ "required": ["energy_factor"] }, { "required": ["speed_factor"] }] }),
+    ),
+};
+
+static SIDES: Choices<Side> = Choices(&[
+    Choice { word: "port", value: Side::Port, doc: "port side to the berth" },
+    Choice { word: "starboard", value: Side::Starboard, doc: "starboard side to the berth" },
+]);

@@ -1,0 +1,115 @@
+//! Keys of flexible dolphins.
+
+use serde_json::json;
+
+use super::quantities::FORCE;
+use crate::spec::Absent::{Is, Means, Unless};
+use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::units::measures as unit;
+
+pub(super) static DOLPHIN: TableSpec = TableSpec {
+    what: "a flexible dolphin",
+    doc: "Piles that hold a body to its place and bend under a ship: a spring with a mass on it, the same in all \
+          horizontal directions, in series with the fenders of the body. The body does not turn. Stiffness and mass are \
+          given, or follow from steel tubes: upright, fixed in the ground at the point of fixity, K = 3EI/L³. Coupled \
+          method and semi-implicit integrator only.",
+    keys: &[
+        key(
+            "stiffness",
+            Kind::Quantity(Quantity { measure: &unit::STIFFNESS, low: 1e3, high: 1e12 }),
+            Unless("`diameter`, `wall` and `length` are given"),
+            "Horizontal load over deflection, both at the height of the fender.",
+            &["\"5 MN/m\""],
+        ),
+        key(
+            "mass",
+            Kind::Quantity(MASS),
+            Unless("`diameter`, `wall` and `length` are given"),
+            "Mass that moves with the head: the head itself, and about a quarter of the piles down to the point of fixity, \
+                  with the water that they move.",
+            &["\"60 t\""],
+        ),
+        key(
+            "yield_load",
+            Kind::Quantity(FORCE),
+            Means("it does not yield"),
+            "Horizontal load at the height of the fender at which the piles yield. The deflection beyond it is permanent.",
+            &["\"1500 kN\""],
+        ),
+        key(
+            "damping",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 0.99 }),
+            Is("0.02"),
+            "Damping over the critical damping of the dolphin alone. The default is an assumption.",
+            &["0.02"],
+        ),
+        key(
+            "diameter",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.05, high: 20.0 }),
+            Unless("`stiffness` is given"),
+            "Outer diameter of each pile.",
+            &["\"2.5 m\""],
+        ),
+        key(
+            "wall",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 10.0 }),
+            Unless("`stiffness` is given"),
+            "Wall thickness of each pile: the mean in bending where it varies.",
+            &["\"40 mm\""],
+        ),
+        key(
+            "length",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.5, high: 500.0 }),
+            Unless("`stiffness` is given"),
+            "From the point of fixity, which lies below the seabed, to the height of the fender.",
+            &["\"25 m\""],
+        ),
+        key(
+            "piles",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 100.0 }),
+            Means("one"),
+            "Number of piles, which bend alike: their heads do not turn each other.",
+            &["1"],
+        ),
+        key(
+            "modulus",
+            Kind::Quantity(Quantity { measure: &unit::STIFFNESS_PER_AREA, low: 1e9, high: 1e12 }),
+            Means("210 GPa"),
+            "Young's modulus.",
+            &["\"210 GPa\""],
+        ),
+        key(
+            "yield_stress",
+            Kind::Quantity(Quantity { measure: &unit::STIFFNESS_PER_AREA, low: 1e7, high: 1e10 }),
+            Means("it does not yield"),
+            "Yield stress: the piles yield where the bending stress at the point of fixity reaches it.",
+            &["\"420 MPa\""],
+        ),
+        key(
+            "head_mass",
+            Kind::Quantity(MASS),
+            Means("nothing but the piles"),
+            "Mass of the head, its fender and panel, beside the piles' own share of 0.243. Water in and around the piles \
+                  is not counted: add what moves.",
+            &["\"40 t\""],
+        ),
+    ],
+    rules: Some(|| {
+        json!({
+            "if": { "required": ["stiffness"] },
+            "then": {
+                "required": ["mass"],
+                "properties": {
+                    "diameter": false, "wall": false, "length": false, "piles": false, "modulus": false,
+                    "yield_stress": false, "head_mass": false
+                }
+            },
+            "else": {
+                "required": ["diameter", "wall", "length"],
+                "properties": { "mass": false, "yield_load": false }
+            }
+        })
+    }),
+};
+
+const MASS: Quantity = Quantity { measure: &unit::MASS, low: 1.0, high: 1e9 };

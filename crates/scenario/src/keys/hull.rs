@@ -1,0 +1,30 @@
+//! Keys of outlines by height.
+
+use super::quantities::POSITION;
+use crate::spec::Absent::Refused;
+use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::units::measures as unit;
+
+pub(super) static OUTLINE_AT_HEIGHT: TableSpec = TableSpec {
+    what: "an outline at a height",
+    doc: "A body's outline at a height, as a waterline of a lines plan. Between two of them the side is straight, from each \
+          vertex of one to the same vertex of the next; outlines with different numbers of vertices are resampled at \
+          common stations from stern to bow.",
+    keys: &[
+        key(
+            "height",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: -200.0, high: 200.0 }),
+            Refused,
+            "Above the keel of a floating body, above datum on a fixed one. Rises from outline to outline.",
+            &["\"4 m\""],
+        ),
+        key(
+            "outline",
+            Kind::Outline(POSITION),
+            Refused,
+            "Vertices, forward and to starboard of the centre of gravity; the same vertex first in each outline.",
+            &["[[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]"],
+        ),
+    ],
+    rules: None,
+};

@@ -1,0 +1,34 @@
+//! Keys of the result tables.
+
+use crate::spec::Absent::Means;
+use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::units::measures as unit;
+
+pub(super) static OUTPUT: TableSpec = TableSpec {
+    what: "an output table",
+    doc: "Which result tables a run writes, and how often. Summary, verdict and report always use every step.",
+    keys: &[
+        key(
+            "interval",
+            Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 1e9 }),
+            Means(
+                "the time step; in runs of more than 10 000 steps 2, 5, 10, 20, … steps, so that there are at most 10 000 rows \
+                 of each body",
+            ),
+            "Time that one row of a table stands for: a whole number of time steps, or 0 for one step. States are those at its \
+             start, forces are means, columns with `peak_` the largest of any step, works are sums.",
+            &["\"1 s\"", "0"],
+        ),
+        key(
+            "tables",
+            Kind::Texts,
+            Means(
+                "all that the scenario has something for; `contacts` only where a row is one step",
+            ),
+            "Names of the tables to write: bodies, contacts, fenders, panels, chains, vessels, thrusters, azimuths, tugs, lines, \
+             energy. An empty list writes none.",
+            &["[\"fenders\", \"lines\"]"],
+        ),
+    ],
+    rules: None,
+};

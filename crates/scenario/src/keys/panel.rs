@@ -1,0 +1,189 @@
+//! Keys of a panel on several cones.
+
+use fenderline_sim::{ChainGrade, ChainKind, ChainLink};
+use serde_json::json;
+
+use super::quantities::{FENDER_SIZE, FORCE, PLACE_ON_FACE};
+use crate::choices::{Choice, Choices};
+use crate::spec::Absent::{Means, Refused, Unless};
+use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::units::measures as unit;
+
+pub(super) static CONE: TableSpec = TableSpec {
+    what: "a cone behind a panel",
+    doc: "One of several equal fenders behind one panel. The panel moves inwards and turns about the vertical axis, so \
+          that each cone has a deflection of its own; `type`, `stiffness` or `curve`, `stop` and `rated_deflection` are \
+          those of each cone.",
+    keys: &[
+        key(
+            "at",
+            Kind::Quantity(PLACE_ON_FACE),
+            Refused,
+            "Place along the panel from its middle, positive to the right of one who looks at the face.",
+            &["\"-1.2 m\""],
+        ),
+        key(
+            "height",
+            Kind::Quantity(PLACE_ON_FACE),
+            Means("at the middle"),
+            "Height above the middle of the panel. The mean over all cones is the height of the reaction above that \
+                  middle.",
+            &["\"0.6 m\""],
+        ),
+    ],
+    rules: None,
+};
+
+pub(super) static CHAIN: TableSpec = TableSpec {
+    what: "a chain of a fender",
+    doc: "A chain between the structure and the panel: slack up to a motion, then a linear spring, which parts at its \
+          break load. Slack, stiffness and break load are along the direction that it holds; of a chain at an angle to \
+          it take the stiffness times the squared cosine and the break load times the cosine.",
+    keys: &[
+        key("kind", Kind::Choice(&KINDS), Refused, "What it holds.", &["\"tension\""]),
+        key(
+            "at",
+            Kind::Quantity(PLACE_ON_FACE),
+            Unless("`kind` is shear or weight"),
+            "Place of a tension chain along the panel from its middle, positive to the right of one who looks at the face.",
+            &["\"-1.2 m\""],
+        ),
+        key(
+            "slack",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 100.0 }),
+            Unless("`length` and `span` are given, or `kind` is weight"),
+            "How far the panel moves before the chain holds.",
+            &["\"20 mm\""],
+        ),
+        key(
+            "length",
+            Kind::Quantity(FENDER_SIZE),
+            Unless("`slack` is given, or `kind` is weight"),
+            "Length of the chain with its shackles; the slack is what it is longer than its `span`.",
+            &["\"1.25 m\""],
+        ),
+        key(
+            "span",
+            Kind::Quantity(FENDER_SIZE),
+            Unless("`slack` is given, or `kind` is weight"),
+            "Distance between its fastenings on the undeflected fender.",
+            &["\"1.2 m\""],
+        ),
+        key(
+            "stiffness",
+            Kind::Quantity(Quantity { measure: &unit::STIFFNESS, low: 1.0, high: 1e12 }),
+            Unless("`diameter` is given, or `kind` is weight"),
+            "Tension over stretch.",
+            &["\"40 MN/m\""],
+        ),
+        key(
+            "break_load",
+            Kind::Quantity(FORCE),
+            Unless("`diameter` is given"),
+            "Tension at which it parts.",
+            &["\"500 kN\""],
+        ),
+        key(
+            "diameter",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 6e-3, high: 0.162 }),
+            Unless("`break_load` is given"),
+            "Diameter of the bar of a link. With `grade` it gives the break load, and with `link` and `length` the stiffness.",
+            &["\"28 mm\""],
+        ),
+        key(
+            "grade",
+            Kind::Choice(&GRADES),
+            Unless("`diameter` is not given"),
+            "Grade of the chain.",
+            &["\"u2\""],
+        ),
+        key(
+            "link",
+            Kind::Choice(&LINKS),
+            Means("open"),
+            "Form of the links, for the stiffness.",
+            &["\"stud\""],
+        ),
+    ],
+    rules: Some(|| {
+        let weight = json!({ "kind": { "const": "weight" } });
+        let tension = json!({ "kind": { "const": "tension" } });
+        json!({
+            "allOf": [
+                {
+                    "if": { "properties": tension },
+                    "then": { "required": ["at"] },
+                    "else": { "properties": { "at": false } }
+                },
+                {
+                    "if": { "properties": weight },
+                    "then": { "properties": { "slack": false, "length": false, "span": false, "stiffness": false } },
+                    "else": {
+                        "if": { "required": ["diameter"] },
+                        "then": { "required": ["length"] },
+                        "else": { "required": ["stiffness"] },
+                        "oneOf": [
+                            { "required": ["slack"], "properties": { "length": false, "span": false } },
+                            { "required": ["length", "span"], "properties": { "slack": false } }
+                        ]
+                    }
+                },
+                {
+                    "if": { "required": ["diameter"] },
+                    "then": {
+                        "required": ["grade"],
+                        "properties": { "break_load": false, "stiffness": false }
+                    },
+                    "else": {
+                        "required": ["break_load"],
+                        "properties": { "grade": false, "link": false }
+                    }
+                }
+            ]
+        })
+    }),
+};
+
+static GRADES: Choices<ChainGrade> = Choices(&[
+    Choice {
+        word: "u1",
+        value: ChainGrade::U1,
+        doc: "anchor chain of grade 1, with or without studs",
+    },
+    Choice { word: "u2", value: ChainGrade::U2, doc: "anchor chain of grade 2" },
+    Choice { word: "u3", value: ChainGrade::U3, doc: "anchor chain of grade 3" },
+    Choice {
+        word: "g30",
+        value: ChainGrade::G30,
+        doc: "short-link chain of grade 30: 300 N/mm² at the break load",
+    },
+    Choice { word: "g40", value: ChainGrade::G40, doc: "short-link chain of grade 40" },
+    Choice { word: "g80", value: ChainGrade::G80, doc: "short-link chain of grade 80" },
+]);
+
+static LINKS: Choices<ChainLink> = Choices(&[
+    Choice { word: "open", value: ChainLink::Open, doc: "links without studs" },
+    Choice {
+        word: "stud",
+        value: ChainLink::Stud,
+        doc: "links with studs; not of short-link chains",
+    },
+]);
+
+static KINDS: Choices<ChainKind> = Choices(&[
+    Choice {
+        word: "tension",
+        value: ChainKind::Tension,
+        doc: "the panel's motion outwards at its place, where the panel turns; needs `cones`",
+    },
+    Choice {
+        word: "shear",
+        value: ChainKind::Shear,
+        doc: "the panel's motion along the berth, either way, beside the fender's shear stiffness",
+    },
+    Choice {
+        word: "weight",
+        value: ChainKind::Weight,
+        doc: "the panel's weight (`panel_mass`), and the friction of a hull that sinks along it",
+    },
+]);

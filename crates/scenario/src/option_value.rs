@@ -1,0 +1,103 @@
+//! Quantities of command-line options: a number with its unit, or a plain number.
+
+use crate::units::{self, Measure, measures as unit};
+
+/// A length, or a share of one that is known from elsewhere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LengthOrShare {
+    /// In metres.
+    Metres(f64),
+    /// 0.72 for "72 %".
+    Share(f64),
+}
+
+/// A length in metres: `1.2`, `"1.2 m"`, `"1200 mm"`.
+///
+/// # Errors
+/// Words that say what is wrong and what to write.
+pub fn length_m(text: &str) -> Result<f64, String> {
+    quantity(text, &unit::LENGTH)
+}
+
+/// A force in newtons: `585000`, `"585 kN"`.
+///
+/// # Errors
+/// As [`length_m`].
+pub fn force_n(text: &str) -> Result<f64, String> {
+    quantity(text, &unit::FORCE)
+}
+
+/// A share: `"10 %"`, or `10` for the same. The result is 0.1.
+///
+/// # Errors
+/// As [`length_m`].
+pub fn percent(text: &str) -> Result<f64, String> {
+    let parsed = parsed(text)?;
+    if parsed.dimension != unit::PLAIN_NUMBER.dimension {
+        return Err(format!("it is {}, but must be a percentage, as \"10 %\"", parsed.dimension));
+    }
+    Ok(if parsed.has_unit { parsed.si } else { parsed.si / 100.0 })
+}
+
+/// A length, or a share of one: `0.864`, `"864 mm"`, `"72 %"`.
+///
+/// # Errors
+/// As [`length_m`].
+pub fn length_or_share(text: &str) -> Result<LengthOrShare, String> {
+    let parsed = parsed(text)?;
+    if parsed.has_unit && parsed.dimension == unit::PLAIN_NUMBER.dimension {
+        return Ok(LengthOrShare::Share(parsed.si));
+    }
+    length_m(text).map(LengthOrShare::Metres)
+}
+
+fn quantity(text: &str, measure: &Measure) -> Result<f64, String> {
+    let parsed = parsed(text)?;
+    if !parsed.has_unit || parsed.dimension == measure.dimension {
+        return Ok(parsed.si);
+    }
+    Err(format!("it is {}, but must be {measure}, as \"{}\"", parsed.dimension, measure.example))
+}
+
+fn parsed(text: &str) -> Result<units::Quantity, String> {
+    units::parse(text).map_err(|error| match error.help {
+        Some(help) => format!("{}; {help}", error.message),
+        None => error.message,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_and_plain_numbers() {
+        assert_eq!(length_m("1.2"), Ok(1.2));
+        assert_eq!(length_m("1.2 m"), Ok(1.2));
+        assert_eq!(length_m("1200 mm"), Ok(1.2));
+        assert_eq!(force_n("585 kN"), Ok(585e3));
+        assert_eq!(force_n("60 tf"), Ok(588_399.0));
+        assert_eq!((percent("10 %"), percent("10")), (Ok(0.1), Ok(0.1)));
+        assert_eq!(length_or_share("72 %"), Ok(LengthOrShare::Share(0.72)));
+        assert_eq!(length_or_share("0.72"), Ok(LengthOrShare::Metres(0.72)));
+        assert_eq!(length_or_share("720 mm"), Ok(LengthOrShare::Metres(0.72)));
+    }
+
+    #[test]
+    fn mistakes_say_what_to_write() {
+        for (result, fragment) in [
+            (
+                length_m("1.2 kN").map(|_| ()),
+                "it is a force [N], but must be a length [m], as \"1.5 m\"",
+            ),
+            (length_m("1.2 metre").map(|_| ()), "`metre` is not a known unit; did you mean `m`?"),
+            (length_m("high").map(|_| ()), "there is no number in it"),
+            (force_n("60 t").map(|_| ()), "it is a mass [kg], but must be a force [N]"),
+            (percent("10 mm").map(|_| ()), "must be a percentage, as \"10 %\""),
+            (length_or_share("3 kN").map(|_| ()), "must be a length"),
+        ] {
+            let message = result.unwrap_err();
+            assert!(message.contains(fragment), "{message}");
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! The outline of a hull at the height of a fender, with heel and trim.
+
+use fenderline_contact::number::bounded;
+use fenderline_contact::{Slice, Vec2, vec2};
+
+use super::levels::HullByHeight;
+
+/// Heights are rounded to this (m), and angles to that (rad): 1e-5 rad are 1.5 mm at the bow of a ship of 300 m. So an outline
+/// is a function of the state alone, the same in a run and in its replay, and is not cut anew in each step.
+pub(super) const HEIGHT_M: f64 = 1e-3;
+pub(super) const ANGLE_RAD: f64 = 1e-5;
+
+/// Where a fender is on a hull, in whole numbers of [`HEIGHT_M`] and [`ANGLE_RAD`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Posture {
+    /// Height of the fender above the keel at the centre of gravity.
+    height: i64,
+    roll: i64,
+    pitch: i64,
+}
+
+impl Posture {
+    pub(super) fn new(height_m: f64, roll_rad: f64, pitch_rad: f64) -> Posture {
+        let whole = |value: f64, unit: f64| libm::rint(value / unit) as i64;
+        Posture {
+            height: whole(height_m, HEIGHT_M),
+            roll: whole(roll_rad, ANGLE_RAD),
+            pitch: whole(pitch_rad, ANGLE_RAD),
+        }
+    }
+
+    /// Height above the keel at the centre of gravity (m), roll and pitch (rad).
+    pub(super) fn values(self) -> (f64, f64, f64) {
+        let value = |whole: i64, unit: f64| whole as f64 * unit;
+        (value(self.height, HEIGHT_M), value(self.roll, ANGLE_RAD), value(self.pitch, ANGLE_RAD))
+    }
+
+    /// Height of the fender above the keel at a place on the hull (m), for small angles: heel to starboard and trim by the
+    /// bow take that place down, and the fender up on her side.
+    pub(super) fn height_at_m(self, place_m: Vec2) -> f64 {
+        let (height_m, roll_rad, pitch_rad) = self.values();
+        height_m - place_m.x * pitch_rad + place_m.y * roll_rad
+    }
+
+    /// How far heel and trim move a place of the hull for each metre above the centre of gravity (m/m).
+    fn lean(self) -> Vec2 {
+        let (_, roll_rad, pitch_rad) = self.values();
+        vec2(-pitch_rad, roll_rad)
+    }
+
+    /// Where on the upright hull a place at the fender is (m), and its height above the keel (m), within `range_m`.
+    pub(super) fn upright(
+        self,
+        place_m: Vec2,
+        gravity_m: f64,
+        [low_m, high_m]: [f64; 2],
+    ) -> (Vec2, f64) {
+        let mut upright_m = place_m;
+        let mut height_m = 0.0;
+        for _ in 0..3 {
+            height_m = bounded(self.height_at_m(upright_m), low_m, high_m);
+            upright_m = place_m - self.lean() * (height_m - gravity_m);
+        }
+        (upright_m, height_m)
+    }
+}
+
+impl HullByHeight {
+    /// The outline at a fender: each vertex at the height at which the heeled and trimmed hull has it in the fender's
+    /// plane, moved by the heel and trim about the centre of gravity, which is `gravity_m` above the keel. Where the hull
+    /// ends above or below, the end's outline.
+    ///
+    /// Between two sound outlines heel may in theory fold the hull over itself. Then it is the nearest given outline.
+    pub(super) fn cut(&self, posture: Posture, gravity_m: f64) -> Slice {
+        let (height_m, roll_rad, pitch_rad) = posture.values();
+        let [low_m, high_m] = self.range_m();
+        let count = self.levels()[0].vertices_m.len();
+        let (mut vertices_m, mut rates) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        for index in 0..count {
+            let mut own_m = height_m;
+            let (mut at_m, mut rate) = self.vertex(index, own_m);
+            if roll_rad != 0.0 || pitch_rad != 0.0 {
+                // Sides lean by less than 1/angle, so each round brings the height nearer by a factor of angle × slope.
+                for _ in 0..4 {
+                    own_m = posture.height_at_m(at_m);
+                    (at_m, rate) = self.vertex(index, own_m);
+                }
+                let is_side = (low_m..=high_m).contains(&own_m);
+                at_m += posture.lean() * (bounded(own_m, low_m, high_m) - gravity_m);
+                // By the height of the fender: dv/dh₀ = (v′ + lean) dh/dh₀, with h = h₀ − x θ + y φ.
+                let by_fender = 1.0 / (1.0 + rate.x * pitch_rad - rate.y * roll_rad);
+                rate = if is_side { (rate + posture.lean()) * by_fender } else { Vec2::ZERO };
+            }
+            vertices_m.push(at_m);
+            rates.push(rate);
+        }
+        Slice::new(&vertices_m, &rates).unwrap_or_else(|_| self.given(height_m))
+    }
+
+    /// The nearest given outline, as of a vertical side.
+    pub(super) fn given(&self, height_m: f64) -> Slice {
+        let off_m = |level: &super::Level| (level.height_m - height_m).abs();
+        let levels = self.levels();
+        let nearest = levels[1..]
+            .iter()
+            .fold(&levels[0], |best, one| if off_m(one) < off_m(best) { one } else { best });
+        Slice::new(&nearest.vertices_m, &[]).expect("a given outline was checked")
+    }
+}

@@ -1,0 +1,169 @@
+//! The contact engine, with its input and its results as arrays of numbers.
+
+use fenderline_contact::{BodyState, Wrench};
+use fenderline_embed::Engine;
+use serde_json::json;
+
+use crate::numbers::{Rows, of_contact, of_state, of_wrench, state_of, wrench_of};
+use crate::problem::Problem;
+use crate::run::{Source, parse};
+
+/// An engine, its input and its last results.
+pub struct HostedEngine {
+    engine: Engine,
+    states: Rows,
+    loads: Rows,
+    wrenches: Rows,
+    peak_wrenches: Rows,
+    states_after: Rows,
+    contacts: Rows,
+    /// The input as the engine takes it; kept, so that a step allocates nothing.
+    input: (Vec<BodyState>, Vec<Wrench>),
+}
+
+impl HostedEngine {
+    /// An engine for the bodies, fenders and materials of a scenario.
+    ///
+    /// # Errors
+    /// A mistake in the scenario or in the settings.
+    pub fn from_scenario(source: &Source<'_>, settings: &str) -> Result<HostedEngine, Problem> {
+        let settings = crate::model::settings(settings)?;
+        Ok(HostedEngine::new(Engine::from_scenario(parse(source)?, &settings)?))
+    }
+
+    /// An engine of a model in JSON.
+    ///
+    /// # Errors
+    /// A mistake in the model or in the settings.
+    pub fn from_model(model: &str, settings: &str) -> Result<HostedEngine, Problem> {
+        Ok(HostedEngine::new(crate::model::engine(model, settings)?))
+    }
+
+    fn new(engine: Engine) -> HostedEngine {
+        let count = engine.initial_states().len();
+        let mut made = HostedEngine {
+            engine,
+            states: Rows::default(),
+            loads: Rows::default(),
+            wrenches: Rows::default(),
+            peak_wrenches: Rows::default(),
+            states_after: Rows::default(),
+            contacts: Rows::default(),
+            input: (Vec::with_capacity(count), Vec::with_capacity(count)),
+        };
+        made.show_start();
+        made
+    }
+
+    /// The arrays before the first step. They stay where they are, as JavaScript's views need it.
+    fn show_start(&mut self) {
+        let initial = self.engine.initial_states();
+        self.states.set(initial.iter().map(of_state));
+        for rows in [&mut self.loads, &mut self.wrenches, &mut self.peak_wrenches] {
+            rows.set_zero(3 * initial.len());
+        }
+        for rows in [&mut self.states_after, &mut self.contacts] {
+            rows.set_zero(0);
+        }
+    }
+
+    /// One step of `step_s` seconds from the states in the array, with the loads in the array if `with_loads`.
+    ///
+    /// # Errors
+    /// A state, a load or a step that the engine refuses; nothing changes then.
+    pub fn advance(&mut self, step_s: f64, with_loads: bool) -> Result<(), Problem> {
+        let (states, loads) = &mut self.input;
+        states.clear();
+        states.extend(self.states.numbers().chunks_exact(6).map(state_of));
+        loads.clear();
+        loads.extend(self.loads.numbers().chunks_exact(3).map(wrench_of));
+        self.engine.advance(states, with_loads.then_some(loads), step_s)?;
+        self.show()
+    }
+
+    /// Renews the arrays of results.
+    fn show(&mut self) -> Result<(), Problem> {
+        let results = self.engine.results()?;
+        self.wrenches.set(results.wrenches.iter().map(of_wrench));
+        self.peak_wrenches.set(results.peak_wrenches.iter().map(of_wrench));
+        self.states_after.set(results.states_after.iter().map(of_state));
+        self.contacts.set(results.contacts.iter().map(of_contact));
+        Ok(())
+    }
+
+    /// Marks a body as teleported: see [`Engine::mark_teleported`].
+    ///
+    /// # Errors
+    /// There is no such body.
+    pub fn mark_teleported(&mut self, body: usize) -> Result<(), Problem> {
+        Ok(self.engine.mark_teleported(body)?)
+    }
+
+    /// Returns to the start.
+    pub fn reset(&mut self) {
+        self.engine.reset();
+        self.show_start();
+    }
+
+    /// The engine as bytes.
+    #[must_use]
+    pub fn save(&self) -> Vec<u8> {
+        self.engine.save()
+    }
+
+    /// Restores what [`HostedEngine::save`] gave.
+    ///
+    /// # Errors
+    /// Bytes that are not a saved engine of this model and these settings; nothing changes then.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Problem> {
+        self.engine.restore(bytes)?;
+        self.states.set(self.engine.states().iter().map(of_state));
+        if self.engine.results().is_ok() { self.show() } else { Ok(()) }
+    }
+
+    /// Names of bodies and fenders, and notices, as JSON.
+    #[must_use]
+    pub fn description(&self) -> String {
+        let model = self.engine.model();
+        let bodies: Vec<&str> = model.bodies().iter().map(|body| &*body.name).collect();
+        let fenders: Vec<&str> = model.fenders().iter().map(|fender| &*fender.name).collect();
+        json!({ "bodies": bodies, "fenders": fenders, "notices": self.engine.notices() })
+            .to_string()
+    }
+
+    /// Input: states at the step's start, [`crate::numbers::STATE_FIELDS`] of each body.
+    #[must_use]
+    pub fn states(&self) -> &[f64] {
+        self.states.numbers()
+    }
+
+    /// Input: loads, [`crate::numbers::WRENCH_FIELDS`] of each body.
+    #[must_use]
+    pub fn loads(&self) -> &[f64] {
+        self.loads.numbers()
+    }
+
+    /// Result: wrenches for the host, [`crate::numbers::WRENCH_FIELDS`] of each body.
+    #[must_use]
+    pub fn wrenches(&self) -> &[f64] {
+        self.wrenches.numbers()
+    }
+
+    /// Result: the largest wrenches within the step.
+    #[must_use]
+    pub fn peak_wrenches(&self) -> &[f64] {
+        self.peak_wrenches.numbers()
+    }
+
+    /// Result: the engine's states at the step's end; empty where the host moves the bodies.
+    #[must_use]
+    pub fn states_after(&self) -> &[f64] {
+        self.states_after.numbers()
+    }
+
+    /// Result: the contacts, [`crate::numbers::CONTACT_FIELDS`] of each.
+    #[must_use]
+    pub fn contacts(&self) -> &[f64] {
+        self.contacts.numbers()
+    }
+}

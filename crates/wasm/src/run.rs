@@ -1,0 +1,341 @@
+//! A scenario from its text to summary and report.
+
+use std::collections::BTreeMap;
+
+use fenderline_live::Watched;
+use fenderline_report::run_page::{self, Recorder};
+use fenderline_results::{
+    EstimateError, Events, InMemory, Interrupted, KeptTable, KeptValues, Outcome, ProviderNotices,
+    Tables, WorldTotals, summary,
+};
+use fenderline_scenario::{Notice, Override, Place, Scenario};
+use fenderline_sim::{FenderSummary, OutputPlan, Setup, Simulation};
+use fenderline_validate::errors_of;
+use serde_json::{Value, json};
+
+use crate::numbers::{Rows, of_fender, of_state};
+use crate::problem::{Problem, check_size};
+
+/// A scenario as a caller gives it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Source<'a> {
+    /// The scenario.
+    pub text: &'a str,
+    /// Its file's name, for messages and the default title.
+    pub file: &'a str,
+    /// Keys that are replaced, as `KEY=VALUE`.
+    pub set: &'a [String],
+    /// Texts of the files that it names, by their names in it.
+    pub files: BTreeMap<String, String>,
+}
+
+/// What a run is made for, beside its summary.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Wanted {
+    /// Frames for pages, with alarms and events.
+    pub frames: bool,
+    /// Result tables.
+    pub tables: bool,
+}
+
+/// A run.
+pub struct Run {
+    title: String,
+    file: String,
+    report: Vec<(&'static str, String)>,
+    notices: Vec<String>,
+    places: Vec<Value>,
+    wanted: Wanted,
+    watched: Watched,
+    recorder: Recorder,
+    events: Events,
+    world: WorldTotals,
+    tables: Option<Tables<InMemory>>,
+    kept: Vec<KeptTable>,
+    states: Rows,
+    fenders: Rows,
+}
+
+/// Reads and checks a scenario.
+///
+/// # Errors
+/// The first mistake, or a text that is too large.
+pub fn parse(source: &Source<'_>) -> Result<Scenario, Problem> {
+    check_size(source.file, source.text)?;
+    let set: Result<Vec<Override>, _> =
+        source.set.iter().map(|text| Override::parse(text)).collect();
+    let mut read = |name: &str| {
+        let text = source.files.get(name).cloned();
+        text.ok_or_else(|| format!("{name}: its text was not given with the scenario"))
+    };
+    Ok(Scenario::parse_among(source.text, source.file, &set?, &mut read)?)
+}
+
+impl Run {
+    /// A run before its first step.
+    ///
+    /// # Errors
+    /// A mistake in the scenario; one that needs another program to compute forces; a set-up that cannot be simulated.
+    pub fn new(source: &Source<'_>, wanted: Wanted) -> Result<Run, Problem> {
+        let Scenario { title, report, setup, output, notices } = parse(source)?;
+        if !setup.world.providers.is_empty() {
+            return Err(Problem::new(
+                "setup",
+                "the scenario has a [[provider]], a program that computes forces, which only the program \
+                 `fenderline` can start",
+            ));
+        }
+        let simulation = Simulation::new(setup).map_err(|e| Problem::new("setup", e))?;
+        let file = file_name(source.file);
+        let recorder = Recorder::new(simulation.setup(), simulation.energy());
+        let tables = wanted.tables.then(|| tables(&simulation, &output)).transpose()?;
+        let mut run = Run {
+            report,
+            notices: notices.iter().map(recorded).collect(),
+            places: notices.iter().map(notice_json).collect(),
+            wanted,
+            recorder,
+            events: Events::default(),
+            world: WorldTotals::new(simulation.setup()),
+            tables,
+            kept: vec![],
+            watched: Watched::new(simulation, title.clone(), file.clone()),
+            title,
+            file,
+            states: Rows::default(),
+            fenders: Rows::default(),
+        };
+        run.show();
+        Ok(run)
+    }
+
+    /// Takes up to `steps` steps, and fewer at the end of the run. Returns how many.
+    ///
+    /// # Errors
+    /// A step that the simulation cannot make; the run stays at the step before. A number that is not finite.
+    pub fn advance(&mut self, steps: u32) -> Result<u32, Problem> {
+        let mut taken = 0;
+        let mut result = Ok(());
+        while taken < steps && !self.simulation().is_done() {
+            result = self.step();
+            if result.is_err() {
+                break;
+            }
+            taken += 1;
+        }
+        self.show();
+        result.map(|()| taken)
+    }
+
+    fn step(&mut self) -> Result<(), Problem> {
+        let Run { watched, recorder, events, world, tables, .. } = self;
+        let mut written = Ok(());
+        let stepped = watched.step(|record| {
+            recorder.record(record);
+            events.count(record);
+            world.add(record);
+            if let Some(tables) = tables {
+                written = tables.write(record);
+            }
+        });
+        stepped.map_err(|e| Problem::new("step", e))?;
+        written.map_err(|e| Problem::new("step", e))?;
+        if self.wanted.frames {
+            self.watched.note();
+        }
+        Ok(())
+    }
+
+    /// Renews the arrays of states and fenders.
+    fn show(&mut self) {
+        let simulation = self.watched.simulation();
+        self.states.set(simulation.states().iter().map(of_state));
+        self.fenders.set(self.watched.fenders().iter().map(of_fender));
+    }
+
+    /// The simulation in its present state.
+    #[must_use]
+    pub fn simulation(&self) -> &Simulation {
+        self.watched.simulation()
+    }
+
+    /// The states of the bodies: [`crate::numbers::STATE_FIELDS`] of each.
+    #[must_use]
+    pub fn states(&self) -> &[f64] {
+        self.states.numbers()
+    }
+
+    /// The fenders: [`crate::numbers::FENDER_FIELDS`] of each.
+    #[must_use]
+    pub fn fenders(&self) -> &[f64] {
+        self.fenders.numbers()
+    }
+
+    /// Title, names, times and notices, as JSON.
+    #[must_use]
+    pub fn description(&self) -> String {
+        let setup = self.simulation().setup();
+        let bodies: Vec<&str> = setup.bodies.iter().map(|body| &*body.name).collect();
+        let fenders: Vec<&str> = setup.fenders.iter().map(|fender| &*fender.name).collect();
+        let starts = self.simulation().start_findings().iter();
+        let start: Vec<String> = starts.map(|finding| finding.sentence(setup)).collect();
+        json!({
+            "title": self.title,
+            "step_s": setup.step_s,
+            "duration_s": setup.duration_s,
+            "steps": self.simulation().steps_total(),
+            "bodies": bodies,
+            "fenders": fenders,
+            "notices": self.places,
+            "start": start,
+        })
+        .to_string()
+    }
+
+    /// The message that a live page is built from.
+    #[must_use]
+    pub fn hello(&self) -> String {
+        self.watched.hello()
+    }
+
+    /// The present state as a live page shows it, with the events since the last frame.
+    ///
+    /// # Errors
+    /// The run was not made for frames.
+    pub fn frame(&mut self) -> Result<String, Problem> {
+        if !self.wanted.frames {
+            return Err(Problem::new("call", "frames need a run with the option `frames`"));
+        }
+        Ok(self.watched.frame())
+    }
+
+    /// Fingerprint of the state, in hexadecimal.
+    #[must_use]
+    pub fn state_hash(&self) -> String {
+        self.watched.bits()
+    }
+
+    /// The text of `summary.json`, with no files.
+    ///
+    /// # Errors
+    /// A number that is not finite.
+    pub fn summary(&self) -> Result<String, Problem> {
+        self.at_end(|outcome, _| summary(outcome, &[])).map_err(|e| Problem::new("step", e))
+    }
+
+    /// The text of `report.html`.
+    #[must_use]
+    pub fn report(&self) -> String {
+        self.at_end(run_page::render)
+    }
+
+    /// The verdict with its findings, the worst first, as JSON.
+    #[must_use]
+    pub fn verdict(&self) -> String {
+        self.watched.verdict()
+    }
+
+    /// Names of the result tables and of their columns, as JSON. It ends the tables: a later step is not in them.
+    ///
+    /// # Errors
+    /// The run was not made for tables, or a number is not finite.
+    pub fn tables(&mut self) -> Result<String, Problem> {
+        if !self.wanted.tables {
+            return Err(Problem::new("call", "tables need a run with the option `tables`"));
+        }
+        if let Some(tables) = self.tables.take() {
+            self.kept = tables.finish().map_err(|e| Problem::new("step", e))?;
+        }
+        let tables = self.kept.iter().map(table_json).collect();
+        Ok(Value::Array(tables).to_string())
+    }
+
+    /// A column of numbers or of codes of words.
+    #[must_use]
+    pub fn column(&self, table: usize, column: usize) -> Option<&KeptValues> {
+        Some(&self.kept.get(table)?.columns.get(column)?.values)
+    }
+
+    /// Hands the run, as it is now, to `make`.
+    fn at_end<T>(&self, make: impl FnOnce(&Outcome<'_>, &Recorder) -> T) -> T {
+        let simulation = self.simulation();
+        let setup = simulation.setup();
+        let findings = simulation.findings();
+        let fenders: Vec<FenderSummary> = simulation.fender_summaries().cloned().collect();
+        let mut notices = self.notices.clone();
+        notices.extend(simulation.energy_gain().map(|gain| gain.to_string()));
+        let outcome = Outcome {
+            title: &self.title,
+            report: &self.report,
+            scenario_file: &self.file,
+            setup,
+            notices: &notices,
+            interrupted: (!simulation.is_done()).then(|| Interrupted::of(simulation)),
+            steps: simulation.steps_taken(),
+            states: simulation.states(),
+            pairs: simulation.pair_summaries(),
+            energy: simulation.energy(),
+            events: &self.events,
+            findings: &findings,
+            fenders: &fenders,
+            dolphins: simulation.dolphin_summaries(),
+            berthing: simulation.berthing(),
+            world: &self.world,
+            providers: &ProviderNotices::default(),
+            estimate_errors: estimate_errors(setup),
+        };
+        make(&outcome, &self.recorder)
+    }
+}
+
+fn tables(simulation: &Simulation, plan: &OutputPlan) -> Result<Tables<InMemory>, Problem> {
+    Tables::start(&InMemory, simulation.setup(), simulation.energy(), plan)
+        .map_err(|e| Problem::new("step", e))
+}
+
+/// The errors of the formulas of estimated vessels; computed only if there is such a vessel.
+fn estimate_errors(setup: &Setup) -> &'static [EstimateError] {
+    let mut all = setup.world.vessels.iter().map(|vessel| errors_of(&vessel.origin));
+    all.find(|errors| !errors.is_empty()).unwrap_or(&[])
+}
+
+/// The name of a file without folders.
+fn file_name(path: &str) -> String {
+    path.rsplit(['/', '\\']).next().unwrap_or(path).to_owned()
+}
+
+/// A notice for the results: without the file's path, as the program writes it.
+fn recorded(notice: &Notice) -> String {
+    let Notice { place, key, message } = notice;
+    match place {
+        Place::File { line, .. } => format!("line {line}, {key}: {message}"),
+        Place::WholeFile { .. } => format!("{key}: {message}"),
+        Place::Option { text } => format!("{text}, {key}: {message}"),
+    }
+}
+
+/// A notice with its place.
+#[must_use]
+pub fn notice_json(notice: &Notice) -> Value {
+    let Notice { place, key, message } = notice;
+    let (line, column) = match place {
+        Place::File { line, column, .. } => (Some(line), Some(column)),
+        Place::WholeFile { .. } | Place::Option { .. } => (None, None),
+    };
+    json!({ "key": key, "message": message, "line": line, "column": column, "text": notice.to_string() })
+}
+
+fn table_json(table: &KeptTable) -> Value {
+    let columns: Vec<Value> = table
+        .columns
+        .iter()
+        .map(|column| {
+            let words = match &column.values {
+                KeptValues::Texts { words, .. } => Some(words),
+                _ => None,
+            };
+            json!({ "name": column.name, "unit": column.unit, "meaning": column.meaning, "words": words })
+        })
+        .collect();
+    json!({ "name": table.name, "rows": table.rows(), "columns": columns })
+}

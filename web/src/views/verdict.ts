@@ -1,0 +1,69 @@
+/**
+ * The verdict on the run up to the shown tick, and what it comes from. The words are those of the server, which are those
+ * of the terminal and the report.
+ */
+import type { Frame, Gravity, VerdictNow } from "../protocol";
+import { h, setClass, setText } from "../ui/dom";
+import { clock } from "../units";
+import type { View } from "./view";
+
+/** The style class of a gravity; none for what is well or only to be known. */
+const CLASSES: Record<Gravity, "alarm" | "caution" | null> = {
+  ok: null,
+  note: null,
+  attention: "caution",
+  failed: "alarm",
+};
+
+/** Colours an element by gravity. */
+export function setGravity(element: HTMLElement, gravity: Gravity): void {
+  for (const level of ["alarm", "caution"] as const)
+    setClass(element, level, CLASSES[gravity] === level);
+  setClass(element, "well", gravity === "ok");
+}
+
+export class Verdict implements View {
+  private readonly words = h("p", { class: "verdict", "aria-label": "Verdict" });
+  private readonly when = h("p", { class: "note" });
+  private readonly list = h("ul", { class: "rows", "aria-label": "Findings" });
+  private shown = "";
+  readonly root = h(
+    "div",
+    { class: "verdict-view" },
+    this.words,
+    this.when,
+    this.list,
+    h(
+      "p",
+      { class: "note" },
+      "The verdict is the worst finding of the run since its start. Go back on the timeline to see when it came.",
+    ),
+  );
+
+  tick(frame: Frame): void {
+    const { verdict } = frame;
+    setText(this.words, verdict.text);
+    setGravity(this.words, verdict.gravity);
+    const rewound = frame.tick < frame.run.last_tick;
+    setText(
+      this.when,
+      rewound
+        ? `From the start to ${clock(frame.t_s)}, where the run is rewound to.`
+        : `From the start to ${clock(frame.t_s)}.`,
+    );
+    this.find(verdict);
+  }
+
+  private find({ findings }: VerdictNow): void {
+    const key = JSON.stringify(findings);
+    if (key === this.shown) return;
+    this.shown = key;
+    this.list.replaceChildren(
+      ...findings.map(({ gravity, text }) => {
+        const row = h("li", {}, `${text}.`);
+        setGravity(row, gravity);
+        return row;
+      }),
+    );
+  }
+}

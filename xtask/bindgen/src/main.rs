@@ -1,0 +1,31 @@
+//! `xtask-bindgen MODULE.wasm FOLDER`: the JavaScript and types that belong to a compiled module.
+//!
+//! It does what the program `wasm-bindgen` does. That program and the library in the module must be of one version: as
+//! a dependency, the lock file holds them together, and there is nothing to install.
+
+use std::process::ExitCode;
+
+use wasm_bindgen_cli_support::Bindgen;
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [module, folder] = arguments.as_slice() else {
+        eprintln!("usage: xtask-bindgen MODULE.wasm FOLDER");
+        return ExitCode::from(2);
+    };
+    match make(module, folder) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(why) => {
+            eprintln!("{why}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Modules of the web load the same way in browsers and in Node.
+fn make(module: &str, folder: &str) -> Result<(), String> {
+    let mut bindgen = Bindgen::new();
+    let web = bindgen.input_path(module).out_name("raw").typescript(true).web(true);
+    let web = web.map_err(|e| format!("{e:#}"))?;
+    web.omit_default_module_path(true).generate(folder).map_err(|e| format!("{e:#}"))
+}

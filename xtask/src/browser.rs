@@ -1,0 +1,112 @@
+//! The npm package, and the page that runs scenarios in a browser without a server.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+
+use crate::command::{cargo, run};
+use crate::pages::{npm_in, target_folder};
+use crate::step::{Done, Step, run_all};
+use crate::tools;
+
+const TARGET: &str = "wasm32-unknown-unknown";
+/// The npm package's folder.
+pub(crate) const PACKAGE: &str = "crates/wasm/npm";
+const WEB: &str = "web";
+/// The folder that any web server can serve.
+const PAGE: &str = "target/page";
+
+/// The package as it is published: made small by `wasm-opt`, tested under Node, its steps timed.
+const PACKAGE_WHOLE: Step = Step { name: "the npm package", run: package_whole };
+/// The page as it is published, driven in a browser.
+const PAGE_WHOLE: Step = Step { name: "the page without a server", run: page_whole };
+/// The package without `wasm-opt`, which takes a minute, tested under Node.
+pub(crate) const PACKAGE_TESTED: Step =
+    Step { name: "the npm package, not made small", run: package_tested };
+/// The page of that package, driven in a browser.
+pub(crate) const PAGE_DRIVEN: Step =
+    Step { name: "the page without a server, in a browser", run: page_driven };
+
+/// `cargo xtask npm`.
+pub(crate) fn npm_command() -> ExitCode {
+    run_all(&[PACKAGE_WHOLE])
+}
+
+/// `cargo xtask page`.
+pub(crate) fn page_command() -> ExitCode {
+    run_all(&[PACKAGE_WHOLE, PAGE_WHOLE])
+}
+
+/// Builds the package as it is published, and tests it.
+///
+/// # Errors
+/// A failed build or test.
+pub(crate) fn package_whole() -> Result<Done, String> {
+    let done = package(&["optimize", "test", "ratio"])?;
+    println!("{PACKAGE} is ready: `npm pack` there makes the file to publish");
+    Ok(done)
+}
+
+fn package_tested() -> Result<Done, String> {
+    package(&["test"])
+}
+
+/// Builds the package and runs its `scripts`.
+fn package(scripts: &[&str]) -> Result<Done, String> {
+    for missing in [tools::node(), tools::wasm_target()] {
+        if let Err(missing) = missing {
+            return Ok(Done::NotRun(missing));
+        }
+    }
+    let module = ["build", "--profile", "wasm", "--target", TARGET, "--package", "fenderline-wasm"];
+    run(&mut cargo(module))?;
+    run(&mut cargo(["build", "--package", "xtask-bindgen"]))?;
+    let target = target_folder()?;
+    let raw = Path::new(PACKAGE).join("dist").join("raw");
+    if raw.exists() {
+        std::fs::remove_dir_all(&raw).map_err(|e| format!("{}: {e}", raw.display()))?;
+    }
+    let bindgen = target.join("debug").join("xtask-bindgen");
+    let module = target.join(TARGET).join("wasm").join("fenderline_wasm.wasm");
+    run(Command::new(bindgen).arg(module).arg(&raw))?;
+    for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
+        let copy = Path::new(PACKAGE).join(licence);
+        std::fs::copy(licence, &copy).map_err(|e| format!("{}: {e}", copy.display()))?;
+    }
+    run(&mut npm_in(PACKAGE, &["ci", "--no-audit", "--no-fund"]))?;
+    run(&mut npm_in(PACKAGE, &["run", "types"]))?;
+    let [program, native] = native_programs(&target)?;
+    for script in scripts {
+        let mut script = npm_in(PACKAGE, &["run", script]);
+        run(script.env("FENDERLINE_BIN", &program).env("FENDERLINE_NATIVE", &native))?;
+    }
+    Ok(Done::Good)
+}
+
+/// The program, and that which makes the same runs as the package natively.
+fn native_programs(target: &Path) -> Result<[PathBuf; 2], String> {
+    run(&mut cargo(["build", "--release", "--package", "fenderline"]))?;
+    let native = ["build", "--release", "--package", "fenderline-wasm", "--example", "native"];
+    run(&mut cargo(native))?;
+    let release = target.join("release");
+    Ok([release.join("fenderline"), release.join("examples").join("native")])
+}
+
+fn page_whole() -> Result<Done, String> {
+    let done = page_driven()?;
+    println!("{PAGE} is ready: any web server serves it");
+    Ok(done)
+}
+
+/// Builds the page of the package that was built before, weighs it, and runs all tests of `web/e2e-page`.
+fn page_driven() -> Result<Done, String> {
+    for missing in [tools::node(), tools::chromium(), tools::wasm_target()] {
+        if let Err(missing) = missing {
+            return Ok(Done::NotRun(missing));
+        }
+    }
+    run(&mut npm_in(WEB, &["ci", "--no-audit", "--no-fund"]))?;
+    run(&mut npm_in(WEB, &["run", "build:page"]))?;
+    let program = target_folder()?.join("release").join("fenderline");
+    run(npm_in(WEB, &["run", "e2e:page"]).env("FENDERLINE_BIN", program))?;
+    Ok(Done::Good)
+}

@@ -1,0 +1,39 @@
+//! Archives of folders, with fixed times and owners: the same content gives the same bytes.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::command::run_quietly;
+use crate::tools;
+
+/// Writes a zip file with times of 1980, the earliest that the format knows.
+const ZIP: &str = "\
+import sys, zipfile
+from pathlib import Path
+folder, out = Path(sys.argv[1]), sys.argv[2]
+with zipfile.ZipFile(out, 'w', zipfile.ZIP_DEFLATED) as archive:
+    for file in sorted(path for path in folder.rglob('*') if path.is_file()):
+        info = zipfile.ZipInfo(str(file.relative_to(folder.parent).as_posix()), (1980, 1, 1, 0, 0, 0))
+        info.compress_type, info.external_attr = zipfile.ZIP_DEFLATED, 0o644 << 16
+        archive.writestr(info, file.read_bytes())
+";
+
+/// Packs a folder beside itself, for Windows into `FOLDER.zip`, otherwise into `FOLDER.tar.gz`. Returns the archive.
+///
+/// # Errors
+/// A failure of `tar` or Python.
+pub(super) fn pack(folder: &Path, as_zip: bool) -> Result<PathBuf, String> {
+    let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let within = folder.parent().unwrap_or(Path::new(""));
+    let archive = within.join(format!("{name}.{}", if as_zip { "zip" } else { "tar.gz" }));
+    if as_zip {
+        let python = tools::python().map_err(|missing| format!("{} is missing", missing.tool))?;
+        run_quietly(Command::new(python).args(["-c", ZIP]).arg(folder).arg(&archive))?;
+    } else {
+        let mut tar = Command::new("tar");
+        tar.args(["--sort=name", "--owner=0", "--group=0", "--numeric-owner", "--mtime=@0"]);
+        tar.args(["--use-compress-program", "gzip -n9", "-cf"]).arg(&archive);
+        run_quietly(tar.arg("-C").arg(within).arg(&name))?;
+    }
+    Ok(archive)
+}

@@ -1,0 +1,235 @@
+//! `cargo xtask dist`: everything that a release hands out, into `target/dist`: programs, C libraries and Python wheels for
+//! Linux on x86-64 and 64-bit Arm and for Windows, FMU libraries within the programs, the source distribution, licences,
+//! bills of materials and check sums. `cargo xtask dist cheap` is the part that continuous integration runs.
+//!
+//! Zig links for an old glibc (2.17, of 2012), so that programs and libraries run on Linux systems that are older than this
+//! one. Zig, cargo-zigbuild, maturin and twine come from PyPI, in the versions of `xtask/dist-requirements.txt`.
+
+mod archive;
+mod c_package;
+mod platforms;
+mod publish;
+mod python;
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+
+use self::platforms::Platform;
+use crate::browser;
+use crate::command::{run, run_quietly};
+use crate::program::copy_stripped;
+use crate::step::{Done, Step, run_all};
+use crate::tools;
+use crate::virtual_environment::target_folder;
+
+/// The part for continuous integration.
+pub(crate) const CHEAP: Step = Step { name: "packages for release, the cheap half", run: cheap };
+
+/// The whole, in order.
+const STEPS: [Step; 8] = [
+    Step { name: "tools", run: || platforms::tools().map(|_| Done::Good) },
+    Step { name: "libraries of FMUs, C libraries", run: libraries },
+    Step { name: "programs", run: programs },
+    Step { name: "C packages", run: c_packages },
+    Step {
+        name: "Python wheels and source distribution",
+        run: || python::all().map(|()| Done::Good),
+    },
+    Step { name: "npm package", run: npm },
+    Step { name: "crates and Python packages could be published", run: published },
+    Step { name: "check sums", run: sums },
+];
+
+/// `cargo xtask dist`.
+pub(crate) fn dist_command() -> ExitCode {
+    let folder = folder();
+    if folder.exists()
+        && let Err(e) = std::fs::remove_dir_all(&folder)
+    {
+        eprintln!("{}: {e}", folder.display());
+        return ExitCode::FAILURE;
+    }
+    run_all(&STEPS)
+}
+
+/// `cargo xtask dist cheap`.
+pub(crate) fn cheap_command() -> ExitCode {
+    run_all(&[CHEAP])
+}
+
+/// `cargo xtask dist c PREFIX`: builds the C library for this machine and installs it, with its headers, pkg-config and CMake
+/// files, into a folder such as `/usr/local`.
+pub(crate) fn install_c_command(prefix: &str) -> ExitCode {
+    let prefix = Path::new(prefix);
+    match c_package::build_here().and_then(|()| c_package::make(&Platform::own(), prefix)) {
+        Ok(()) => {
+            println!("installed into {}", prefix.display());
+            println!("for programs: PKG_CONFIG_PATH={}", prefix.join("lib/pkgconfig").display());
+            println!("              cmake -DCMAKE_PREFIX_PATH={}", prefix.display());
+            ExitCode::SUCCESS
+        }
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Where the packages go.
+fn folder() -> PathBuf {
+    target_folder().join("dist")
+}
+
+/// The version of the workspace, which all packages have.
+fn version() -> Result<String, String> {
+    let manifest = std::fs::read_to_string("Cargo.toml").map_err(|e| format!("Cargo.toml: {e}"))?;
+    let versions: Vec<&str> = manifest
+        .lines()
+        .filter_map(|line| line.split_once("version = \"")?.1.split_once('"'))
+        .map(|(version, _)| version)
+        .collect();
+    let version = *versions.first().ok_or("Cargo.toml has no version")?;
+    // The crates' requirements of each other.
+    let own = manifest.lines().filter(|line| line.contains("path = \"crates/"));
+    match own.into_iter().find(|line| !line.contains(&format!("version = \"{version}\""))) {
+        None => Ok(version.to_owned()),
+        Some(line) => Err(format!("Cargo.toml: not version {version}: {line}")),
+    }
+}
+
+fn libraries() -> Result<Done, String> {
+    for platform in Platform::ALL {
+        let soname = c_package::soname()?;
+        let mut build = platform.cargo("build")?;
+        build.args(["--release", "--package", "fenderline-fmu", "--package", "fenderline-capi"]);
+        run(build.args(["--target", &platform.target()]).env("FENDERLINE_SONAME", soname))?;
+        let library = platform.library("fenderline_fmu");
+        let place = fmu_libraries().join(platform.tuple).join(&library);
+        copy_stripped(platform.strip, &platform.built(&library), &place)?;
+        println!("{}: {} kB", platform.name, size(&place)? / 1000);
+    }
+    Ok(Done::Good)
+}
+
+/// The folder from which programs take the libraries of FMUs.
+fn fmu_libraries() -> PathBuf {
+    target_folder().join("dist-fmu-libraries")
+}
+
+fn programs() -> Result<Done, String> {
+    for platform in Platform::ALL {
+        let mut build = platform.cargo("build")?;
+        build.args(["--release", "--package", "fenderline", "--target", &platform.target()]);
+        run(build.env(crate::program::LIBRARIES, fmu_libraries()))?;
+        let name = format!("fenderline-{}-{}", version()?, platform.name);
+        let folder = folder().join(&name);
+        let program = platform.program("fenderline");
+        copy_stripped(platform.strip, &platform.built(&program), &folder.join(&program))?;
+        copy(Path::new("README.md"), &folder)?;
+        copy(Path::new("CHANGELOG.md"), &folder)?;
+        licences("fenderline", &folder, &[platform.triple])?;
+        let size = size(&folder.join(&program))?;
+        let archive = archive::pack(&folder, platform.is_windows())?;
+        println!("{}: {:.1} MB", archive.display(), size as f64 / 1e6);
+    }
+    Ok(Done::Good)
+}
+
+fn c_packages() -> Result<Done, String> {
+    for platform in Platform::ALL {
+        let name = format!("fenderline-c-{}-{}", version()?, platform.name);
+        let folder = folder().join(&name);
+        c_package::make(&platform, &folder)?;
+        licences("fenderline-capi", &folder, &[platform.triple])?;
+        if platform.is_own() {
+            c_package::find(&folder)?;
+        }
+        println!("{}", archive::pack(&folder, platform.is_windows())?.display());
+    }
+    Ok(Done::Good)
+}
+
+/// The npm package, tested under Node, as `npm pack` makes it.
+fn npm() -> Result<Done, String> {
+    match browser::package_whole()? {
+        Done::Good => {}
+        missing => return Ok(missing),
+    }
+    let mut pack = Command::new("npm");
+    pack.args(["pack", "--pack-destination"]).arg(folder()).current_dir(browser::PACKAGE);
+    run(&mut pack)?;
+    Ok(Done::Good)
+}
+
+fn published() -> Result<Done, String> {
+    publish::crates(true)?;
+    python::checked()?;
+    Ok(Done::Good)
+}
+
+/// `SHA256SUMS` of all files for download, as `sha256sum --check` reads it.
+fn sums() -> Result<Done, String> {
+    let folder = folder();
+    let mut names = Vec::new();
+    let entries = std::fs::read_dir(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+    for entry in entries.flatten().filter(|entry| entry.path().is_file()) {
+        names.push(entry.file_name().to_string_lossy().into_owned());
+    }
+    names.sort();
+    let sums = run_quietly(Command::new("sha256sum").args(&names).current_dir(&folder))?;
+    let file = folder.join("SHA256SUMS");
+    std::fs::write(&file, &sums).map_err(|e| format!("{}: {e}", file.display()))?;
+    print!("{sums}");
+    Ok(Done::Good)
+}
+
+/// A C package of this machine, installed, found and used; licences and bills of materials; what the crates' packages and
+/// the source distribution hold.
+fn cheap() -> Result<Done, String> {
+    for missing in [tools::c_compiler(), tools::cmake(), tools::python().map(|_| ())] {
+        if let Err(missing) = missing {
+            return Ok(Done::NotRun(missing));
+        }
+    }
+    let folder = target_folder().join("dist-cheap");
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+    }
+    let platform = Platform::own();
+    c_package::build_here()?;
+    c_package::make(&platform, &folder.join("c"))?;
+    // Once more over the first, as an installation into a prefix that has an older one.
+    c_package::make(&platform, &folder.join("c"))?;
+    c_package::find(&folder.join("c"))?;
+    let triples: Vec<&str> = Platform::ALL.iter().map(|platform| platform.triple).collect();
+    licences("fenderline", &folder.join("program"), &triples)?;
+    licences("fenderline-capi", &folder.join("c"), &triples)?;
+    publish::crates(false)?;
+    version()?;
+    Ok(Done::Good)
+}
+
+/// The project's licences, those of all dependencies, and the bill of materials.
+fn licences(package: &str, folder: &Path, triples: &[&str]) -> Result<(), String> {
+    copy(Path::new("LICENSE-MIT"), folder)?;
+    copy(Path::new("LICENSE-APACHE"), folder)?;
+    let python = tools::python().map_err(|missing| format!("{} is missing", missing.tool))?;
+    let mut collect = Command::new(python);
+    collect.args(["-B", "xtask/third_party.py", "--package", package, "--out"]).arg(folder);
+    if package == "fenderline" {
+        collect.arg("--pages");
+    }
+    run(collect.args(triples))
+}
+
+fn copy(file: &Path, folder: &Path) -> Result<(), String> {
+    std::fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+    let name = file.file_name().unwrap_or_default();
+    std::fs::copy(file, folder.join(name))
+        .map(|_| ())
+        .map_err(|e| format!("{}: {e}", file.display()))
+}
+
+fn size(file: &Path) -> Result<u64, String> {
+    std::fs::metadata(file).map(|of| of.len()).map_err(|e| format!("{}: {e}", file.display()))
+}
