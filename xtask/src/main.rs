@@ -25,6 +25,7 @@ mod passivity;
 mod program;
 mod same_bits;
 mod scenarios;
+mod slurm;
 mod state_hashes;
 mod step;
 mod test;
@@ -40,6 +41,7 @@ const USAGE: &str = "\
 usage: cargo xtask test                   everything that a change must pass
        cargo xtask program [PROFILE]      the program for this machine as one file that needs nothing else
        cargo xtask alone [dev]            that program in an empty folder, with the sources, cargo and Node hidden
+       cargo xtask slurm                  a campaign as an array of a Slurm of this machine, as root
        cargo xtask attack [together] [SECONDS] [SEED] [PART]...
                                           all hostile checks, or the named ones: one after the other in SECONDS
                                           (default: 600), or together, each for SECONDS
@@ -80,6 +82,7 @@ fn main() -> ExitCode {
         ["program"] => program::program_command("release"),
         ["program", profile] => program::program_command(profile),
         ["alone"] => alone::alone_command("release"),
+        ["slurm"] => slurm::slurm_command(),
         ["alone", "dev"] => alone::alone_command("dev"),
         ["attack", arguments @ ..] => attack::attack_command(arguments),
         ["fuzz"] => fuzz::fuzz_command(fuzz::SECONDS),

@@ -19,6 +19,7 @@ use crate::nautical;
 use crate::pages;
 use crate::passivity;
 use crate::scenarios;
+use crate::slurm;
 use crate::step::{Done, Step, run_all};
 use crate::tools;
 use crate::wrappers;
@@ -54,6 +55,7 @@ pub(crate) fn test() -> ExitCode {
         browser::PACKAGE_TESTED,
         browser::PAGE_DRIVEN,
         alone::STEP,
+        slurm::STEP,
         Step { name: "attacks", run: || attack::attack(attack::SECONDS, attack::SEED, &[]) },
     ])
 }
