@@ -1,4 +1,5 @@
 //! Campaigns: many runs of one scenario with values that are drawn from distributions, their tables and statistics.
 
+pub mod report;
 pub mod statistics;
 pub mod table;

@@ -105,4 +105,5 @@ pub use overrides::{Override, set_keys};
 pub use printable::{escaped_json, printable_line, printable_number, printable_text};
 pub use scenario::Scenario;
 pub use schema::{campaign_schema, fender_schema, schema, vessel_schema};
+pub use suggest::nearest;
 pub use vessels::{Belting, DeckPoint, Shaft, Stability, VesselData, VesselLibrary};
