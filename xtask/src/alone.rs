@@ -32,8 +32,11 @@ const CURVE: &str =
 const STUDY: &str = "scenario = \"berthing.toml\"\n\
     [variable.duration]\nkey = \"time.duration\"\nvalues = [\"5 s\", \"10 s\"]\n";
 
+/// Berthing speeds for `statistics`.
+const SPEEDS: &str = "speed [cm/s]\n4.1\n5.2\n6.0\n6.3\n7.1\n7.4\n8.8\n9.9\n11.5\n15.2\n16.0\n";
+
 /// Commands with their arguments, and files that they must write.
-const COMMANDS: [(&[&str], &[&str]); 19] = [
+const COMMANDS: [(&[&str], &[&str]); 20] = [
     (&["--version"], &[]),
     (&["run", "berthing.toml", "--out", "run"], &["run/report.html", "run/summary.json"]),
     (&["run", "vessels.toml", "--out", "vessels", "--format", "parquet"], &["vessels/report.html"]),
@@ -43,6 +46,10 @@ const COMMANDS: [(&[&str], &[&str]); 19] = [
     (
         &["campaign", "study.toml", "--out", "study", "--xlsx", "study.xlsx"],
         &["study/cases.csv", "study/figure.html", "study.xlsx"],
+    ),
+    (
+        &["statistics", "speeds.csv", "--column", "speed", "--per-year", "60", "--out", "speeds"],
+        &["speeds/statistics.html", "speeds/statistics.json"],
     ),
     (&["manoeuvre", "kvlcc2", "turning"], &[]),
     (&["vessels"], &[]),
@@ -95,7 +102,7 @@ fn alone(profile: &str) -> Result<Done, String> {
     copy(&program, "fenderline")?;
     copy(Path::new(BERTHING), "berthing.toml")?;
     copy(Path::new(VESSELS), "vessels.toml")?;
-    for (name, text) in [("curve.csv", CURVE), ("study.toml", STUDY)] {
+    for (name, text) in [("curve.csv", CURVE), ("study.toml", STUDY), ("speeds.csv", SPEEDS)] {
         std::fs::write(place.folder.join(name), text).map_err(|e| format!("{name}: {e}"))?;
     }
     place.is_hidden()?;

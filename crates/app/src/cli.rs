@@ -7,6 +7,8 @@ use std::path::PathBuf;
 
 use clap::builder::{PathBufValueParser, PossibleValue, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use fenderline_campaign::statistics::Confidence;
+use fenderline_campaign::statistics::fit::Law;
 use fenderline_campaign::store::Shard;
 use fenderline_fmu::Platform;
 use fenderline_nautical::{ChartOrigin, GeoPoint};
@@ -41,6 +43,8 @@ pub(crate) enum Command {
     /// Make many runs of a scenario, with every combination of some values or with values drawn from distributions: a table with a
     /// row a case, and a figure or report
     Campaign(CampaignArgs),
+    /// Statistics of a column of a table, such as measured berthing speeds: exceedance, fits and design values with their bands
+    Statistics(StatisticsArgs),
     /// Recompute published cases and compare them with the published numbers; exit code 1 if one is out of
     /// tolerance
     Validate(ValidateArgs),
@@ -464,6 +468,50 @@ fn shard(text: &str) -> Result<Shard, String> {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct StatisticsArgs {
+    /// Table: a csv file with a line of names, as in `speed [cm/s]`, or a Parquet file, such as the table of a campaign
+    #[arg(value_name = "TABLE", value_parser = input_file())]
+    pub(crate) table: PathBuf,
+    /// Column of numbers [default: list the columns]
+    #[arg(long, value_name = "NAME")]
+    pub(crate) column: Option<String>,
+    /// Column with the weights of importance sampling [default: all rows count alike]
+    #[arg(long, value_name = "NAME", requires = "column")]
+    pub(crate) weights: Option<String>,
+    /// Berthings a year [default: values of rare single berthings]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, requires = "column")]
+    pub(crate) per_year: Option<f64>,
+    /// Return periods in years [default: 10,50,100]
+    #[arg(
+        long,
+        value_name = "YEARS",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        requires = "per_year"
+    )]
+    pub(crate) return_period: Vec<f64>,
+    /// Lifetime in years, for the largest of its berthings
+    #[arg(long, value_name = "YEARS", allow_hyphen_values = true, requires = "per_year")]
+    pub(crate) life: Option<f64>,
+    /// Laws to fit: normal, lognormal, weibull, gumbel, gev, gpd [default: lognormal,weibull,gumbel,gev; gpd too with
+    /// --threshold]
+    #[arg(long, value_name = "NAME", value_delimiter = ',', requires = "column")]
+    pub(crate) fit: Vec<Law>,
+    /// Threshold of the fit gpd, in the unit of the column
+    #[arg(long, value_name = "X", allow_hyphen_values = true, requires = "column")]
+    pub(crate) threshold: Option<f64>,
+    /// Confidence level of the bands
+    #[arg(long, value_name = "LEVEL", default_value = "0.95", allow_hyphen_values = true)]
+    pub(crate) confidence: Confidence,
+    /// Print JSON instead of text
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Folder for statistics.html and statistics.json [default: none]
+    #[arg(long, value_name = "DIR", value_parser = output_folder(), requires = "column")]
+    pub(crate) out: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct ValidateArgs {
     /// Folder for validation.html, validation.csv and validation.json [default: none]
     #[arg(long, value_name = "DIR", value_parser = output_folder())]
@@ -867,6 +915,7 @@ impl Cli {
         match &self.command {
             Command::Run(args) => args.json,
             Command::Check(args) => args.json,
+            Command::Statistics(args) => args.json,
             Command::Validate(args) => args.json,
             Command::Manoeuvre(args) => args.json,
             _ => false,

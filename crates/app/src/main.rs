@@ -1,6 +1,6 @@
 //! fenderline: contact of ships, fenders, quays and tugs from a scenario file.
 //!
-//! `cli` is the command line; `run`, `report`, `campaign`, `check`, `validate`, `manoeuvre`, `vessels`, `fenders`, `fender`, `init` and `fmu` are the
+//! `cli` is the command line; `run`, `report`, `campaign`, `statistics`, `check`, `validate`, `manoeuvre`, `vessels`, `fenders`, `fender`, `init` and `fmu` are the
 //! commands; `man` makes completions and manual pages; `load` reads a scenario; `interrupt` handles Ctrl-C;
 //! `output` writes the result files, `documents` PDF and workbook; `provider` exchanges data with other programs that apply forces to bodies.
 
@@ -26,6 +26,7 @@ mod provider;
 mod report;
 mod run;
 mod serve;
+mod statistics;
 mod terminal;
 mod validate;
 mod vessels;
@@ -66,6 +67,7 @@ fn main() -> ExitCode {
         Command::Report(args) => report::report(args),
         Command::Check(args) => check::check(args),
         Command::Campaign(args) => campaign::campaign(args),
+        Command::Statistics(args) => statistics::statistics(args),
         Command::Validate(args) => validate::validate(args),
         Command::Manoeuvre(args) => manoeuvre::manoeuvre(args),
         Command::Vessels(args) => vessels::vessels(args),

@@ -2,6 +2,7 @@
 
 mod draw;
 mod error;
+pub mod report;
 mod row;
 mod run;
 pub mod statistics;

@@ -11,13 +11,20 @@ pub struct Axis {
     unit: String,
     included: Option<(f64, f64)>,
     is_tight: bool,
+    is_logarithmic: bool,
 }
 
 impl Axis {
     /// An axis whose title reads `label [unit]`; an empty `unit` leaves the bracket out. Its range
     /// is that of the data, widened to round numbers.
     pub fn new(label: &str, unit: &str) -> Axis {
-        Axis { label: label.to_owned(), unit: unit.to_owned(), included: None, is_tight: false }
+        Axis {
+            label: label.to_owned(),
+            unit: unit.to_owned(),
+            included: None,
+            is_tight: false,
+            is_logarithmic: false,
+        }
     }
 
     /// Extends the range to `value`.
@@ -30,6 +37,12 @@ impl Axis {
     /// Ends exactly at the last value in place of a round number.
     pub fn tight(mut self) -> Axis {
         self.is_tight = true;
+        self
+    }
+
+    /// Makes the axis logarithmic, from one power of ten to another; values that are not positive are not drawn.
+    pub fn logarithmic(mut self) -> Axis {
+        self.is_logarithmic = true;
         self
     }
 
@@ -48,6 +61,9 @@ impl Axis {
     /// The range and ticks for data between the extremes of `values`; values that are not finite
     /// are passed over.
     pub(super) fn fit(&self, values: impl Iterator<Item = f64>, ticks_wanted: u32) -> Fitted {
+        if self.is_logarithmic {
+            return self.fit_decades(values);
+        }
         let extremes = values.filter(|v| v.is_finite()).fold(self.included, |range, v| {
             let (lo, hi) = range.unwrap_or((v, v));
             Some((lesser(lo, v), greater(hi, v)))
@@ -60,6 +76,29 @@ impl Axis {
             return Fitted::new(lo, hi, step);
         }
         Fitted::new(libm::floor(lo / step) * step + 0.0, libm::ceil(hi / step) * step + 0.0, step)
+    }
+}
+
+impl Axis {
+    /// A logarithmic range of whole decades.
+    fn fit_decades(&self, values: impl Iterator<Item = f64>) -> Fitted {
+        let included = self.included.into_iter().flat_map(|(lo, hi)| [lo, hi]);
+        let positive = included.chain(values).filter(|v| v.is_finite() && *v > 0.0);
+        let extremes = positive.fold(None, |range, v| {
+            let (lo, hi) = range.unwrap_or((v, v));
+            Some((lesser(lo, v), greater(hi, v)))
+        });
+        let (lo, hi) = extremes.unwrap_or((0.1, 1.0));
+        let slack = 1e-9;
+        let first = libm::floor(libm::log10(lo) + slack) + 0.0;
+        let last = libm::ceil(libm::log10(hi) - slack) + 0.0;
+        Fitted {
+            lo: first,
+            hi: if last > first { last } else { first + 1.0 },
+            // Every decade, or every second one and so on where there are many.
+            step: greater(libm::ceil((last - first) / 12.0), 1.0),
+            is_logarithmic: true,
+        }
     }
 }
 
@@ -99,15 +138,18 @@ pub(super) struct Fitted {
     pub(super) lo: f64,
     pub(super) hi: f64,
     step: f64,
+    /// Ends and step are powers of ten.
+    is_logarithmic: bool,
 }
 
 impl Fitted {
     pub(super) fn new(lo: f64, hi: f64, step: f64) -> Fitted {
-        Fitted { lo, hi, step }
+        Fitted { lo, hi, step, is_logarithmic: false }
     }
 
     /// Where `value` lies, 0 at the low end and 1 at the high end.
     pub(super) fn share(&self, value: f64) -> f64 {
+        let value = if self.is_logarithmic { libm::log10(value) } else { value };
         (value - self.lo) / (self.hi - self.lo)
     }
 
@@ -122,9 +164,33 @@ impl Fitted {
         (0..=count)
             .map(|i| {
                 let value = (first + f64::from(i)) * self.step;
+                if self.is_logarithmic {
+                    return (libm::exp10(value), power_of_ten(value as i32));
+                }
                 (value, fixed(value, decimals))
             })
             .collect()
+    }
+}
+
+/// A power of ten as a label: whole numbers and decimals near 1, else with a raised exponent.
+fn power_of_ten(exponent: i32) -> String {
+    match exponent {
+        0..=3 => fixed(libm::exp10(f64::from(exponent)), 0),
+        -2..0 => fixed(libm::exp10(f64::from(exponent)), usize::try_from(-exponent).unwrap_or(0)),
+        _ => {
+            let raised = |c: char| match c {
+                '-' => '⁻',
+                '1' => '¹',
+                '2' => '²',
+                '3' => '³',
+                // The others stand in a row.
+                digit => {
+                    char::from_u32(0x2070 + u32::from(digit) - u32::from('0')).unwrap_or(digit)
+                }
+            };
+            format!("10{}", exponent.to_string().chars().map(raised).collect::<String>())
+        }
     }
 }
 
@@ -140,6 +206,18 @@ mod tests {
         let fitted = Axis::new("depth", "m").fit([0.0, 0.96].into_iter(), 5);
         let labels: Vec<_> = fitted.ticks().into_iter().map(|(_, label)| label).collect();
         assert_eq!(labels, ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
+    }
+
+    #[test]
+    fn a_logarithmic_axis_has_a_tick_a_decade() {
+        let fitted = Axis::new("p", "").logarithmic().fit([0.5, 2e-4, 0.0, -1.0].into_iter(), 5);
+        let labels: Vec<_> = fitted.ticks().into_iter().map(|(_, label)| label).collect();
+        assert_eq!(labels, ["10⁻⁴", "10⁻³", "0.01", "0.1", "1"]);
+        assert!((fitted.share(0.01) - 0.5).abs() < 1e-12);
+        assert!(!fitted.share(0.0).is_finite() && !fitted.share(-1.0).is_finite());
+        let fitted = Axis::new("p", "").logarithmic().fit([1e-40, 1e40].into_iter(), 5);
+        assert!(fitted.ticks().len() < 14);
+        assert!(Axis::new("p", "").logarithmic().fit([].into_iter(), 5).ticks().len() == 2);
     }
 
     /// On aarch64 the minimum of +0 and −0 was −0, and the report's axis began at "-0"; on x86 it was +0.

@@ -41,6 +41,8 @@ pub struct Reference {
 const WIDTH: f64 = 720.0;
 /// Four charts go on a page of A4.
 const HEIGHT: f64 = 216.0;
+/// Of a tall chart.
+const TALL: f64 = 400.0;
 const TOP: f64 = 10.0;
 const BOTTOM: f64 = 40.0;
 const RIGHT: f64 = 16.0;
@@ -56,10 +58,11 @@ struct Area {
     x: Fitted,
     y: Fitted,
     left: f64,
+    height: f64,
 }
 
 impl Area {
-    fn of(chart: &Chart) -> Area {
+    fn of(chart: &Chart, height: f64) -> Area {
         let points = || chart.series.iter().flat_map(|s| &s.points);
         let references = chart.references.iter().map(|r| r.value);
         let x = chart.x.fit(points().map(|p| p.x), 10);
@@ -67,7 +70,7 @@ impl Area {
         let longest = y.ticks().iter().map(|(_, label)| label.chars().count()).max().unwrap_or(1);
         let left = 30.0 + DIGIT * u32::try_from(longest).map_or(20.0, f64::from);
         let left = greater(left, LEAST_LEFT);
-        Area { x, y, left }
+        Area { x, y, left, height }
     }
 
     fn right(&self) -> f64 {
@@ -75,11 +78,16 @@ impl Area {
     }
 
     fn base(&self) -> f64 {
-        HEIGHT - BOTTOM
+        self.height - BOTTOM
     }
 
     fn px(&self, x: f64) -> f64 {
         self.left + self.x.share(x) * (self.right() - self.left)
+    }
+
+    /// Whether a point has a place: on a logarithmic axis zero has none.
+    fn holds(&self, point: &Point) -> bool {
+        self.px(point.x).is_finite() && self.py(point.y).is_finite()
     }
 
     fn py(&self, y: f64) -> f64 {
@@ -90,13 +98,22 @@ impl Area {
 impl Chart {
     /// The chart as a `figure` with its title, legend and note.
     pub fn render(&self) -> Markup {
-        let area = Area::of(self);
+        self.render_of(HEIGHT, "chart")
+    }
+
+    /// As [`Chart::render`], twice as high: for curves that are read off.
+    pub fn render_tall(&self) -> Markup {
+        self.render_of(TALL, "chart tall")
+    }
+
+    fn render_of(&self, height: f64, class: &str) -> Markup {
+        let area = Area::of(self, height);
         let is_empty = self.series.iter().all(|s| s.points.is_empty());
         html! {
-            figure class="chart" {
+            figure class=(class) {
                 figcaption { (self.title) }
                 @if self.series.len() > 1 { (self.legend()) }
-                svg viewBox={ "0 0 " (WIDTH) " " (HEIGHT) } role="img" aria-label=(self.title)
+                svg viewBox={ "0 0 " (WIDTH) " " (height) } role="img" aria-label=(self.title)
                     data-link=[self.linked]
                     data-x=(format!("{} {} {:.2} {:.2}", area.x.lo, area.x.hi, area.left, area.right()))
                     data-y=(format!("{} {} {:.2} {:.2}", area.y.lo, area.y.hi, area.base(), TOP))
@@ -119,15 +136,22 @@ impl Chart {
     fn legend(&self) -> Markup {
         html! {
             ul class="legend" {
-                @for (index, series) in self.series.iter().enumerate() {
+                // A series without a name belongs to the one before.
+                @for (index, series) in self.series.iter().enumerate().filter(|(_, s)| !s.name.is_empty()) {
                     @let style = series.style.unwrap_or(index);
                     li {
                         svg width="30" height="12" viewBox="0 0 30 12" aria-hidden="true" {
-                            @if series.drawn != Drawn::Marks {
+                            @if series.drawn == Drawn::Band {
+                                rect class="band" x="1" y="1" width="28" height="10" fill=(colour(style)) {}
+                            }
+                            @if series.drawn == Drawn::Dots {
+                                path class="dots" d="M5,8h0M14,4h0M24,7h0" stroke=(colour(style)) {}
+                            }
+                            @if matches!(series.drawn, Drawn::Line | Drawn::LineAndMarks) {
                                 path d="M1,6H29" fill="none" stroke=(colour(style))
                                     stroke-width="1.8" stroke-dasharray=(dash(style)) {}
                             }
-                            @if series.drawn != Drawn::Line { (mark(style, 15.0, 6.0)) }
+                            @if matches!(series.drawn, Drawn::Marks | Drawn::LineAndMarks) { (mark(style, 15.0, 6.0)) }
                         }
                         (series.name)
                     }
@@ -164,7 +188,7 @@ impl Chart {
                         y=(format!("{:.1}", area.py(value) + 3.8)) text-anchor="end" { (label) }
                 }
             }
-            text class="axis" x=(format!("{:.1}", (left + right) / 2.0)) y=(HEIGHT - 6.0)
+            text class="axis" x=(format!("{:.1}", (left + right) / 2.0)) y=(area.height - 6.0)
                 text-anchor="middle" { (self.x.title()) }
             text class="axis" text-anchor="middle"
                 transform=(format!("translate(12 {middle:.1}) rotate(-90)")) { (self.y.title()) }
@@ -185,12 +209,18 @@ fn reference_line(reference: &Reference, area: &Area) -> Markup {
 
 fn drawn_series(series: &Series, style: usize, area: &Area) -> Markup {
     html! {
-        @if series.drawn != Drawn::Marks {
+        @if series.drawn == Drawn::Band {
+            path class="band" d=(area_of(&series.points, area)) fill=(colour(style)) {}
+        }
+        @if series.drawn == Drawn::Dots {
+            path class="dots" d=(dots_of(&series.points, area)) stroke=(colour(style)) {}
+        }
+        @if matches!(series.drawn, Drawn::Line | Drawn::LineAndMarks) {
             path class="line" data-name=(series.name) d=(path_of(&series.points, area))
                 stroke=(colour(style)) stroke-dasharray=(dash(style)) {}
         }
-        @if series.drawn != Drawn::Line {
-            @for p in series.points.iter().filter(|p| p.x.is_finite() && p.y.is_finite()) {
+        @if matches!(series.drawn, Drawn::Marks | Drawn::LineAndMarks) {
+            @for p in series.points.iter().filter(|p| area.holds(p)) {
                 (mark(style, area.px(p.x), area.py(p.y)))
             }
         }
@@ -202,7 +232,7 @@ fn path_of(points: &[Point], area: &Area) -> String {
     let mut path = String::with_capacity(points.len() * 12);
     let mut last: Option<(f64, f64)> = None;
     for (index, point) in points.iter().enumerate() {
-        if !point.x.is_finite() || !point.y.is_finite() {
+        if !area.holds(point) {
             last = None;
             continue;
         }
@@ -220,6 +250,28 @@ fn path_of(points: &[Point], area: &Area) -> String {
                 }
             }
         }
+    }
+    path
+}
+
+/// The closed line around a band.
+fn area_of(points: &[Point], area: &Area) -> String {
+    let mut path = String::new();
+    for point in points.iter().filter(|point| area.holds(point)) {
+        let letter = if path.is_empty() { 'M' } else { 'L' };
+        let _ = write!(path, "{letter}{:.1},{:.1}", area.px(point.x), area.py(point.y));
+    }
+    if !path.is_empty() {
+        path.push('Z');
+    }
+    path
+}
+
+/// Dots as lines without length, which have round ends.
+fn dots_of(points: &[Point], area: &Area) -> String {
+    let mut path = String::with_capacity(points.len() * 14);
+    for point in points.iter().filter(|point| area.holds(point)) {
+        let _ = write!(path, "M{:.1},{:.1}h0", area.px(point.x), area.py(point.y));
     }
     path
 }
@@ -271,6 +323,30 @@ mod tests {
             let svg = chart(series);
             assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
         }
+    }
+
+    #[test]
+    fn zero_has_no_place_on_a_logarithmic_axis() {
+        let points = |ys: [f64; 3]| -> Vec<Point> {
+            ys.iter().enumerate().map(|(i, &y)| Point { x: i as f64, y }).collect()
+        };
+        let svg = Chart {
+            title: "p".to_owned(),
+            x: Axis::new("x", ""),
+            y: Axis::new("p", "").logarithmic(),
+            series: vec![
+                Series::band("band", points([0.1, 0.0, 1e-4]), points([0.5, 0.1, 1e-3])),
+                Series::dots("dots", points([0.2, 0.0, -1.0])),
+                Series::line("line", points([0.2, 0.02, 0.0])),
+            ],
+            references: Vec::new(),
+            linked: None,
+            note: String::new(),
+        }
+        .render_tall()
+        .into_string();
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+        assert!(svg.contains("class=\"band\"") && svg.contains("class=\"dots\""));
     }
 
     #[test]

@@ -10,8 +10,10 @@ mod chart;
 mod number;
 mod page;
 mod plan;
+mod rose;
 mod series;
 mod system;
+mod tornado;
 
 pub use axis::Axis;
 pub use bars::{Bars, Group};
@@ -24,10 +26,12 @@ pub use plan::{
     Arrow, FenderBox, Frame, Harbour, Label, LineDrawn, Outlined, Place, Plan, Stage, Track,
     TugDrawn, Use, Weather, fenders_legend, harbour_legend, outlined_legend,
 };
+pub use rose::{Ring, Rose};
 pub use series::{Decimator, Point, Series};
 pub use system::{
     Chain, ConeDrawn, Face, FaceFender, Hull, Level, LevelKind, PanelPlan, Section, Side,
 };
+pub use tornado::{Tornado, Whisker};
 
 /// Colours that the colour-blind can tell apart (Okabe and Ito, 2008), in the order in which
 /// series take them; yellow is left out because it does not show on white, and a brown is added.

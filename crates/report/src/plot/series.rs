@@ -17,6 +17,10 @@ pub(super) enum Drawn {
     Line,
     Marks,
     LineAndMarks,
+    /// Many small dots.
+    Dots,
+    /// The area that the points go around.
+    Band,
 }
 
 /// One named line or set of marks of a chart.
@@ -37,6 +41,17 @@ impl Series {
     /// A mark at each point, without a line.
     pub fn marks(name: &str, points: Vec<Point>) -> Series {
         Series { name: name.to_owned(), points, drawn: Drawn::Marks, style: None }
+    }
+
+    /// A small dot at each point, for many points.
+    pub fn dots(name: &str, points: Vec<Point>) -> Series {
+        Series { name: name.to_owned(), points, drawn: Drawn::Dots, style: None }
+    }
+
+    /// The area between a lower and an upper line, each in the order of x.
+    pub fn band(name: &str, lower: Vec<Point>, upper: Vec<Point>) -> Series {
+        let points = lower.into_iter().chain(upper.into_iter().rev()).collect();
+        Series { name: name.to_owned(), points, drawn: Drawn::Band, style: None }
     }
 
     /// Adds a mark at each point to a line.

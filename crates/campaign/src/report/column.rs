@@ -1,0 +1,268 @@
+//! What is shown of one column: exceedance, fits, design values; and the page of the command `statistics`.
+
+use fenderline_contact::number::greater;
+use fenderline_report::plot::{
+    Axis, Chart, Point, Reference, Series, fixed, page, plain, significant,
+};
+use fenderline_report::{Head as TableHead, table_head};
+use maud::{Markup, html};
+
+use super::words;
+use crate::statistics::design::{Asked, Findings, Rarity};
+use crate::statistics::fit::Fit;
+use crate::table::Head;
+
+/// Fits are drawn to so many times the largest value.
+const REACH: f64 = 2.0;
+
+/// Points of a fitted line.
+const LINE: u32 = 120;
+
+/// The page of one column of a table; `source` is the file as it is named to the reader, `missing` the number of its empty cells.
+#[must_use]
+pub fn column_page(
+    source: &str,
+    head: &Head,
+    missing: usize,
+    findings: &Findings,
+    asked: &Asked,
+) -> String {
+    let title = format!("{} of {source}", head.name);
+    let body = html! {
+        p class="kicker" { "fenderline statistics" }
+        h1 { (title) }
+        p class="subtitle" { (counts(head, missing, findings)) }
+        (sections(head, findings, asked))
+        h2 { "How it was computed" }
+        (methods(asked))
+        footer { "Made by fenderline " (env!("CARGO_PKG_VERSION")) ". " (USERS_OWN) }
+    };
+    page(&title, &body)
+}
+
+/// What stays the user's.
+pub(super) const USERS_OWN: &str = "Return periods, percentiles and partial factors are those that the user gave; whether they \
+    meet a guideline is for the designer to judge, and nothing here states it.";
+
+/// Number of values, mean, deviation.
+pub(super) fn counts(head: &Head, missing: usize, findings: &Findings) -> String {
+    let (sample, moments) = (&findings.sample, &findings.moments);
+    let unit = if head.unit.is_empty() { String::new() } else { format!(" {}", head.unit) };
+    let empty = if missing == 0 { String::new() } else { format!(", {missing} cells empty") };
+    format!(
+        "{} values{empty}; from {} to {}{unit}; mean {} ± {}, standard deviation {} ± {}{unit} (± standard error), skewness {}.",
+        sample.count(),
+        words::number(sample.least()),
+        words::number(sample.largest()),
+        words::number(moments.mean.value),
+        significant(moments.mean.error, 2),
+        words::number(moments.deviation.value),
+        significant(moments.deviation.error, 2),
+        fixed(moments.skewness, 2),
+    )
+}
+
+/// Chart, design values and fits of a column.
+pub(super) fn sections(head: &Head, findings: &Findings, asked: &Asked) -> Markup {
+    html! {
+        (chart(head, findings, asked).render_tall())
+        h3 { "Design values" @if !head.unit.is_empty() { " [" (head.unit) "]" } }
+        (design(findings, asked))
+        h3 { "Fits" }
+        (fits(findings))
+    }
+}
+
+/// Exceedance with its band, fits drawn through, to the rarest level that is asked for.
+fn chart(head: &Head, findings: &Findings, asked: &Asked) -> Chart {
+    let curve = &findings.curve;
+    let per_cent = plain(100.0 * asked.confidence.level(), 4);
+    // The last point, above which nothing was found, has no place on a logarithmic axis.
+    let points = curve.iter().filter(|point| point.probability.value > 0.0);
+    let at = |value: f64, p: f64| Point { x: value, y: p };
+    let data = points.clone().map(|point| at(point.value, point.probability.value)).collect();
+    let lower =
+        points.clone().map(|point| at(point.value, point.probability.interval.low)).collect();
+    let upper = points.map(|point| at(point.value, point.probability.interval.high)).collect();
+    let rarest = findings.rows.iter().map(|row| row.exceedance);
+    let rarest =
+        rarest.fold(1.0 / findings.sample.count() as f64, fenderline_contact::number::lesser);
+    let mut series = vec![
+        Series::band(&format!("{per_cent} % band of the data"), lower, upper).styled(6),
+        Series::dots("data", data).styled(6),
+    ];
+    for (style, fit) in findings.fits.iter().enumerate() {
+        if let Ok(fit) = fit {
+            series.push(Series::line(fit.law.title(), line(fit, findings, rarest)).styled(style));
+        }
+    }
+    // Those of a lifetime lie too close to those of periods.
+    let drawn = findings.rows.iter().filter(|row| !matches!(row.rarity, Rarity::Life { .. }));
+    let references =
+        drawn.map(|row| Reference { label: words::rarity(row.rarity), value: row.exceedance });
+    let axis = Axis::new(&words_of(head), &head.unit);
+    Chart {
+        title: format!("Probability that one berthing exceeds a value of {}", words_of(head)),
+        x: if findings.sample.least() >= 0.0 { axis.including(0.0) } else { axis },
+        y: Axis::new("probability", "").logarithmic().including(1.0).including(rarest),
+        series,
+        references: references.collect(),
+        linked: None,
+        note: format!(
+            "The band holds the true probability at each point with {per_cent} % confidence (Clopper and Pearson), not the whole \
+             curve at once. Beyond the last point only a fitted law speaks, and the laws differ there."
+        ),
+    }
+}
+
+/// The name of a column for readers.
+pub(super) fn words_of(head: &Head) -> String {
+    head.name.replace('_', " ")
+}
+
+/// A fit as a line down to the rarest probability; that over a threshold from there.
+fn line(fit: &Fit, findings: &Findings, rarest: f64) -> Vec<Point> {
+    let most = fit.distribution.threshold().map_or(0.999, |(_, share)| 0.9999 * share);
+    let ratio = rarest / most;
+    // A law with a tail that is far too heavy would flatten the others; values below all of the data say nothing.
+    let (least, largest) = (findings.sample.least(), findings.sample.largest());
+    let end = greater(REACH * largest, least);
+    (0..=LINE)
+        .filter_map(|step| {
+            let p = most * libm::pow(ratio, f64::from(step) / f64::from(LINE));
+            let x = fit.distribution.value_exceeded(p)?;
+            (x >= least && x <= end).then_some(Point { x, y: p })
+        })
+        .collect()
+}
+
+/// Design values: a row a source, a column a rarity.
+fn design(findings: &Findings, asked: &Asked) -> Markup {
+    let rows = &findings.rows;
+    let heads: Vec<(String, String)> =
+        rows.iter().map(|row| (words::rarity(row.rarity), words::one_in(row.exceedance))).collect();
+    let mut columns = vec![TableHead::Name("by")];
+    columns.extend(heads.iter().map(|(rarity, p)| TableHead::Number(rarity, p)));
+    let per_cent = plain(100.0 * asked.confidence.level(), 4);
+    html! {
+        div class="wide" { table {
+            (table_head(&columns))
+            tbody {
+                tr {
+                    td class="name" { "the data" }
+                    @for row in rows { (cell(&words::by_data(&row.by_data))) }
+                }
+                @for place in findings.ranking() {
+                    @if let Ok(fit) = &findings.fits[place] {
+                        tr {
+                            td class="name" { (fit.law.title()) }
+                            @for row in rows {
+                                @match &row.by_fit[place] {
+                                    Some(value) => (cell(&words::with_band(value))),
+                                    None => td class="number" { small { "below its threshold" } },
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        } }
+        p class="note" {
+            @match asked.traffic {
+                Some(traffic) => {
+                    "For " (plain(traffic.per_year(), 6)) " berthings a year, independent and alike. "
+                    @if rows.iter().any(|row| matches!(row.rarity, Rarity::Period(_))) {
+                        "A value of T years is exceeded in a year with a chance of 1/T. "
+                    }
+                    @if rows.iter().any(|row| matches!(row.rarity, Rarity::Life { .. })) {
+                        "“10 % in 50 years”: the largest berthing of 50 years exceeds it with a chance of 10 %. "
+                    }
+                    "Below each level: the probability of one berthing. "
+                }
+                None => "The number of berthings a year is not given, so the levels are those of one berthing. ",
+            }
+            "In brackets the " (per_cent) " % band: of the data by order statistics, of a fit by the delta method. The band of a fit \
+             holds if its law is the true one. A question mark: the data do not reach there."
+        }
+    }
+}
+
+/// A value with its band in small letters below it.
+fn cell(text: &str) -> Markup {
+    let (value, band) = text.split_once(" (").unwrap_or((text, ""));
+    html! {
+        td class="number" { (value) @if !band.is_empty() { small { (band.trim_end_matches(')')) } } }
+    }
+}
+
+/// The fits side by side, the best first.
+fn fits(findings: &Findings) -> Markup {
+    let tail_head =
+        findings.tail.map(|tail| format!("of {} above {}", tail.count, words::number(tail.above)));
+    let mut columns = vec![
+        TableHead::Name("law"),
+        TableHead::Text("parameters ± standard error", ""),
+        TableHead::Number("AIC", ""),
+        TableHead::Number("K–S", "distance"),
+        TableHead::Number("A²", "Anderson–Darling"),
+    ];
+    columns.extend(tail_head.as_ref().map(|head| TableHead::Number("expects", head)));
+    html! {
+        div class="wide" { table {
+            (table_head(&columns))
+            tbody {
+                @for place in findings.ranking() {
+                    tr {
+                        @match &findings.fits[place] {
+                            Ok(fit) => {
+                                td class="name" { (fit.law.title()) }
+                                td { (words::parameters(fit)) }
+                                td class="number" { (fixed(fit.aic, 1))
+                                    @if fit.distribution.threshold().is_some() { small { "of " (fit.count) " values" } } }
+                                td class="number" { (fixed(fit.kolmogorov, 3)) }
+                                td class="number" { (fixed(fit.anderson_darling, 2)) }
+                                @if let Some(tail) = findings.tail {
+                                    td class="number" { (tail.expected(fit, &findings.sample).map_or("–".to_owned(), |n| significant(n, 3))) }
+                                }
+                            }
+                            Err(why) => {
+                                td class="name" { (why.law.title()) }
+                                td colspan=(columns.len() - 1) { "No fit. " (reason(&why.to_string())) }
+                            }
+                        }
+                    }
+                }
+            }
+        } }
+        p class="note" {
+            "By maximum likelihood, the smallest AIC first. AIC, distance and A² judge the whole of the data; the last column judges \
+             the tail, which decides a design value: how many values the law expects where the data have so many."
+        }
+    }
+}
+
+/// What follows the law's name, with a capital.
+fn reason(text: &str) -> String {
+    let why = text.split_once(": ").map_or(text, |(_, why)| why);
+    let mut letters = why.chars();
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(letters).chain(['.']).collect()
+    })
+}
+
+/// How numbers were computed, for the end of a page.
+pub(super) fn methods(asked: &Asked) -> Markup {
+    let per_cent = plain(100.0 * asked.confidence.level(), 4);
+    html! {
+        ul class="plain" {
+            li { "Probabilities that were counted have intervals of Clopper and Pearson; quantiles of the data those of order \
+                  statistics. Both hold whatever the distribution, at " (per_cent) " % or more." }
+            li { "Laws are fitted by maximum likelihood; their standard errors are those of the observed information, their bands those of \
+                  the delta method on the logarithm of the value." }
+            @if asked.traffic.is_some() {
+                li { "With n berthings a year the value of T years is exceeded by one berthing with probability p, where \
+                      1 − (1 − p)ⁿ = 1/T. The largest of the N berthings of a lifetime is at most x with probability F(x)ᴺ." }
+            }
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! Pages about the numbers of many runs.
+//!
+//! [`render`] makes the report of a campaign from its table; [`column_page`] the page of one column of any table. Both return
+//! whole pages without outside resources, and hold no more than a few columns in memory.
+
+mod column;
+mod convergence;
+mod inputs;
+mod operability;
+mod scatter;
+mod sensitivity;
+mod verdicts;
+pub mod words;
+mod worst;
+
+use fenderline_report::plot::page;
+use maud::html;
+
+use crate::statistics::design::{Asked, Findings, findings};
+use crate::statistics::{Sample, SampleError};
+use crate::table::{Head, Table, TableError};
+
+pub use column::column_page;
+
+/// An input of a campaign.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Input {
+    /// Its column in the table.
+    pub column: String,
+    /// Its distribution in words, such as `lognormal, mean 7.1 cm/s, deviation 4.47 cm/s`.
+    pub distribution: String,
+    /// Where that comes from; empty where nobody said.
+    pub source: String,
+}
+
+/// What a campaign's report is about.
+pub struct Campaign<'a> {
+    /// Title of the campaign.
+    pub title: &'a str,
+    /// The scenario that was varied, as it is named to the reader.
+    pub scenario: &'a str,
+    /// The table, a row a run.
+    pub table: &'a Table,
+    /// The inputs. Two of them whose columns are called `wind_speed` and `wind_direction` (degrees) make a rose.
+    pub inputs: &'a [Input],
+    /// Columns of numbers that the report shows, the most important first.
+    pub outputs: &'a [String],
+    /// The column with the weights of importance sampling, if the runs have any.
+    pub weights: Option<&'a str>,
+    /// Berthings a year, return periods, laws.
+    pub asked: &'a Asked,
+    /// The command that runs a row (from 0) again, with its report.
+    pub replay: &'a dyn Fn(usize) -> String,
+}
+
+/// An output with what was found about it.
+struct Output<'a> {
+    head: &'a Head,
+    /// A value a run; NaN where there is none.
+    values: Vec<f64>,
+    missing: usize,
+    findings: Result<Findings, SampleError>,
+}
+
+/// The report of a campaign as a page.
+///
+/// # Errors
+/// The table cannot be read, or lacks a column. Return periods that are impossible.
+pub fn render(campaign: &Campaign<'_>) -> Result<String, ReportError> {
+    let weights = campaign.weights.map(|name| campaign.table.numbers(name)).transpose()?;
+    let verdicts = verdicts::Verdicts::of(campaign.table)?;
+    let mut outputs = Vec::new();
+    for name in campaign.outputs {
+        let weights = weights.as_ref().map(|weights| weights.values.as_slice());
+        outputs.push(output(campaign, name, weights)?);
+    }
+    let body = html! {
+        p class="kicker" { "fenderline campaign" }
+        h1 { (campaign.title) }
+        p class="subtitle" { (verdicts.runs) " runs of " (campaign.scenario) "." }
+        h2 { "Verdicts" }
+        (verdicts.section(campaign.asked.confidence))
+        @for output in &outputs { (section(output, campaign.asked)) }
+        (scatter::section(campaign.table)?)
+        (worst::section(campaign, &outputs, &verdicts))
+        (convergence::section(&outputs, campaign.asked))
+        (sensitivity::section(campaign, &outputs)?)
+        (operability::section(campaign, &verdicts)?)
+        (inputs::section(campaign)?)
+        h2 { "How it was computed" }
+        (column::methods(campaign.asked))
+        footer { "Made by fenderline " (env!("CARGO_PKG_VERSION")) ". " (column::USERS_OWN) }
+    };
+    Ok(page(campaign.title, &body))
+}
+
+/// Reads a column and finds what it tells.
+fn output<'a>(
+    campaign: &Campaign<'a>,
+    name: &str,
+    weights: Option<&[f64]>,
+) -> Result<Output<'a>, ReportError> {
+    let head = campaign.table.head(name)?;
+    let numbers = campaign.table.numbers(name)?;
+    let sample = match weights {
+        None => Sample::new(numbers.present()),
+        Some(weights) => {
+            let pairs = numbers.values.iter().zip(weights).filter(|(value, _)| value.is_finite());
+            let (values, weights): (Vec<f64>, Vec<f64>) = pairs.unzip();
+            Sample::weighted(&values, &weights)
+        }
+    };
+    let found = match sample {
+        Ok(sample) => Ok(findings(sample, campaign.asked)?),
+        Err(why) => Err(why),
+    };
+    Ok(Output { head, values: numbers.values, missing: numbers.missing, findings: found })
+}
+
+/// The section of an output.
+fn section(output: &Output<'_>, asked: &Asked) -> maud::Markup {
+    let name = capital(&column::words_of(output.head));
+    html! {
+        h2 { (name) }
+        @match &output.findings {
+            Ok(findings) => {
+                p class="note" { (column::counts(output.head, output.missing, findings)) }
+                (column::sections(output.head, findings, asked))
+            }
+            Err(why) => p { "No statistics: " (why) "." },
+        }
+    }
+}
+
+/// With a capital letter.
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// Why a report cannot be made.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ReportError {
+    /// The table.
+    Table(TableError),
+    /// Berthings a year, return periods or the lifetime.
+    Traffic(crate::statistics::return_value::TrafficError),
+}
+
+impl core::fmt::Display for ReportError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            ReportError::Table(why) => why.fmt(f),
+            ReportError::Traffic(why) => why.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for ReportError {}
+
+impl From<TableError> for ReportError {
+    fn from(why: TableError) -> ReportError {
+        ReportError::Table(why)
+    }
+}
+
+impl From<crate::statistics::return_value::TrafficError> for ReportError {
+    fn from(why: crate::statistics::return_value::TrafficError) -> ReportError {
+        ReportError::Traffic(why)
+    }
+}

@@ -1,0 +1,87 @@
+//! Numbers and levels in words.
+
+use fenderline_report::plot::{fixed, plain, significant};
+
+use crate::statistics::design::Rarity;
+use crate::statistics::fit::Fit;
+use crate::statistics::{Estimate, Quantile};
+
+/// `0.0003333` as `1 in 3000`; frequent things as per cent.
+#[must_use]
+pub fn one_in(p: f64) -> String {
+    match p {
+        p if p <= 0.0 => "never".to_owned(),
+        p if p > 0.2 => format!("{} %", significant(100.0 * p, 3)),
+        p => format!("1 in {}", significant(1.0 / p, 3)),
+    }
+}
+
+/// How rarely a design value is exceeded.
+#[must_use]
+pub fn rarity(rarity: Rarity) -> String {
+    match rarity {
+        Rarity::Berthing(p) => format!("{} berthings", one_in(p)),
+        Rarity::Period(years) => format!("{} years", plain(years, 4)),
+        Rarity::Life { years, chance } => {
+            format!("{} % in {} years", plain(100.0 * chance, 3), plain(years, 4))
+        }
+    }
+}
+
+/// A value with its band: `28.5 (24.6 to 33.0)`.
+#[must_use]
+pub fn with_band(estimate: &Estimate) -> String {
+    let [low, high] = [estimate.interval.low, estimate.interval.high];
+    format!("{} ({} to {})", number(estimate.value), number(low), number(high))
+}
+
+/// A quantile of the data; says where the data end.
+#[must_use]
+pub fn by_data(quantile: &Quantile) -> String {
+    let Some(value) = quantile.value else {
+        return match quantile.low {
+            Some(low) => format!("beyond the data (above {})", number(low)),
+            None => "beyond the data".to_owned(),
+        };
+    };
+    match (quantile.low, quantile.high) {
+        (Some(low), Some(high)) => {
+            format!("{} ({} to {})", number(value), number(low), number(high))
+        }
+        (Some(low), None) => format!("{} ({} to ?)", number(value), number(low)),
+        (None, Some(high)) => format!("{} (? to {})", number(value), number(high)),
+        (None, None) => number(value),
+    }
+}
+
+/// The parameters of a fit with their standard errors.
+#[must_use]
+pub fn parameters(fit: &Fit) -> String {
+    let one = |own: &crate::statistics::fit::Parameter| match own.error > 0.0 {
+        true => format!("{} {} ± {}", own.name, number(own.value), significant(own.error, 2)),
+        false => format!("{} {}", own.name, number(own.value)),
+    };
+    fit.parameters.iter().map(one).collect::<Vec<_>>().join(", ")
+}
+
+/// A number to three digits, without spaces between thousands where it has four.
+#[must_use]
+pub fn number(value: f64) -> String {
+    if value.abs() >= 1000.0 { fixed(value, 0) } else { significant(value, 3) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_the_data_do_not_reach_says_so() {
+        let quantile = |value, low, high| Quantile { value, low, high };
+        assert_eq!(by_data(&quantile(Some(1.0), Some(0.5), Some(2.0))), "1.00 (0.500 to 2.00)");
+        assert_eq!(by_data(&quantile(Some(1.0), Some(0.5), None)), "1.00 (0.500 to ?)");
+        assert_eq!(by_data(&quantile(None, Some(9.0), None)), "beyond the data (above 9.00)");
+        assert_eq!(rarity(Rarity::Life { years: 50.0, chance: 0.1 }), "10 % in 50 years");
+        assert_eq!(rarity(Rarity::Berthing(1.0 / 3000.0)), "1 in 3000 berthings");
+        assert_eq!(one_in(0.5), "50.0 %");
+    }
+}

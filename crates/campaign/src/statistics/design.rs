@@ -1,0 +1,179 @@
+//! Everything about one column at once: moments, exceedance, fits and design values. What the command `statistics` prints and the
+//! reports show.
+
+use super::exceedance::{self, Point};
+use super::fit::{Fit, FitError, Law, fit};
+use super::return_value::{Traffic, TrafficError};
+use super::{Confidence, Estimate, Moments, Quantile, Sample, value_exceeded};
+
+/// Points of an exceedance curve.
+const CURVE: usize = 160;
+
+/// Chances that the largest berthing of a lifetime exceeds its design value: the median, 10 % and 5 %.
+const LIFE_CHANCES: [f64; 3] = [0.5, 0.1, 0.05];
+
+/// Probabilities of one berthing that are shown where no number of berthings a year is given.
+const PER_BERTHING: [f64; 3] = [1e-2, 1e-3, 1.0 / 3000.0];
+
+/// What is asked about a column.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Asked {
+    /// Level of all bands.
+    pub confidence: Confidence,
+    /// Berthings a year, if known.
+    pub traffic: Option<Traffic>,
+    /// Return periods (years); they need the traffic.
+    pub periods_years: Vec<f64>,
+    /// Lifetime (years); it needs the traffic.
+    pub life_years: Option<f64>,
+    /// Laws to fit.
+    pub laws: Vec<Law>,
+    /// Threshold of [`Law::Pareto`], in the unit of the column.
+    pub threshold: Option<f64>,
+}
+
+/// How rarely a design value is exceeded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Rarity {
+    /// By one berthing with this probability.
+    Berthing(f64),
+    /// In a year with a chance of one over this number of years.
+    Period(f64),
+    /// In a lifetime with a chance.
+    Life {
+        /// Lifetime (years).
+        years: f64,
+        /// Chance that its largest berthing exceeds the value.
+        chance: f64,
+    },
+}
+
+/// A design value by the data and by each fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DesignRow {
+    /// How rarely it is exceeded.
+    pub rarity: Rarity,
+    /// Probability that one berthing exceeds it.
+    pub exceedance: f64,
+    /// By the data alone.
+    pub by_data: Quantile,
+    /// By each fit, in the order of the laws; `None` where the fit failed or says nothing there.
+    pub by_fit: Vec<Option<Estimate>>,
+}
+
+/// How many values a fit expects in the tail where the data have some.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TailCheck {
+    /// The tail is above this value.
+    pub above: f64,
+    /// Values above it.
+    pub count: usize,
+}
+
+/// What was found about a column.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Findings {
+    /// The values.
+    pub sample: Sample,
+    /// Their moments.
+    pub moments: Moments,
+    /// Their exceedance curve.
+    pub curve: Vec<Point>,
+    /// A fit for each law, or why there is none.
+    pub fits: Vec<Result<Fit, FitError>>,
+    /// The design values.
+    pub rows: Vec<DesignRow>,
+    /// The tail in which fits are compared with the data; `None` for fewer than 20 values.
+    pub tail: Option<TailCheck>,
+}
+
+impl Asked {
+    /// The rarities that are asked for.
+    ///
+    /// # Errors
+    /// A period of a year or less, a lifetime that is not positive.
+    pub fn rarities(&self) -> Result<Vec<(Rarity, f64)>, TrafficError> {
+        let Some(traffic) = self.traffic else {
+            return Ok(PER_BERTHING.map(|p| (Rarity::Berthing(p), p)).to_vec());
+        };
+        let period =
+            |years: &f64| Ok((Rarity::Period(*years), traffic.exceedance_of_period(*years)?));
+        let mut all: Vec<(Rarity, f64)> =
+            self.periods_years.iter().map(period).collect::<Result<_, TrafficError>>()?;
+        if let Some(years) = self.life_years {
+            for chance in LIFE_CHANCES {
+                let p = traffic.exceedance_of_life(years, chance)?;
+                all.push((Rarity::Life { years, chance }, p));
+            }
+        }
+        Ok(all)
+    }
+}
+
+/// What a sample tells.
+///
+/// # Errors
+/// As [`Asked::rarities`].
+pub fn findings(sample: Sample, asked: &Asked) -> Result<Findings, TrafficError> {
+    let rarities = asked.rarities()?;
+    let fits: Vec<Result<Fit, FitError>> =
+        asked.laws.iter().map(|law| fit(*law, &sample, asked.threshold)).collect();
+    let row = |(rarity, p): (Rarity, f64)| DesignRow {
+        rarity,
+        exceedance: p,
+        by_data: value_exceeded(&sample, p, asked.confidence),
+        by_fit: fits
+            .iter()
+            .map(|fit| fit.as_ref().ok()?.value_exceeded(p, asked.confidence))
+            .collect(),
+    };
+    Ok(Findings {
+        moments: Moments::of(&sample),
+        curve: exceedance::curve(&sample, CURVE, asked.confidence),
+        rows: rarities.into_iter().map(row).collect(),
+        tail: tail(&sample),
+        fits,
+        sample,
+    })
+}
+
+/// The highest tenth of a small sample, of a large one the highest hundredth or so: ten values or more.
+fn tail(sample: &Sample) -> Option<TailCheck> {
+    let n = sample.count();
+    if n < 20 || sample.is_weighted() {
+        return None;
+    }
+    let wanted = (n / 100).max(10).min(n / 2);
+    let above = sample.values()[n - 1 - wanted];
+    Some(TailCheck { above, count: n - sample.count_to(above) })
+}
+
+impl TailCheck {
+    /// How many of the values a fit expects in the tail; `None` where it begins below the threshold of the fit.
+    #[must_use]
+    pub fn expected(&self, fit: &Fit, sample: &Sample) -> Option<f64> {
+        match fit.distribution.threshold() {
+            Some((threshold, _)) if self.above < threshold => None,
+            _ => Some(fit.distribution.above(self.above) * sample.count() as f64),
+        }
+    }
+}
+
+impl Findings {
+    /// The places of the fits in the order of Akaike's criterion, the best first; those over a threshold and those that failed
+    /// last, because theirs compares with no other.
+    #[must_use]
+    pub fn ranking(&self) -> Vec<usize> {
+        let rank = |place: &usize| match &self.fits[*place] {
+            Ok(fit) if fit.law != Law::Pareto => (0, fit.aic),
+            Ok(_) => (1, 0.0),
+            Err(_) => (2, 0.0),
+        };
+        let mut order: Vec<usize> = (0..self.fits.len()).collect();
+        order.sort_by(|a, b| {
+            let (a, b) = (rank(a), rank(b));
+            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+        });
+        order
+    }
+}

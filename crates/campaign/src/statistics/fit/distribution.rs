@@ -1,0 +1,245 @@
+//! Distributions with their parameters.
+
+use crate::statistics::normal;
+
+/// A distribution.
+///
+/// The shape ξ of [`Distribution::Gev`] and [`Distribution::Pareto`] is positive for a heavy tail (Coles 2001); SciPy's
+/// `genextreme` has the opposite sign.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Distribution {
+    /// Mean and standard deviation.
+    Normal {
+        /// Mean.
+        mean: f64,
+        /// Standard deviation.
+        deviation: f64,
+    },
+    /// Mean and standard deviation of the logarithm.
+    LogNormal {
+        /// Mean of ln x.
+        mu: f64,
+        /// Standard deviation of ln x.
+        sigma: f64,
+    },
+    /// Weibull's with two parameters: exp(−(x/scale)^shape) is above x.
+    Weibull {
+        /// Shape.
+        shape: f64,
+        /// Scale.
+        scale: f64,
+    },
+    /// Gumbel's of maxima: exp(−exp(−(x − location)/scale)) is below x.
+    Gumbel {
+        /// Location.
+        location: f64,
+        /// Scale.
+        scale: f64,
+    },
+    /// Generalised extreme values: exp(−(1 + ξ(x − location)/scale)^(−1/ξ)) is below x.
+    Gev {
+        /// Location.
+        location: f64,
+        /// Scale.
+        scale: f64,
+        /// Shape ξ.
+        shape: f64,
+    },
+    /// Generalised Pareto over a threshold: share × (1 + ξ(x − threshold)/scale)^(−1/ξ) is above x.
+    Pareto {
+        /// Threshold.
+        threshold: f64,
+        /// Probability to be above the threshold.
+        share: f64,
+        /// Scale.
+        scale: f64,
+        /// Shape ξ.
+        shape: f64,
+    },
+}
+
+/// Shapes ξ nearer to 0 are those of the limit: Gumbel, exponential.
+const NO_SHAPE: f64 = 1e-7;
+
+impl Distribution {
+    /// The log-normal distribution of a mean and standard deviation.
+    #[must_use]
+    pub fn log_normal_of(mean: f64, deviation: f64) -> Distribution {
+        let ratio = deviation / mean;
+        let variance = libm::log1p(ratio * ratio);
+        Distribution::LogNormal {
+            mu: libm::log(mean) - 0.5 * variance,
+            sigma: libm::sqrt(variance),
+        }
+    }
+
+    /// The Weibull distribution of a mean and standard deviation, by bisection of its coefficient of variation.
+    #[must_use]
+    pub fn weibull_of(mean: f64, deviation: f64) -> Distribution {
+        let ratio = deviation / mean;
+        let squared = |shape: f64| {
+            libm::expm1(libm::lgamma(1.0 + 2.0 / shape) - 2.0 * libm::lgamma(1.0 + 1.0 / shape))
+        };
+        let (mut low, mut high) = (0.05_f64, 500.0_f64);
+        for _ in 0..100 {
+            let middle = libm::sqrt(low * high);
+            if squared(middle) > ratio * ratio { low = middle } else { high = middle }
+        }
+        let shape = libm::sqrt(low * high);
+        Distribution::Weibull { shape, scale: mean / libm::tgamma(1.0 + 1.0 / shape) }
+    }
+
+    /// Probability to exceed `x`. Below the threshold of [`Distribution::Pareto`], which says nothing there, the probability to
+    /// exceed the threshold.
+    #[must_use]
+    pub fn above(&self, x: f64) -> f64 {
+        match *self {
+            Distribution::Normal { mean, deviation } => normal::above((x - mean) / deviation),
+            Distribution::LogNormal { mu, sigma } => match x > 0.0 {
+                true => normal::above((libm::log(x) - mu) / sigma),
+                false => 1.0,
+            },
+            Distribution::Weibull { shape, scale } => match x > 0.0 {
+                true => libm::exp(-libm::pow(x / scale, shape)),
+                false => 1.0,
+            },
+            Distribution::Gumbel { location, scale } => {
+                -libm::expm1(-libm::exp(-(x - location) / scale))
+            }
+            Distribution::Gev { location, scale, shape } => {
+                -libm::expm1(-tail((x - location) / scale, shape))
+            }
+            Distribution::Pareto { threshold, share, scale, shape } => match x > threshold {
+                true => share * tail((x - threshold) / scale, shape),
+                false => share,
+            },
+        }
+    }
+
+    /// Probability to be at most `x`; of those above the threshold for [`Distribution::Pareto`].
+    pub(super) fn below_of_fitted(&self, x: f64) -> f64 {
+        match *self {
+            Distribution::Normal { mean, deviation } => normal::below((x - mean) / deviation),
+            Distribution::LogNormal { mu, sigma } => match x > 0.0 {
+                true => normal::below((libm::log(x) - mu) / sigma),
+                false => 0.0,
+            },
+            Distribution::Weibull { shape, scale } => match x > 0.0 {
+                true => -libm::expm1(-libm::pow(x / scale, shape)),
+                false => 0.0,
+            },
+            Distribution::Gumbel { location, scale } => {
+                libm::exp(-libm::exp(-(x - location) / scale))
+            }
+            Distribution::Gev { location, scale, shape } => {
+                libm::exp(-tail((x - location) / scale, shape))
+            }
+            Distribution::Pareto { share, .. } => 1.0 - self.above(x) / share,
+        }
+    }
+
+    /// Probability to exceed `x`; of those above the threshold for [`Distribution::Pareto`].
+    pub(super) fn above_of_fitted(&self, x: f64) -> f64 {
+        match self {
+            Distribution::Pareto { share, .. } => self.above(x) / share,
+            _ => self.above(x),
+        }
+    }
+
+    /// The value that is exceeded with probability `p` between 0 and 1; `None` where it lies below the threshold.
+    #[must_use]
+    pub fn value_exceeded(&self, p: f64) -> Option<f64> {
+        Some(match *self {
+            Distribution::Normal { mean, deviation } => {
+                mean + deviation * normal::value_exceeded(p)
+            }
+            Distribution::LogNormal { mu, sigma } => {
+                libm::exp(mu + sigma * normal::value_exceeded(p))
+            }
+            Distribution::Weibull { shape, scale } => scale * libm::pow(-libm::log(p), 1.0 / shape),
+            Distribution::Gumbel { location, scale } => {
+                location - scale * libm::log(-libm::log1p(-p))
+            }
+            Distribution::Gev { location, scale, shape } => {
+                location + scale * of_tail(-libm::log1p(-p), shape)
+            }
+            Distribution::Pareto { threshold, share, scale, shape } if p < share => {
+                threshold + scale * of_tail(p / share, shape)
+            }
+            Distribution::Pareto { .. } => return None,
+        })
+    }
+
+    /// Threshold, and the probability to be above it.
+    #[must_use]
+    pub fn threshold(&self) -> Option<(f64, f64)> {
+        match *self {
+            Distribution::Pareto { threshold, share, .. } => Some((threshold, share)),
+            _ => None,
+        }
+    }
+
+    /// Shape ξ of the tail, where it is a parameter.
+    pub(super) fn tail_shape(&self) -> Option<f64> {
+        match *self {
+            Distribution::Gev { shape, .. } | Distribution::Pareto { shape, .. } => Some(shape),
+            _ => None,
+        }
+    }
+}
+
+/// (1 + ξz)^(−1/ξ), exp(−z) for ξ = 0; 0 beyond the upper end, infinite below the lower one.
+fn tail(z: f64, shape: f64) -> f64 {
+    if shape.abs() < NO_SHAPE {
+        return libm::exp(-z);
+    }
+    let inner = shape * z;
+    if inner <= -1.0 {
+        return if shape < 0.0 { 0.0 } else { f64::INFINITY };
+    }
+    libm::exp(-libm::log1p(inner) / shape)
+}
+
+/// The z of which `tail` is t.
+fn of_tail(t: f64, shape: f64) -> f64 {
+    let log = -libm::log(t);
+    if shape.abs() < NO_SHAPE { log } else { libm::expm1(shape * log) / shape }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ALL: [Distribution; 7] = [
+        Distribution::Normal { mean: 3.0, deviation: 2.0 },
+        Distribution::LogNormal { mu: 1.0, sigma: 0.5 },
+        Distribution::Weibull { shape: 1.6, scale: 8.0 },
+        Distribution::Gumbel { location: 5.0, scale: 2.0 },
+        Distribution::Gev { location: 5.0, scale: 2.0, shape: 0.2 },
+        Distribution::Gev { location: 5.0, scale: 2.0, shape: -0.2 },
+        Distribution::Pareto { threshold: 4.0, share: 0.2, scale: 2.0, shape: 0.1 },
+    ];
+
+    #[test]
+    fn the_value_of_a_probability_is_exceeded_with_it() {
+        for distribution in ALL {
+            for p in [0.15, 0.01, 1e-4, 1e-9] {
+                let x = distribution.value_exceeded(p).unwrap();
+                assert!((distribution.above(x) / p - 1.0).abs() < 1e-6, "{distribution:?} {p}");
+            }
+        }
+    }
+
+    /// Cho (2018), a tanker terminal: mean 7.1 and standard deviation 4.47 cm/s give at 1/3,000 42.9 cm/s by the log-normal and
+    /// 28.4 by the Weibull distribution, both by moments. Tolerance: the last digit of the published numbers.
+    #[test]
+    fn the_tail_decides_as_at_chos_terminal() {
+        let at = |distribution: Distribution| distribution.value_exceeded(1.0 / 3000.0).unwrap();
+        let log_normal = at(Distribution::log_normal_of(7.1, 4.47));
+        let weibull = at(Distribution::weibull_of(7.1, 4.47));
+        assert!((log_normal - 42.9).abs() < 0.05, "{log_normal}");
+        assert!((weibull - 28.4).abs() < 0.05, "{weibull}");
+        let energy_ratio = (log_normal / weibull) * (log_normal / weibull);
+        assert!((energy_ratio - 2.3).abs() < 0.05, "{energy_ratio}");
+    }
+}

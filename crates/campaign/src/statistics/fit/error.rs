@@ -1,0 +1,85 @@
+//! Why a fit fails.
+
+use core::fmt;
+
+use super::Law;
+
+/// A fit that failed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FitError {
+    /// The law.
+    pub law: Law,
+    /// The reason.
+    pub fault: FitFault,
+}
+
+/// The reason why a fit failed.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FitFault {
+    /// There are fewer values than are needed, above the threshold where there is one.
+    TooFew {
+        /// How many there are.
+        count: usize,
+        /// How many are needed.
+        needed: usize,
+    },
+    /// The law has positive values only.
+    NotPositive {
+        /// The smallest value.
+        least: f64,
+        /// How many are not positive.
+        count: usize,
+    },
+    /// All values are equal.
+    Constant,
+    /// A fit over a threshold needs one.
+    NoThreshold,
+    /// The values have weights.
+    Weighted,
+    /// The likelihood did not settle.
+    NotConverged {
+        /// Steps that were made.
+        steps: usize,
+    },
+    /// The likelihood is flat or has no maximum there, so that no standard error exists.
+    Flat,
+    /// The tail is so short that the likelihood has no regular maximum (Smith, Biometrika 72, 1985).
+    Irregular {
+        /// Shape ξ.
+        shape: f64,
+    },
+}
+
+impl fmt::Display for FitError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.law.title(), self.fault)
+    }
+}
+
+impl fmt::Display for FitFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            FitFault::TooFew { count, needed } => {
+                write!(f, "there are {count} of the {needed} values that are needed at least")
+            }
+            FitFault::NotPositive { least, count } => {
+                write!(f, "it has positive values only; of these {count} are not, the smallest is {least}")
+            }
+            FitFault::Constant => f.write_str("all values are equal"),
+            FitFault::NoThreshold => f.write_str("it needs a threshold"),
+            FitFault::Weighted => f.write_str(
+                "runs of importance sampling are not fitted: their weighted share above a value is the estimate",
+            ),
+            FitFault::NotConverged { steps } => {
+                write!(f, "the likelihood did not settle in {steps} steps")
+            }
+            FitFault::Flat => f.write_str("the likelihood has no maximum that the values determine"),
+            FitFault::Irregular { shape } => write!(
+                f,
+                "its shape {shape:.2} is below −0.5: the likelihood has no regular maximum, and no band exists"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for FitError {}
