@@ -45,7 +45,7 @@ const COMMANDS: [(&[&str], &[&str]); 20] = [
     (&["validate", "--out", "validation"], &["validation/validation.html"]),
     (
         &["campaign", "study.toml", "--out", "study", "--xlsx", "study.xlsx"],
-        &["study/cases.csv", "study/figure.html", "study.xlsx"],
+        &["study/cases.csv", "study/figure.html", "study/report.html", "study.xlsx"],
     ),
     (
         &["statistics", "speeds.csv", "--column", "speed", "--per-year", "60", "--out", "speeds"],

@@ -6,6 +6,7 @@ mod merge;
 mod page;
 mod printed;
 mod replay;
+mod report;
 
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
@@ -35,6 +36,7 @@ pub(crate) fn campaign(args: &CampaignArgs) -> Result<(), Failure> {
     match (&args.part, &args.run) {
         (Some(CampaignPart::Merge(args)), _) => merge::merge(args),
         (Some(CampaignPart::Replay(args)), _) => replay::replay(args),
+        (Some(CampaignPart::Report(args)), _) => report::report_command(args),
         (None, args) => run(args),
     }
 }
@@ -54,6 +56,7 @@ fn run(args: &CampaignRunArgs) -> Result<(), Failure> {
         _ => None,
     };
     let runs = Runs::new(campaign).map_err(Failure::input)?;
+    report::check_success(&runs).map_err(|why| Failure::input(format_args!("error: {why}")))?;
     if let Some(number) = args.command {
         return answer(&replay::command(&runs, number)?);
     }
@@ -87,10 +90,13 @@ fn run(args: &CampaignRunArgs) -> Result<(), Failure> {
     }
     if is_whole {
         store.finish(wanted).map_err(Failure::case)?;
+        if shard == Shard::WHOLE {
+            report::write(&runs, path, &folder)?;
+        }
     } else if shard == Shard::WHOLE {
         store.write_so_far().map_err(Failure::case)?;
     }
-    say(&printed::printed(&runs, &gathered, &folder, args, shard, ended))?;
+    say(&printed::printed(&runs, &gathered, &folder, args, shard, ended, is_whole))?;
     if !is_whole {
         return Err(Failure::Interrupted);
     }

@@ -396,6 +396,8 @@ pub(crate) enum CampaignPart {
     Merge(CampaignMergeArgs),
     /// Run one case of a campaign by itself, as `fenderline run` does, with its report
     Replay(CampaignReplayArgs),
+    /// Write the report of a campaign's table again, as of one that Python made
+    Report(CampaignReportArgs),
 }
 
 #[derive(Debug, Args)]
@@ -454,6 +456,16 @@ pub(crate) struct CampaignReplayArgs {
     #[arg(value_name = "CASE")]
     pub(crate) case: u64,
     /// Folder for tables, summary and report [default: `out/case_` and the number]
+    #[arg(long, value_name = "DIR", value_parser = output_folder())]
+    pub(crate) out: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CampaignReportArgs {
+    /// Campaign file
+    #[arg(value_name = "CAMPAIGN.toml", value_parser = input_file())]
+    pub(crate) campaign: PathBuf,
+    /// Folder with the table [default: `out/` and the name of the campaign file]
     #[arg(long, value_name = "DIR", value_parser = output_folder())]
     pub(crate) out: Option<PathBuf>,
 }

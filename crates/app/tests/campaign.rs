@@ -220,6 +220,13 @@ fn shares_and_threads_give_the_same_bytes() {
     }
     assert_eq!(place.run(&["campaign", "study.toml", "--threads", "3", "--out", "three"]).code, 0);
     assert_eq!(bytes(&place, "three"), whole);
+    let report = place.text("out/study/report.html");
+    contains_all(
+        &report,
+        &["60 runs of quay.toml", "fenderline campaign replay study.toml", "lognormal, median"],
+    );
+    assert!(!report.contains("<link") && !report.contains("src="), "nothing is loaded");
+    assert_eq!(place.text("three/report.html"), report);
     for share in ["1/3", "3/3", "2/3"] {
         let run = place.run(&["campaign", "study.toml", "--shard", share]);
         assert_eq!(run.code, 0, "{}", run.stderr);
@@ -236,8 +243,40 @@ fn shares_and_threads_give_the_same_bytes() {
     let all = merge(&[&shares[2], &shares[0], &shares[1]]);
     assert_eq!(all.code, 0, "{}", all.stderr);
     assert_eq!(bytes(&place, "merged"), whole);
+    assert_eq!(place.text("merged/report.html"), report);
+    std::fs::remove_file(place.path("merged/report.html")).expect("removed");
+    assert_eq!(place.run(&["campaign", "report", "study.toml", "--out", "merged"]).code, 0);
+    assert_eq!(place.text("merged/report.html"), report);
     let bad = place.run(&["campaign", "study.toml", "--shard", "4/3"]);
     contains_all(&bad.stderr, &["numbered from 1 to 3"]);
+}
+
+/// Fifty kills at moments that differ: some seconds. `--ignored` runs it.
+#[cfg(unix)]
+#[test]
+#[ignore = "long: the full form of the test below"]
+fn a_campaign_that_is_killed_fifty_times_loses_nothing() {
+    let many = RANDOM.replace("number = 60", "number = 4000");
+    let place = place("campaign_killed_often", &many);
+    assert_eq!(place.run(&["campaign", "study.toml"]).code, 0);
+    let whole = bytes(&place, "out/study");
+    let mut kills = 0;
+    for attempt in 0.. {
+        let resume = if place.exists("killed/campaign.json") { "--resume" } else { "--replace" };
+        // Moments between 0.02 and 0.42 s, in no order: a generator of remainders.
+        let limit = 0.02 + 0.4 * f64::from(attempt * 193 % 257) / 257.0;
+        let killer =
+            if kills < 50 { format!("timeout -s KILL {limit:.3} ") } else { String::new() };
+        let line = format!(
+            "{killer}\"$FENDERLINE\" campaign study.toml --out killed {resume} --threads 2"
+        );
+        if place.shell(&line).code == 0 {
+            break;
+        }
+        kills += 1;
+    }
+    assert_eq!(kills, 50);
+    assert_eq!(bytes(&place, "killed"), whole);
 }
 
 /// The program is killed again and again; the table is that of a campaign without interruption.
@@ -432,4 +471,38 @@ fn a_run_with_too_many_steps_is_a_row_with_its_reason() {
     let run = place.run(&["campaign", "study.toml"]);
     assert_eq!(run.code, 1, "{}", run.stdout);
     contains_all(&run.stderr, &["60 cases did not run", "more than `most_steps` 100"]);
+}
+
+/// The worked campaigns of the repository, with few runs: each makes its table and its report.
+#[test]
+fn the_worked_campaigns_run() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let place = Workplace::new("campaign_worked");
+    std::fs::create_dir_all(place.path("campaigns")).expect("a folder");
+    std::fs::create_dir_all(place.path("scenarios/berth")).expect("a folder");
+    for file in [
+        "campaigns/quay.toml",
+        "scenarios/berth/alongside_with_two_tugs.toml",
+        "scenarios/berth/moored_three_hours_in_gusts.toml",
+    ] {
+        std::fs::copy(root.join(file), place.path(file)).expect(file);
+    }
+    for (name, number, parts) in [
+        ("terminal_mix", 100, &["Design values", "50 years", "Beside the formula", "Cho 2018"][..]),
+        ("two_tugs_in_wind", 16, &["Operability", "berthed", "The worst runs"]),
+        ("moored_in_gusts", 8, &["Inputs", "225 deg: 26 %"]),
+    ] {
+        let text =
+            std::fs::read_to_string(root.join(format!("campaigns/{name}.toml"))).expect(name);
+        let lines = text.lines().map(|line| match line.starts_with("number = ") {
+            true => format!("number = {number}\n"),
+            false => format!("{line}\n"),
+        });
+        let file = format!("campaigns/{name}.toml");
+        place.write(&file, lines.collect::<String>().as_bytes());
+        let run = place.run(&["campaign", &file]);
+        assert_eq!(run.code, 0, "{name}: {}", run.stderr);
+        assert_eq!(place.text(&format!("out/{name}/cases.csv")).lines().count(), number + 1);
+        contains_all(&place.text(&format!("out/{name}/report.html")), parts);
+    }
 }

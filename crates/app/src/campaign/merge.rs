@@ -4,7 +4,7 @@ use fenderline_campaign::Runs;
 use fenderline_campaign::store::{self, Shard};
 use fenderline_scenario::Campaign;
 
-use super::default_folder;
+use super::{default_folder, report};
 use crate::cli::CampaignMergeArgs;
 use crate::failure::Failure;
 use crate::terminal::say;
@@ -19,6 +19,7 @@ pub(super) fn merge(args: &CampaignMergeArgs) -> Result<(), Failure> {
     let runs = Runs::new(campaign).map_err(Failure::input)?;
     let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.campaign, Shard::WHOLE));
     store::merge(&runs, &args.shares, &folder).map_err(Failure::input)?;
+    report::write(&runs, &args.campaign, &folder)?;
     let path = folder.join(store::TABLE_PARQUET);
     say(&format!(
         "{}: {} cases of {} shares: {}\n",

@@ -9,6 +9,7 @@ use fenderline_report::plot::{counted, fixed};
 use fenderline_scenario::Plan;
 
 use super::gathered::Gathered;
+use super::report::REPORT;
 use crate::cli::CampaignRunArgs;
 use crate::terminal::notice;
 
@@ -20,6 +21,7 @@ pub(super) fn printed(
     args: &CampaignRunArgs,
     shard: Shard,
     ended: Option<u64>,
+    is_whole: bool,
 ) -> String {
     let campaign = runs.campaign();
     let of = counted(shard.count(runs.count()), "case", "cases");
@@ -49,6 +51,9 @@ pub(super) fn printed(
     let _ = writeln!(text, "table: {}", folder.join(table).display());
     if campaign.plan == Plan::FullFactorial {
         let _ = writeln!(text, "figure: {}", folder.join("figure.html").display());
+    }
+    if is_whole {
+        let _ = writeln!(text, "report: {}", folder.join(REPORT).display());
     }
     if let Some(path) = &args.xlsx {
         let _ = writeln!(text, "workbook: {}", path.display());

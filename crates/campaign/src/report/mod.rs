@@ -17,6 +17,8 @@ use fenderline_report::plot::page;
 use maud::html;
 
 use crate::statistics::design::{Asked, Findings, findings};
+use crate::statistics::fit::Law;
+use crate::statistics::return_value::Traffic;
 use crate::statistics::{Sample, SampleError};
 use crate::table::{Head, Table, TableError};
 
@@ -47,6 +49,8 @@ pub struct Campaign<'a> {
     pub outputs: &'a [String],
     /// The column with the weights of importance sampling, if the runs have any.
     pub weights: Option<&'a str>,
+    /// Column that is 1 where a run succeeds and 0 where not; without it the verdict decides.
+    pub success: Option<&'a str>,
     /// Berthings a year, return periods, laws.
     pub asked: &'a Asked,
     /// The command that runs a row (from 0) again, with its report.
@@ -59,6 +63,10 @@ struct Output<'a> {
     /// A value a run; NaN where there is none.
     values: Vec<f64>,
     missing: usize,
+    /// Values of 0, which are in no statistics.
+    apart: usize,
+    /// What was asked of the others.
+    asked: Asked,
     findings: Result<Findings, SampleError>,
 }
 
@@ -80,7 +88,7 @@ pub fn render(campaign: &Campaign<'_>) -> Result<String, ReportError> {
         p class="subtitle" { (verdicts.runs) " runs of " (campaign.scenario) "." }
         h2 { "Verdicts" }
         (verdicts.section(campaign.asked.confidence))
-        @for output in &outputs { (section(output, campaign.asked)) }
+        @for output in &outputs { (section(output)) }
         (scatter::section(campaign.table)?)
         (worst::section(campaign, &outputs, &verdicts))
         (convergence::section(&outputs, campaign.asked))
@@ -94,7 +102,11 @@ pub fn render(campaign: &Campaign<'_>) -> Result<String, ReportError> {
     Ok(page(campaign.title, &body))
 }
 
-/// Reads a column and finds what it tells.
+/// Share of the values above the threshold of the law of tails.
+const TAIL: f64 = 0.1;
+
+/// Reads a column and finds what it tells. Values of 0 are those of runs in which nothing was touched: the statistics are then of
+/// the others, with as many fewer a year. For rare values that is the same as the statistics of all.
 fn output<'a>(
     campaign: &Campaign<'a>,
     name: &str,
@@ -102,30 +114,65 @@ fn output<'a>(
 ) -> Result<Output<'a>, ReportError> {
     let head = campaign.table.head(name)?;
     let numbers = campaign.table.numbers(name)?;
-    let sample = match weights {
-        None => Sample::new(numbers.present()),
-        Some(weights) => {
-            let pairs = numbers.values.iter().zip(weights).filter(|(value, _)| value.is_finite());
-            let (values, weights): (Vec<f64>, Vec<f64>) = pairs.unzip();
-            Sample::weighted(&values, &weights)
+    let is_there = |value: &f64| value.is_finite();
+    let zeros = numbers.values.iter().filter(|value| **value == 0.0).count();
+    let positive = numbers.values.iter().filter(|value| **value > 0.0).count();
+    let is_apart =
+        zeros > 0 && positive > zeros && !numbers.values.iter().any(|value| *value < 0.0);
+    let counts = |value: &f64| is_there(value) && (!is_apart || *value > 0.0);
+    let ones = vec![1.0; numbers.values.len()];
+    let all = numbers.values.iter().zip(weights.unwrap_or(&ones));
+    let (kept, kept_weights): (Vec<f64>, Vec<f64>) =
+        all.clone().filter(|(value, _)| counts(value)).unzip();
+    let whole: f64 = all.filter(|(value, _)| is_there(value)).map(|(_, weight)| weight).sum();
+    let share = if is_apart { kept_weights.iter().sum::<f64>() / whole } else { 1.0 };
+    let mut asked = campaign.asked.clone();
+    asked.traffic = match asked.traffic {
+        Some(traffic) => {
+            Some(Traffic::new(traffic.per_year() * share).map_err(ReportError::Traffic)?)
         }
+        None => None,
+    };
+    if weights.is_none() && !asked.laws.contains(&Law::Pareto) {
+        let mut sorted = kept.clone();
+        sorted.sort_by(f64::total_cmp);
+        let place = ((1.0 - TAIL) * sorted.len() as f64) as usize;
+        asked.threshold = sorted.get(place).copied();
+        asked.laws.extend(asked.threshold.map(|_| Law::Pareto));
+    }
+    let sample = match weights {
+        None => Sample::new(kept),
+        Some(_) => Sample::weighted(&kept, &kept_weights),
     };
     let found = match sample {
-        Ok(sample) => Ok(findings(sample, campaign.asked)?),
+        Ok(sample) => Ok(findings(sample, &asked)?),
         Err(why) => Err(why),
     };
-    Ok(Output { head, values: numbers.values, missing: numbers.missing, findings: found })
+    let apart = if is_apart { zeros } else { 0 };
+    Ok(Output {
+        head,
+        values: numbers.values,
+        missing: numbers.missing,
+        apart,
+        findings: found,
+        asked,
+    })
 }
 
 /// The section of an output.
-fn section(output: &Output<'_>, asked: &Asked) -> maud::Markup {
+fn section(output: &Output<'_>) -> maud::Markup {
     let name = capital(&column::words_of(output.head));
     html! {
         h2 { (name) }
         @match &output.findings {
             Ok(findings) => {
                 p class="note" { (column::counts(output.head, output.missing, findings)) }
-                (column::sections(output.head, findings, asked))
+                @if output.apart > 0 {
+                    p class="note" { (output.apart) " further runs have 0: nothing was touched. The statistics are of the others"
+                        @if let Some(traffic) = output.asked.traffic { ", of which there are " (words::number(traffic.per_year())) " a year" }
+                        "." }
+                }
+                (column::sections(output.head, findings, &output.asked))
             }
             Err(why) => p { "No statistics: " (why) "." },
         }

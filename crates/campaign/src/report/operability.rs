@@ -23,8 +23,14 @@ const REQUIRED: [f64; 2] = [0.95, 0.99];
 /// The section; empty where wind speed and direction are no inputs, or the table has no verdicts.
 pub(super) fn section(campaign: &Campaign<'_>, verdicts: &Verdicts) -> Result<Markup, TableError> {
     let is_input = |name: &str| campaign.inputs.iter().any(|input| input.column == name);
-    let Some(successes) = verdicts.successes().filter(|_| is_input(SPEED) && is_input(DIRECTION))
-    else {
+    let successes = match campaign.success {
+        None => verdicts.successes(),
+        Some(name) => {
+            let values = campaign.table.numbers(name)?.values;
+            Some(values.iter().map(|value| value.is_finite().then_some(*value > 0.5)).collect())
+        }
+    };
+    let Some(successes) = successes.filter(|_| is_input(SPEED) && is_input(DIRECTION)) else {
         return Ok(html! {});
     };
     let unit = campaign.table.head(SPEED)?.unit.clone();
@@ -47,7 +53,10 @@ pub(super) fn section(campaign: &Campaign<'_>, verdicts: &Verdicts) -> Result<Ma
     let limits = REQUIRED.map(|required| (required, limit(&by_speed, &bins, required)));
     Ok(html! {
         h2 { "Operability" }
-        p { "A run succeeds where its verdict is “all well” or a note: no limit was exceeded and nothing is in doubt." }
+        @match campaign.success {
+            None => p { "A run succeeds where its verdict is “all well” or a note: no limit was exceeded and nothing is in doubt." },
+            Some(name) => p { "A run succeeds where the output “" (name.replace('_', " ")) "” of the campaign's file is 1." },
+        }
         ul class="plain" { @for (required, limit) in limits { li { (sentence(required, limit, &unit)) } } }
         (rose(&runs, &rings, &unit).render())
         (curve(&by_speed, &bins, &unit, confidence).render())

@@ -151,6 +151,7 @@ impl Runs {
             title: String::new(),
             scenario: PathBuf::new(),
             design: None,
+            success: None,
             ..self.campaign.clone()
         };
         add(&format!("{campaign:?}"));

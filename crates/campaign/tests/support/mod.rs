@@ -90,6 +90,7 @@ pub(crate) fn report(path: &Path) -> Result<String, ReportError> {
         inputs: &inputs,
         outputs: &["energy", "reaction", "hull_pressure"].map(str::to_owned),
         weights: None,
+        success: None,
         asked: &asked,
         replay: &|row| format!("fenderline campaign replay {}", row + 1),
     })

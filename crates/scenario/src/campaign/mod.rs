@@ -98,6 +98,8 @@ pub struct Campaign {
     pub outputs: Vec<String>,
     /// Outputs by expressions.
     pub expressions: Vec<Output>,
+    /// Output that is 1 where a run succeeds.
+    pub success: Option<String>,
     /// When it may end early.
     pub stop: Option<Stop>,
     /// What design values are for.
@@ -159,6 +161,7 @@ impl Campaign {
             correlations: plan::correlations(&sources, &file, &variables)?,
             outputs: file.given("outputs").texts().to_vec(),
             expressions: plan::outputs(&sources, &file, &variables)?,
+            success: file.item("success").map(|item| item.text().to_owned()),
             stop: plan::stop(&sources, &file)?,
             design: plan::design(&sources, &file)?,
             most_steps: *file.given("most_steps").number() as u64,

@@ -113,6 +113,13 @@ pub(crate) static CAMPAIGN_FILE: TableSpec = TableSpec {
         ),
         key("output", Kind::Named(&OUTPUT), Is("{}"), "Outputs of your own, by name.", &[]),
         key(
+            "success",
+            Kind::Text,
+            Means("a run succeeds where its verdict is \"all well\" or a note"),
+            "Output that is 1 where a run succeeds and 0 where not, for the operability in the report.",
+            &["\"berthed\""],
+        ),
+        key(
             "stop",
             Kind::Table(&STOP),
             Means("all runs are made"),

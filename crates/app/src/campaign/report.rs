@@ -1,0 +1,163 @@
+//! The report of a campaign: `report.html` beside its table.
+
+use std::path::Path;
+
+use fenderline_campaign::report::{self, Input};
+use fenderline_campaign::statistics::Confidence;
+use fenderline_campaign::statistics::design::Asked;
+use fenderline_campaign::statistics::fit::Law;
+use fenderline_campaign::statistics::return_value::Traffic;
+use fenderline_campaign::store::{Shard, TABLE_PARQUET};
+use fenderline_campaign::table::Table;
+use fenderline_campaign::{Formula, Head, Runs};
+use fenderline_scenario::{Campaign, Draw, Variable};
+
+use super::default_folder;
+use crate::cli::CampaignReportArgs;
+use crate::failure::Failure;
+use crate::output::write_whole;
+use crate::terminal::say;
+
+/// Name of the report.
+pub(super) const REPORT: &str = "report.html";
+
+/// Numbers of every campaign that the report shows, the most important first.
+const SHOWN: [&str; 6] =
+    ["energy", "reaction", "deflection", "governing_share", "hull_pressure", "line_share"];
+
+/// Laws that are fitted.
+const LAWS: [Law; 4] = [Law::LogNormal, Law::Weibull, Law::Gumbel, Law::Gev];
+
+/// `fenderline campaign report`: the report of a table that is there, as of merged shares.
+///
+/// # Errors
+/// A folder without a table, or with that of another campaign; a report that cannot be written.
+pub(super) fn report_command(args: &CampaignReportArgs) -> Result<(), Failure> {
+    let campaign = Campaign::load(&args.campaign).map_err(Failure::input)?;
+    let runs = Runs::new(campaign).map_err(Failure::input)?;
+    let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.campaign, Shard::WHOLE));
+    write(&runs, &args.campaign, &folder)?;
+    say(&format!("report: {}\n", folder.join(REPORT).display()))
+}
+
+/// Writes the report of the table in a folder.
+///
+/// # Errors
+/// The table, or the disk.
+pub(super) fn write(runs: &Runs, file: &Path, folder: &Path) -> Result<(), Failure> {
+    let refused = |why: &dyn core::fmt::Display| Failure::input(format_args!("error: {why}"));
+    let table = Table::open(&folder.join(TABLE_PARQUET)).map_err(|why| refused(&why))?;
+    let campaign = runs.campaign();
+    let design = campaign.design.as_ref();
+    let traffic = design
+        .map(|design| Traffic::new(design.per_year))
+        .transpose()
+        .map_err(|why| refused(&why))?;
+    let asked = Asked {
+        confidence: Confidence::USUAL,
+        traffic,
+        periods_years: design.map_or_else(Vec::new, |design| design.return_periods_years.clone()),
+        life_years: design.map(|design| design.life_years),
+        laws: LAWS.to_vec(),
+        threshold: None,
+    };
+    let inputs: Vec<Input> = campaign.variables.iter().map(input).collect();
+    let outputs = outputs(runs, &table);
+    let scenario = campaign.scenario.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let replay = |row: usize| format!("fenderline campaign replay {} {}", file.display(), row + 1);
+    let page = report::render(&report::Campaign {
+        title: &campaign.title,
+        scenario: &scenario,
+        table: &table,
+        inputs: &inputs,
+        outputs: &outputs,
+        weights: None,
+        success: campaign.success.as_deref(),
+        asked: &asked,
+        replay: &replay,
+    });
+    let page = page.map_err(|why| refused(&why))?;
+    write_whole(&folder.join(REPORT), page.as_bytes())?;
+    Ok(())
+}
+
+/// The numbers that the report shows: those of every campaign that this one has, and the user's own. What a formula of the user's uses is
+/// not shown by itself.
+fn outputs(runs: &Runs, table: &Table) -> Vec<String> {
+    let campaign = runs.campaign();
+    let used: Vec<String> =
+        campaign.expressions.iter().flat_map(|own| names_of(&own.expression)).collect();
+    let own = campaign
+        .outputs
+        .iter()
+        .filter(|name| !used.contains(name))
+        .chain(campaign.expressions.iter().map(|output| &output.name));
+    let shown = SHOWN.iter().map(|name| (*name).to_owned()).chain(own.cloned());
+    let is_known = |name: &String| {
+        let numbers = table.numbers(name);
+        numbers.is_ok_and(|numbers| {
+            numbers.values.iter().any(|value| value.is_finite() && *value != 0.0)
+        })
+    };
+    shown
+        .filter(|name| Some(name.as_str()) != campaign.success.as_deref())
+        .filter(is_known)
+        .collect()
+}
+
+/// The numbers of a formula.
+fn names_of(expression: &str) -> Vec<String> {
+    Formula::parse(expression).map_or_else(|_| Vec::new(), |formula| formula.names().to_vec())
+}
+
+/// A variable with its law in words.
+fn input(variable: &Variable) -> Input {
+    let with_unit = |text: String, unit: &str| match unit {
+        "" => text,
+        unit => format!("{text} (in {unit})"),
+    };
+    let distribution = match &variable.draw {
+        Draw::Choices(choices) => {
+            let whole: f64 = choices.iter().map(|choice| choice.weight).sum();
+            let share = |weight: f64| fenderline_report::plot::plain(100.0 * weight / whole, 3);
+            let each: Vec<String> = choices
+                .iter()
+                .map(|choice| format!("{}: {} %", choice.label, share(choice.weight)))
+                .collect();
+            each.join(", ")
+        }
+        Draw::Law(law, target) => with_unit(law.to_string(), &target.unit),
+        Draw::Measured { file, column, .. } => {
+            let file = file.file_name().unwrap_or_default().to_string_lossy();
+            format!("the measured values of column {column} of {file}, each alike")
+        }
+        Draw::Expression { text, target } => with_unit(text.clone(), &target.unit),
+        Draw::Column { column, .. } => format!("column {column} of the campaign's table"),
+    };
+    Input {
+        column: variable.name.clone(),
+        distribution,
+        // A formula is its own source.
+        source: match (&variable.source, &variable.draw) {
+            (Some(source), _) => source.clone(),
+            (None, Draw::Expression { .. }) => "computed".to_owned(),
+            (None, _) => String::new(),
+        },
+    }
+}
+
+/// Refuses a success that is no number of the campaign.
+///
+/// # Errors
+/// Why.
+pub(super) fn check_success(runs: &Runs) -> Result<(), String> {
+    let Some(success) = &runs.campaign().success else { return Ok(()) };
+    let is_it = |head: &&Head| head.name == *success && !head.is_text;
+    if runs.heads().iter().any(|head| is_it(&head)) {
+        return Ok(());
+    }
+    let near =
+        fenderline_scenario::nearest(success, runs.heads().iter().map(|head| head.name.as_str()));
+    let near = near.map_or(String::new(), |near| format!("; did you mean `{near}`?"));
+    Err(format!("`success`: there is no number `{success}`{near}"))
+}
