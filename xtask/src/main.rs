@@ -53,6 +53,7 @@ usage: cargo xtask test                   everything that a change must pass
        cargo xtask circles                fails where files of a crate use each other in a circle
        cargo xtask finite-elements        fenders by finite elements: studies, comparison, tables, data files
        cargo xtask dist [cheap]           everything that a release hands out, into target/dist; cheap: what the tests run
+       cargo xtask dist try               that, unpacked and used as a user does
        cargo xtask dist c PREFIX          the C library for this machine, with headers, pkg-config and CMake files, into PREFIX
        cargo xtask hosts                  FMUs in FMPy, libcosim and ecos, which come from PyPI
        cargo xtask passivity [EPISODES]   random impacts on fenders: none may gain energy (default: 100000)
@@ -100,6 +101,7 @@ fn main() -> ExitCode {
         ["finite-elements"] => finite_elements::finite_elements_command(),
         ["dist"] => dist::dist_command(),
         ["dist", "cheap"] => dist::cheap_command(),
+        ["dist", "try"] => dist::try_command(),
         ["dist", "c", prefix] => dist::install_c_command(prefix),
         ["hosts"] => hosts::hosts_command(),
         ["pages"] => step::run_all(&pages::STEPS),
