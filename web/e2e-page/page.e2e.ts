@@ -108,15 +108,19 @@ test("a mistake far from the cursor is shown when the typing ends, a near one at
       const [top, bottom] = [index * height, (index + 1) * height];
       return top >= area.scrollTop - 1 && bottom <= area.scrollTop + area.clientHeight + 1;
     }, line);
-  // The cursor is behind the last line after the text was written.
-  await write(lines.with(line, 'gyradiu = "74.5 m"').join("\n"));
+  // The cursor is behind the last line after the text was written, far from the mistake.
+  const broken = lines.with(line, 'gyradiu = "74.5 m"').join("\n");
+  await write(broken + "# more\n".repeat(200));
   expect(await seen()).toBe(false);
   await editor().blur();
   expect(await seen()).toBe(true);
   // With the cursor two lines below it, from a view that ends above.
   await reran(page, () =>
     editor().evaluate((area: HTMLTextAreaElement, index: number) => {
-      const at = area.value.split("\n").slice(0, index + 2).join("\n").length;
+      const at = area.value
+        .split("\n")
+        .slice(0, index + 2)
+        .join("\n").length;
       area.focus();
       area.setSelectionRange(at, at);
       area.scrollTop = 0;
