@@ -168,6 +168,7 @@ mod tests {
 
     use super::*;
     use crate::geometry::axis::best_axis;
+    use crate::number::greater;
     use crate::vec2::{Pose, Rotation, vec2};
 
     /// Numbers from 0 to 1 in a fixed order (Knuth's multiplicative congruential generator).
@@ -204,7 +205,7 @@ mod tests {
         for round in 0..4_000 {
             let polygon = numbers.polygon(3 + round % 97);
             let direction = Rotation::from_angle(numbers.between(0.0, 6.3)).apply(vec2(1.0, 0.0));
-            let most = polygon.vertices().iter().map(|v| v.dot(direction)).fold(f64::MIN, f64::max);
+            let most = polygon.vertices().iter().map(|v| v.dot(direction)).fold(f64::MIN, greater);
             let found = polygon.corner(polygon.farthest(direction)).dot(direction);
             assert!(most - found <= 1e-13 * polygon.radius_m(), "{found} is not {most}");
         }
@@ -216,7 +217,7 @@ mod tests {
         let polygon = ConvexPolygon::new(&square.map(|(x, y)| vec2(x, y)));
         for (x, y) in [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
             let found = polygon.corner(polygon.farthest(vec2(x, y)));
-            assert_eq!(found.dot(vec2(x, y)), vec2(x, y).dot(vec2(x, y)).max(1.0));
+            assert_eq!(found.dot(vec2(x, y)), greater(vec2(x, y).dot(vec2(x, y)), 1.0));
         }
     }
 
@@ -231,7 +232,7 @@ mod tests {
             let bearing = Rotation::from_angle(numbers.between(0.0, 6.3)).apply(vec2(1.0, 0.0));
             let turned = Pose::new(vec2(0.0, 0.0), heading_rad);
             let reach_m = |p: &ConvexPolygon, pose: Pose, d: Vec2| {
-                p.vertices().iter().map(|&v| pose.apply(v).dot(d)).fold(f64::MIN, f64::max)
+                p.vertices().iter().map(|&v| pose.apply(v).dot(d)).fold(f64::MIN, greater)
             };
             // Tangent along the bearing, aside, and this far apart along it.
             let touching_m = reach_m(&a, Pose::IDENTITY, bearing) + reach_m(&b, turned, -bearing);
