@@ -16,7 +16,10 @@ const SIZES: [usize; 3] = [100, 300, 1000];
 /// A step of the largest takes at most this (µs).
 const MOST_US: f64 = 300.0;
 
-const KINDS: [(&str, fn(usize) -> Scene); 3] = [
+/// A name, and the scene of so many corners.
+type Kind = (&'static str, fn(usize) -> Scene);
+
+const KINDS: [Kind; 3] = [
     ("star slides along a star", Scene::Stars),
     ("star slides along a comb", Scene::StarOnComb),
     ("comb on a comb, tooth on tooth", Scene::Combs),
