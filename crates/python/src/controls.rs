@@ -76,7 +76,8 @@ impl Control {
 
     /// The order that sets this control to a value at a time. The simulation checks it as any other.
     pub(crate) fn order(&self, value: f64, at_s: f64, setup: &Setup) -> Order {
-        let of_unit = |unit, power, direction_rad| VesselAction::Azimuth { unit, power, direction_rad };
+        let of_unit =
+            |unit, power, direction_rad| VesselAction::Azimuth { unit, power, direction_rad };
         let action = match self.kind {
             Kind::Rudder => VesselAction::Rudder(value),
             Kind::Engine => VesselAction::Engine(value),

@@ -110,7 +110,8 @@ impl Episode {
     pub(super) fn begin(&mut self, drawn: &Drawn, berth: &Berth) -> Result<Seen, EnvironmentError> {
         let (wind_mps, from_rad) = (drawn.wind_mps, drawn.wind_from_rad);
         let wind = MeanWind { speed_mps: wind_mps, from_rad, profile: WindProfile::Uniform };
-        let ahead = |speed_mps: f64, rad: f64| Rotation::from_angle(rad).apply(vec2(speed_mps, 0.0));
+        let ahead =
+            |speed_mps: f64, rad: f64| Rotation::from_angle(rad).apply(vec2(speed_mps, 0.0));
         let current_mps = ahead(drawn.current_mps, drawn.current_towards_rad);
         let (wind, current) = (Wind::steady(wind)?, Current::uniform(current_mps)?);
         (self.start.wind, self.start.current) = (Some(wind), Some(current));

@@ -133,7 +133,8 @@ impl Docking {
         let (mut ended, mut truncated) = (Vec::with_capacity(count), Vec::with_capacity(count));
         for (index, outcome) in done.into_iter().enumerate() {
             let failed = |error| variants::numbered(py, index, errors::of_simulation(py, &error));
-            let Outcome { seen: own, reward, ended: how, is_truncated } = outcome.map_err(failed)?;
+            let Outcome { seen: own, reward, ended: how, is_truncated } =
+                outcome.map_err(failed)?;
             seen.extend(own);
             rewards.push(reward);
             ended.push(how as i8);
