@@ -63,7 +63,8 @@ impl ThrustShares {
     /// use fenderline_contact::vec2;
     /// use fenderline_sim::control::{Demand, Reach, Sway, ThrustDevice, ThrustShares};
     /// let unit = |across_m| ThrustDevice { at_m: vec2(-12.0, across_m), reach: Reach::Round(300e3) };
-    /// let mut shares = ThrustShares { devices: vec![unit(-2.5), unit(2.5)], ..ThrustShares::default() };
+    /// let mut shares = ThrustShares::default();
+    /// shares.devices.extend([unit(-2.5), unit(2.5)]);
     /// shares.meet(&Demand { surge_n: 400e3, ..Demand::default() }, Sway::Held);
     /// let one_n = shares.forces_n[0];
     /// assert!((one_n.x - 200e3).abs() < 1.0 && one_n.y.abs() < 1.0);
