@@ -29,6 +29,9 @@ type Stepped<'py> = (
     Bound<'py, PyArray1<bool>>,
 );
 
+/// Orders to the ship, wind along the quay and towards it (m/s), steps taken, share of the rated energy.
+type Shown = ([f64; SHIP_ORDERS], (f64, f64), u32, f64);
+
 /// Episodes of `fenderline.docking` in parallel, on `threads` threads. `levers` names the controls that the numbers of an action set,
 /// each with its value at 1; the first four are the ship's. All calls return new arrays.
 #[pyclass(module = "fenderline._native")]
@@ -160,7 +163,7 @@ impl Docking {
 
     /// Of one episode: the ship's orders, wind along the quay and towards it (m/s), steps taken, and the largest energy that a fender
     /// has stored over its rated energy.
-    fn shown(&self, index: usize) -> PyResult<([f64; SHIP_ORDERS], (f64, f64), u32, f64)> {
+    fn shown(&self, index: usize) -> PyResult<Shown> {
         let episode = self.episodes.get(index);
         let episode = episode.ok_or_else(|| PyIndexError::new_err("no such episode"))?;
         let [along_mps, towards_mps, _] = episode.weather_mps;
