@@ -15,6 +15,11 @@ fn number(value: Option<f64>) -> Cell {
     value.filter(|value| value.is_finite()).map_or(Cell::Empty, Cell::Number)
 }
 
+/// 0 where no fender was touched.
+fn or_none(of: &Numbers, value: Cell) -> Cell {
+    if of.touched == 0 { Cell::Number(0.0) } else { value }
+}
+
 fn text(value: Option<&str>) -> Cell {
     value.map_or(Cell::Empty, |text| Cell::Text(text.to_owned()))
 }
@@ -40,7 +45,7 @@ const fn column(
     Column { name, unit, meaning, value }
 }
 
-const COLUMNS: [Column; 26] = [
+const COLUMNS: [Column; 28] = [
     column("verdict", "", "the worst finding of the run: a word", |of| {
         Cell::Text(of.verdict.key().to_owned())
     }),
@@ -55,29 +60,33 @@ const COLUMNS: [Column; 26] = [
         text(of.governing.as_ref().map(|g| g.1))
     }),
     column("governing_share", "%", "that quantity over its rated value", |of| {
-        number(of.governing.as_ref().map(|g| 100.0 * g.2))
+        or_none(of, number(of.governing.as_ref().map(|g| 100.0 * g.2)))
     }),
     column("energy", "kJ", "largest energy that one fender absorbed", |of| {
-        scaled(of.energy.as_ref(), 1e-3)
+        or_none(of, scaled(of.energy.as_ref(), 1e-3))
     }),
-    column("energy_share", "%", "over its rated energy", |of| share(of.energy.as_ref())),
+    column("energy_share", "%", "over its rated energy", |of| {
+        or_none(of, share(of.energy.as_ref()))
+    }),
     column("energy_fender", "", "that fender", |of| fender(of.energy.as_ref())),
     column("reaction", "kN", "largest reaction of one fender", |of| {
-        scaled(of.reaction.as_ref(), 1e-3)
+        or_none(of, scaled(of.reaction.as_ref(), 1e-3))
     }),
-    column("reaction_share", "%", "over its rated reaction", |of| share(of.reaction.as_ref())),
+    column("reaction_share", "%", "over its rated reaction", |of| {
+        or_none(of, share(of.reaction.as_ref()))
+    }),
     column("reaction_fender", "", "that fender", |of| fender(of.reaction.as_ref())),
     column("deflection", "mm", "largest deflection of one fender", |of| {
-        scaled(of.deflection.as_ref(), 1e3)
+        or_none(of, scaled(of.deflection.as_ref(), 1e3))
     }),
     column("deflection_share", "%", "over its rated deflection", |of| {
-        share(of.deflection.as_ref())
+        or_none(of, share(of.deflection.as_ref()))
     }),
     column("hull_pressure", "kN/m²", "largest pressure of one fender on a hull", |of| {
-        scaled(of.pressure.as_ref(), 1e-3)
+        or_none(of, scaled(of.pressure.as_ref(), 1e-3))
     }),
     column("hull_pressure_share", "%", "over the permissible one", |of| {
-        share(of.pressure.as_ref())
+        or_none(of, share(of.pressure.as_ref()))
     }),
     column("fenders_touched", "", "number of fenders that were touched", |of| {
         Cell::Number(of.touched as f64)
@@ -98,8 +107,17 @@ const COLUMNS: [Column; 26] = [
         number(of.first_touch.map(|t| t.1.to_degrees()))
     }),
     column("struck_force", "kN", "largest force on structure that was struck", |of| {
-        number(of.struck_n.map(|force_n| force_n * 1e-3))
+        Cell::Number(of.struck_n.unwrap_or(0.0) * 1e-3)
     }),
+    column("contact_force", "kN", "largest normal force between two bodies", |of| {
+        number(of.contact.map(|(force_n, _)| force_n * 1e-3))
+    }),
+    column(
+        "contact_depth",
+        "m",
+        "largest depth of an overlap of two bodies, or deflection of a fender between them",
+        |of| number(of.contact.map(|(_, depth_m)| depth_m)),
+    ),
     column(
         "line_share",
         "%",

@@ -1,5 +1,6 @@
 //! The numbers that are kept of every run.
 
+use fenderline_contact::number::greater;
 use fenderline_results::{WorldTotals, worst_first};
 use fenderline_sim::{FenderSummary, Finding, Setup, Simulation, Verdict};
 
@@ -28,6 +29,8 @@ pub(super) struct Numbers {
     pub(super) first_touch: Option<(f64, f64)>,
     /// Largest force on structure that was struck (N).
     pub(super) struck_n: Option<f64>,
+    /// Largest normal force (N) and depth (m) between two bodies.
+    pub(super) contact: Option<(f64, f64)>,
     /// Largest share of a line's working load, or break load where it has no working load.
     pub(super) line_share: Option<f64>,
     /// Least under-keel clearance (m).
@@ -87,6 +90,7 @@ impl Numbers {
             first_hit_j: berthing.map(|of| of.fender_energy_j),
             first_touch: first.map(|f| (f.approach_speed_mps, f.approach_angle_rad)),
             struck_n: struck_n(&findings),
+            contact: contact(simulation),
             line_share: line_share(world),
             under_keel_m: under_keel_m(setup, world),
             notices,
@@ -94,6 +98,12 @@ impl Numbers {
             lines_parted: world.lines.iter().filter(|line| line.parted_s.is_some()).count(),
         }
     }
+}
+
+fn contact(simulation: &Simulation) -> Option<(f64, f64)> {
+    let peaks =
+        simulation.pair_summaries().iter().map(|own| (own.peak_normal_force_n, own.peak_depth_m));
+    peaks.reduce(|most, own| (greater(most.0, own.0), greater(most.1, own.1)))
 }
 
 fn struck_n(findings: &[Finding]) -> Option<f64> {

@@ -34,9 +34,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Sequence
-from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -44,9 +43,6 @@ from numpy.typing import ArrayLike, NDArray
 from fenderline._errors import CampaignError
 from fenderline._native import Campaign
 from fenderline._progress import shown
-
-if TYPE_CHECKING:
-    import pandas
 
 __all__ = ["Campaign", "evaluate", "example_scenario", "load", "openturns_model", "read", "run", "salib_problem"]
 
@@ -64,14 +60,22 @@ def example_scenario() -> str:
     return (Path(__file__).parent / "scenarios" / "tug_4kn.toml").read_text(encoding="utf-8")
 
 
-@lru_cache(maxsize=4)
+#: The campaign that this process made runs of last, by path and fingerprint.
+_last: dict[tuple[str, str], Campaign] = {}
+
+
 def _loaded(path: str, fingerprint: str) -> Campaign:
-    own = load(path)
-    if own.fingerprint != fingerprint:
-        raise CampaignError(
-            f"{path}: the campaign differs from the one that was started: its file, a file that it names or the program is another here"
-        )
-    return own
+    key = (path, fingerprint)
+    if key not in _last:
+        own = load(path)
+        if own.fingerprint != fingerprint:
+            raise CampaignError(
+                f"{path}: the campaign differs from the one that was started: its file, a file that it names or the program is "
+                "another here"
+            )
+        _last.clear()
+        _last[key] = own
+    return _last[key]
 
 
 def make_part(part: Part) -> bytes:
@@ -125,8 +129,8 @@ def run(
     own.write(folder, rows, replace)
 
 
-def read(out: str | os.PathLike[str]) -> pandas.DataFrame:
-    """The table of a campaign's folder as a data frame; needs pandas and pyarrow."""
+def read(out: str | os.PathLike[str]) -> Any:
+    """The table of a campaign's folder as a ``pandas.DataFrame``; needs pandas and pyarrow."""
     import pandas
 
     return pandas.read_parquet(Path(out) / "cases.parquet")

@@ -169,7 +169,8 @@ pub(crate) static VARIABLE: TableSpec = TableSpec {
             Kind::Text,
             Means("the variable has `values`, a `choice` or a `distribution`"),
             "A formula of the numbers of other variables, each in its unit, with the result in `unit`. It may use + - * / ^, \
-             sqrt, abs, exp, ln, log10, sin, cos, tan, atan, min, max and PI.",
+             < <= > >= (1 where it holds, else 0), sqrt, abs, floor, exp, ln, log10, sin, cos, tan, atan (of radians), min(a, b), max(a, b) and PI. A \
+             sign counts before ^: -2^2 is 4.",
             &["\"0.6 * speed + 0.02\""],
         ),
         key(
