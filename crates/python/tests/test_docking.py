@@ -199,7 +199,7 @@ def test_observations_rewards_and_ends_are_those_of_the_formulas() -> None:
         fleet.step()
         assert (berth.native.states == fleet.states[:, 0]).all()
         shares = fleet.fender_energy_shares.max(axis=1)
-        failed = (fleet.fenders_failed > 0).any(axis=1)
+        failed = fleet.fenders_failed.max(axis=1)
         for i, formula in enumerate(formulas):
             state = fleet.states[i, 0]
             own = formula.step(actions[i], state, float(shares[i]), bool(failed[i]))
