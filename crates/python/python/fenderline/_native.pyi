@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import Any, Final, Literal, TypeAlias, final
+from typing import Any, Final, Literal, NoReturn, TypeAlias, final
 
 import numpy as np
 import numpy.typing as npt
@@ -222,6 +222,7 @@ class Fleet:
     def fenders(self) -> list[str]: ...
     @property
     def step_s(self) -> float: ...
+    def __reduce__(self) -> NoReturn: ...
     def __len__(self) -> int: ...
 
 @final
