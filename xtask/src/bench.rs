@@ -6,11 +6,13 @@ use std::process::ExitCode;
 use crate::command::{cargo, run};
 use crate::tools;
 
-const BENCHES: [&str; 10] = [
+const BENCHES: [&str; 12] = [
     "clip",
     "step",
     "islands",
     "fenders",
+    "outlines",
+    "first",
     "border",
     "accuracy",
     "mmg",
