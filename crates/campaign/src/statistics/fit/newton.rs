@@ -14,8 +14,9 @@ pub(super) struct Maximum {
 const MOST_STEPS: usize = 200;
 /// A rise of the likelihood's logarithm that is not worth another step.
 const SETTLED: f64 = 1e-9;
-/// Differences are taken over this share of a change that matters, over the root of the number of values.
-const DIFFERENCE: f64 = 0.02;
+/// Differences are taken over this share of a change that matters, over the root of the number of values: far below a standard
+/// error, where they have no bias, and far above the rounding of the sum over 10⁶ values.
+const DIFFERENCE: f64 = 0.005;
 /// The damping at which no step rises any more.
 const MOST_DAMPING: f64 = 1e12;
 
