@@ -1,192 +1,176 @@
-//! `fenderline campaign`: every combination of some values of a scenario's keys, as a table with a row a case, and a figure.
+//! `fenderline campaign`: many runs of one scenario, their table and their figure or report.
 
 mod axis;
-mod case;
-mod columns;
+mod gathered;
+mod merge;
 mod page;
-mod workers;
+mod printed;
+mod replay;
 
-use core::fmt::Write as _;
+use std::num::NonZero;
 use std::path::{Path, PathBuf};
+use std::thread;
 
-use fenderline_report::plot::{counted, fixed};
-use fenderline_scenario::Campaign;
+use fenderline_campaign::store::{Opened, Shard, Store};
+use fenderline_campaign::{CampaignError, Row, Runs, StopRule, make};
+use fenderline_scenario::{Campaign, Plan};
 
-use self::case::{Case, Done};
-pub(crate) use self::columns::{CaseTable, Cell};
+pub(crate) use self::gathered::CaseTable;
+use self::gathered::Gathered;
 use self::page::Layout;
-use crate::cli::CampaignArgs;
+use crate::cli::{CampaignArgs, CampaignPart, CampaignRunArgs};
 use crate::documents::cases_workbook;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
-use crate::output::{make_folder, write_whole};
+use crate::output::write_whole;
 use crate::progress::Progress;
-use crate::terminal::{answer, notice, say};
+use crate::terminal::{answer, say};
 
-/// Runs all cases and writes table and figure. A case that cannot be run is a row with its error.
+/// Makes all runs and writes their tables, or does what the subcommand says. A run that cannot be made is a row with its error.
 ///
 /// # Errors
-/// Bad input: the campaign's file, or a scenario of which no case can be run. A file that cannot be written. A case that did
-/// not run: exit code 1, with all files written. An interrupt: the rows so far are written.
+/// Bad input: the campaign's file, or a scenario of which no run can be made. A file that cannot be written. A run that was not
+/// made: exit code 1, with all files written. An interrupt: the rows so far are written.
 pub(crate) fn campaign(args: &CampaignArgs) -> Result<(), Failure> {
-    let campaign = Campaign::load(&args.campaign).map_err(Failure::input)?;
-    let layout = Layout::of(&campaign, args.x.as_deref(), args.lines.as_deref())
-        .map_err(|why| Failure::input(format_args!("error: {why}")))?;
-    if let Some(number) = args.command {
-        return answer(&command(&campaign, number)?);
+    match (&args.part, &args.run) {
+        (Some(CampaignPart::Merge(args)), _) => merge::merge(args),
+        (Some(CampaignPart::Replay(args)), _) => replay::replay(args),
+        (None, args) => run(args),
     }
-    refuse_hopeless(&campaign)?;
-    let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.campaign));
+}
+
+fn run(args: &CampaignRunArgs) -> Result<(), Failure> {
+    let path = args.campaign.as_deref().expect("clap asks for it");
+    let campaign = Campaign::load(path).map_err(Failure::input)?;
+    let layout = match campaign.plan {
+        Plan::FullFactorial => {
+            let layout = Layout::of(&campaign, args.x.as_deref(), args.lines.as_deref());
+            Some(layout.map_err(|why| Failure::input(format_args!("error: {why}")))?)
+        }
+        _ if args.x.is_some() || args.lines.is_some() => {
+            let why = "--x and --lines are of the figure of a full factorial plan; this campaign's is another";
+            return Err(Failure::input(format_args!("error: {why}")));
+        }
+        _ => None,
+    };
+    let runs = Runs::new(campaign).map_err(Failure::input)?;
+    if let Some(number) = args.command {
+        return answer(&replay::command(&runs, number)?);
+    }
+    let shard = args.shard.unwrap_or(Shard::WHOLE);
+    if let Some(refusal) = refusal_of_shard(args, &runs, shard) {
+        return Err(Failure::input(format_args!("error: {refusal}")));
+    }
+    let folder = args.out.clone().unwrap_or_else(|| default_folder(path, shard));
+    let opened = match (args.resume, args.replace) {
+        (true, _) => Opened::Resumed,
+        (_, true) => Opened::Replaced,
+        _ => Opened::New,
+    };
     let interrupt = Interrupt::listen();
-    make_folder(&folder)?;
-    let cases = run_all(&campaign, workers::threads(args.threads), &|| interrupt.is_asked());
-    let table = columns::table(&campaign, &cases);
-    let csv = table.csv().map_err(|error| Failure::case(format_args!("error: {error}")))?;
-    write_whole(&folder.join("cases.csv"), &csv)?;
-    let figure = page::render(&campaign, &cases, &table, layout);
-    write_whole(&folder.join("figure.html"), figure.as_bytes())?;
+    let mut rule = StopRule::of(&runs).map_err(Failure::input)?;
+    let mut visit = |row: &Row| {
+        if let Some(rule) = &mut rule {
+            rule.add(row);
+        }
+    };
+    let mut store =
+        Store::open(&folder, &runs, shard, opened, &mut visit).map_err(Failure::input)?;
+    make_missing(&runs, &mut store, &mut rule, threads(args.threads), &|| interrupt.is_asked())
+        .map_err(Failure::case)?;
+    let ended = rule.as_ref().and_then(StopRule::ended);
+    let wanted = ended.unwrap_or(shard.count(runs.count()));
+    let is_whole = ended.is_some() || store.done() == wanted;
+    let gathered = Gathered::of(&runs, &store, ended).map_err(Failure::case)?;
+    if shard == Shard::WHOLE {
+        write_documents(args, &folder, &runs, &gathered, layout)?;
+    }
+    if is_whole {
+        store.finish(wanted).map_err(Failure::case)?;
+    } else if shard == Shard::WHOLE {
+        store.write_so_far().map_err(Failure::case)?;
+    }
+    say(&printed::printed(&runs, &gathered, &folder, args, shard, ended))?;
+    if !is_whole {
+        return Err(Failure::Interrupted);
+    }
+    gathered.outcome()
+}
+
+/// Makes the runs that have no row, until the rule ends the campaign or the user asks.
+fn make_missing(
+    runs: &Runs,
+    store: &mut Store<'_>,
+    rule: &mut Option<StopRule>,
+    threads: usize,
+    is_stopped: &(dyn Fn() -> bool + Sync),
+) -> Result<(), CampaignError> {
+    if rule.as_ref().is_some_and(|rule| rule.ended().is_some()) {
+        return Ok(());
+    }
+    let missing = store.missing();
+    let mut progress = Progress::of(missing.len() as u64, "cases");
+    let mut done = 0;
+    make(runs, &missing, threads, is_stopped, &mut |row| {
+        store.add(&row)?;
+        done += 1;
+        progress.advance(done);
+        if let Some(rule) = rule {
+            rule.add(&row);
+        }
+        Ok(rule.as_ref().is_none_or(|rule| rule.ended().is_none()))
+    })
+}
+
+/// The number of threads given, else that of the machine.
+fn threads(given: Option<NonZero<usize>>) -> usize {
+    let all = || thread::available_parallelism().map_or(1, NonZero::get);
+    given.map_or_else(all, NonZero::get)
+}
+
+fn default_folder(campaign: &Path, shard: Shard) -> PathBuf {
+    let folder = Path::new("out").join(campaign.file_stem().unwrap_or_default());
+    match shard {
+        Shard::WHOLE => folder,
+        Shard { number, of } => folder.join(format!("shard_{number}_of_{of}")),
+    }
+}
+
+/// What does not go along with a share of the runs.
+fn refusal_of_shard(args: &CampaignRunArgs, runs: &Runs, shard: Shard) -> Option<String> {
+    if shard == Shard::WHOLE {
+        return None;
+    }
+    if args.xlsx.is_some() {
+        return Some(
+            "--xlsx goes with the whole table: use `fenderline campaign merge` first".to_owned(),
+        );
+    }
+    if runs.campaign().stop.is_some() {
+        return Some(
+            "a campaign with a [stop] rule cannot be shared: the rule looks at all runs".to_owned(),
+        );
+    }
+    (shard.of > runs.count())
+        .then(|| format!("there are {} shards for {} runs", shard.of, runs.count()))
+}
+
+fn write_documents(
+    args: &CampaignRunArgs,
+    folder: &Path,
+    runs: &Runs,
+    gathered: &Gathered,
+    layout: Option<Layout>,
+) -> Result<(), Failure> {
+    if let Some(layout) = layout {
+        let figure = page::render(runs.campaign(), gathered, layout);
+        write_whole(&folder.join("figure.html"), figure.as_bytes())?;
+    }
     if let Some(path) = &args.xlsx {
-        let book = cases_workbook(&campaign.title, &table).map_err(|error| {
+        let book = cases_workbook(&runs.campaign().title, gathered.table()?).map_err(|error| {
             Failure::case(format_args!("error: cannot make {}: {error}", path.display()))
         })?;
         write_whole(path, &book)?;
     }
-    say(&printed(&campaign, &cases, &folder, args.xlsx.as_deref()))?;
-    if cases.len() < campaign.cases() {
-        return Err(Failure::Interrupted);
-    }
-    let failed = cases.iter().filter(|case| matches!(case.done, Done::Failed(_))).count();
-    match failed {
-        0 => Ok(()),
-        _ => {
-            let count = counted(failed as u64, "case", "cases");
-            Err(Failure::case(format_args!("error: {count} did not run: see the column `error`")))
-        }
-    }
-}
-
-fn default_folder(campaign: &Path) -> PathBuf {
-    Path::new("out").join(campaign.file_stem().unwrap_or_default())
-}
-
-/// Refuses a campaign of which no case can start: the first error is then about the file, not about a case.
-fn refuse_hopeless(campaign: &Campaign) -> Result<(), Failure> {
-    let mut first = None;
-    for index in 0..campaign.cases() {
-        let changes = campaign.changes_of(index);
-        match case::start(&campaign.scenario, &changes) {
-            Ok(_) => return Ok(()),
-            Err(_) if first.is_some() => {}
-            Err(why) => {
-                // The whole error, with its place and help.
-                let loaded = fenderline_scenario::Scenario::load(&campaign.scenario, &changes);
-                let whole = loaded.err().map_or(format!("error: {why}"), |error| error.to_string());
-                first = Some(whole);
-            }
-        }
-    }
-    let why = first.unwrap_or_default();
-    Err(Failure::input(format_args!("{why}\nno case of the campaign can be run")))
-}
-
-/// All cases that end before `is_stopped`, in their order.
-fn run_all(
-    campaign: &Campaign,
-    threads: usize,
-    is_stopped: &(dyn Fn() -> bool + Sync),
-) -> Vec<Case> {
-    let mut progress = Progress::of(campaign.cases() as u64, "cases");
-    let mut cases: Vec<Case> = Vec::with_capacity(campaign.cases());
-    let one = |index: usize| {
-        if is_stopped() {
-            return None;
-        }
-        case::run(&campaign.scenario, &campaign.changes_of(index), is_stopped)
-    };
-    workers::each(campaign.cases(), threads, one, |index, done| {
-        cases.push(Case { index, done });
-        progress.advance(cases.len() as u64);
-    });
-    cases.sort_by_key(|case| case.index);
-    cases
-}
-
-/// The command that runs one case by itself, with its report.
-fn command(campaign: &Campaign, number: usize) -> Result<String, Failure> {
-    let index = number.checked_sub(1).filter(|index| *index < campaign.cases());
-    let Some(index) = index else {
-        let count = campaign.cases();
-        return Err(Failure::input(format_args!(
-            "error: there is no case {number}: they are numbered from 1 to {count}"
-        )));
-    };
-    let mut text = format!("fenderline run {}", in_shell(&campaign.scenario.display().to_string()));
-    for setting in campaign.settings_of(index) {
-        let _ = write!(text, " --set {}", in_shell(setting));
-    }
-    let _ = writeln!(text, " --out {}", in_shell(&format!("out/case_{number}")));
-    Ok(text)
-}
-
-/// A word of a command line, in quotes where it needs them.
-fn in_shell(word: &str) -> String {
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./=+:".contains(c);
-    match word.chars().all(is_plain) {
-        true => word.to_owned(),
-        false => format!("'{}'", word.replace('\'', r"'\''")),
-    }
-}
-
-fn printed(campaign: &Campaign, cases: &[Case], folder: &Path, xlsx: Option<&Path>) -> String {
-    let mut text = format!(
-        "{}: {} of {} done\n",
-        campaign.title,
-        cases.len(),
-        counted(campaign.cases() as u64, "case", "cases")
-    );
-    let mut counts: Vec<(&str, usize)> = Vec::new();
-    for case in cases {
-        let verdict = match &case.done {
-            Done::Run(numbers) => numbers.verdict.text(),
-            Done::Failed(_) => "Did not run",
-        };
-        match counts.iter_mut().find(|(known, _)| *known == verdict) {
-            Some((_, count)) => *count += 1,
-            None => counts.push((verdict, 1)),
-        }
-    }
-    for (verdict, count) in counts {
-        let _ = writeln!(text, "  {count:>5}  {verdict}");
-    }
-    let share = |case: &Case| match &case.done {
-        Done::Run(numbers) => numbers.governing.clone(),
-        Done::Failed(_) => None,
-    };
-    let used = cases.iter().filter_map(|case| Some((case, share(case)?)));
-    if let Some((case, (fender, quantity, share))) = used.max_by(|a, b| a.1.2.total_cmp(&b.1.2)) {
-        let labels = campaign.labels(case.index);
-        let names = campaign.variables.iter().zip(labels);
-        let values: Vec<String> =
-            names.map(|(variable, label)| format!("{} {label}", variable.name)).collect();
-        let _ = writeln!(
-            text,
-            "most used: {fender}, {quantity} {} % of rated, in case {} ({})",
-            fixed(100.0 * share, 1),
-            case.index + 1,
-            values.join(", ")
-        );
-    }
-    let failed = cases.iter().find_map(|case| match &case.done {
-        Done::Failed(why) => Some((case.index + 1, why)),
-        Done::Run(_) => None,
-    });
-    if let Some((number, why)) = failed {
-        notice(format_args!("case {number} did not run: {why}"));
-    }
-    let _ = writeln!(text, "table: {}", folder.join("cases.csv").display());
-    let _ = writeln!(text, "figure: {}", folder.join("figure.html").display());
-    if let Some(path) = xlsx {
-        let _ = writeln!(text, "workbook: {}", path.display());
-    }
-    text
+    Ok(())
 }

@@ -7,6 +7,7 @@ use std::path::PathBuf;
 
 use clap::builder::{PathBufValueParser, PossibleValue, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use fenderline_campaign::store::Shard;
 use fenderline_fmu::Platform;
 use fenderline_nautical::{ChartOrigin, GeoPoint};
 use fenderline_scenario::{
@@ -37,7 +38,8 @@ pub(crate) enum Command {
     Init(InitArgs),
     /// Run a scenario and write only documents: the report as a page or PDF, an Excel workbook
     Report(ReportArgs),
-    /// Run every combination of some values of a scenario's keys: a table with a row a case, and a figure
+    /// Make many runs of a scenario, with every combination of some values or with values drawn from distributions: a table with a
+    /// row a case, and a figure or report
     Campaign(CampaignArgs),
     /// Recompute published cases and compare them with the published numbers; exit code 1 if one is out of
     /// tolerance
@@ -376,14 +378,40 @@ impl ReportArgs {
 }
 
 #[derive(Debug, Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub(crate) struct CampaignArgs {
-    /// Campaign file: a scenario and the values of its variables
-    #[arg(value_name = "CAMPAIGN.toml", value_parser = input_file())]
-    pub(crate) campaign: PathBuf,
-    /// Folder for cases.csv and figure.html [default: `out/` and the name of the campaign file]
+    #[command(subcommand)]
+    pub(crate) part: Option<CampaignPart>,
+    #[command(flatten)]
+    pub(crate) run: CampaignRunArgs,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum CampaignPart {
+    /// Put the shares of a campaign together: the table is that of one campaign, byte for byte
+    Merge(CampaignMergeArgs),
+    /// Run one case of a campaign by itself, as `fenderline run` does, with its report
+    Replay(CampaignReplayArgs),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CampaignRunArgs {
+    /// Campaign file: a scenario and what differs from run to run
+    #[arg(value_name = "CAMPAIGN.toml", value_parser = input_file(), required = true)]
+    pub(crate) campaign: Option<PathBuf>,
+    /// Folder for the table and the figure or report [default: `out/` and the name of the campaign file]
     #[arg(long, value_name = "DIR", value_parser = output_folder())]
     pub(crate) out: Option<PathBuf>,
-    /// Write the table as an Excel workbook too
+    /// Go on with the campaign that the folder holds
+    #[arg(long, conflicts_with = "replace")]
+    pub(crate) resume: bool,
+    /// Remove the campaign that the folder holds, and begin again
+    #[arg(long)]
+    pub(crate) replace: bool,
+    /// Make one share of the runs, as 2/8 for the second of eight; `campaign merge` puts them together
+    #[arg(long, value_name = "I/N", value_parser = shard)]
+    pub(crate) shard: Option<Shard>,
+    /// Write the table of a full factorial plan as an Excel workbook too
     #[arg(long, value_name = "FILE.xlsx", value_parser = output_file())]
     pub(crate) xlsx: Option<PathBuf>,
     /// Variable on the horizontal axis of the figure [default: the first one whose values are numbers]
@@ -397,7 +425,42 @@ pub(crate) struct CampaignArgs {
     pub(crate) threads: Option<NonZero<usize>>,
     /// Run nothing; print the command that runs this case by itself, with its report
     #[arg(long, value_name = "CASE")]
-    pub(crate) command: Option<usize>,
+    pub(crate) command: Option<u64>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CampaignMergeArgs {
+    /// Campaign file of the shares
+    #[arg(value_name = "CAMPAIGN.toml", value_parser = input_file())]
+    pub(crate) campaign: PathBuf,
+    /// Folders of all shares, in any order
+    #[arg(value_name = "SHARE", required = true)]
+    pub(crate) shares: Vec<PathBuf>,
+    /// Folder for the table [default: `out/` and the name of the campaign file]
+    #[arg(long, value_name = "DIR", value_parser = output_folder())]
+    pub(crate) out: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CampaignReplayArgs {
+    /// Campaign file
+    #[arg(value_name = "CAMPAIGN.toml", value_parser = input_file())]
+    pub(crate) campaign: PathBuf,
+    /// Number of the case, as in the column `case` of the table
+    #[arg(value_name = "CASE")]
+    pub(crate) case: u64,
+    /// Folder for tables, summary and report [default: `out/case_` and the number]
+    #[arg(long, value_name = "DIR", value_parser = output_folder())]
+    pub(crate) out: Option<PathBuf>,
+}
+
+/// A share, as 2/8.
+fn shard(text: &str) -> Result<Shard, String> {
+    let parts = text
+        .split_once('/')
+        .and_then(|(number, of)| Some((number.parse().ok()?, of.parse().ok()?)));
+    let (number, of) = parts.ok_or("write it as 2/8 for the second of eight shares")?;
+    Shard::new(number, of)
 }
 
 #[derive(Debug, Args)]

@@ -1,4 +1,4 @@
-//! `fenderline campaign`: every combination of values as a table and a figure.
+//! `fenderline campaign`: many runs as a table and a figure, shared, interrupted and replayed.
 
 mod support;
 
@@ -151,5 +151,285 @@ fn mistakes_in_a_campaign_say_what_was_expected() {
     refused("", "", &["--command", "2"], &["there is no case 2", "from 1 to 1"]);
     refused("", "", &["--threads", "0"], &["--threads"]);
     let both = "values = [\"0.1 m/s\"]\n[variable.speed.choice.a]\nset = [\"time.step=1\"]\n";
-    refused("values = [\"0.1 m/s\"]\n", both, &[], &["does not go together with `choice`"]);
+    refused(
+        "values = [\"0.1 m/s\"]\n",
+        both,
+        &[],
+        &["does not go together", "`values` and `choice`"],
+    );
+}
+
+/// A random campaign of the example's scenario.
+const RANDOM: &str = r#"
+scenario = "quay.toml"
+number = 60
+seed = 7
+outputs = ["fender.fender_3.reaction", "body.ship.largest_yaw"]
+
+[variable.speed]
+key = "body.ship.approach.speed_normal"
+distribution = "lognormal"
+mean = "7.1 cm/s"
+standard_deviation = "4.47 cm/s"
+at_most = "40 cm/s"
+
+[variable.angle]
+key = "body.ship.approach.angle"
+distribution = "triangular"
+lower = "-5 deg"
+mode = "0 deg"
+upper = "5 deg"
+
+[variable.doubled]
+expression = "2 * speed"
+unit = "cm/s"
+
+[variable.ship.choice."9 m"]
+weight = 3
+set = ["body.ship.mass=30000 t", "berthing.draught=6.5 m", "berthing.under_keel_clearance=6 m"]
+
+[variable.ship.choice."12 m"]
+set = ["body.ship.mass=45000 t"]
+
+[[correlation]]
+variables = ["speed", "angle"]
+coefficient = 0.3
+
+[output.margin]
+expression = "930 - reaction"
+unit = "kN"
+"#;
+
+const TABLES: [&str; 2] = ["cases.csv", "cases.parquet"];
+
+fn bytes(place: &Workplace, folder: &str) -> Vec<Vec<u8>> {
+    TABLES.map(|name| std::fs::read(place.path(&format!("{folder}/{name}"))).expect(name)).to_vec()
+}
+
+#[test]
+fn shares_and_threads_give_the_same_bytes() {
+    let place = place("campaign_shares", RANDOM);
+    let run = place.run(&["campaign", "study.toml", "--threads", "1"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let whole = bytes(&place, "out/study");
+    let csv = place.text("out/study/cases.csv");
+    for (speed, doubled) in column(&csv, "speed [cm/s]").iter().zip(column(&csv, "doubled [cm/s]"))
+    {
+        let (speed, doubled): (f64, f64) = (speed.parse().unwrap(), doubled.parse().unwrap());
+        assert!(doubled == 2.0 * speed && speed <= 40.0, "{speed} {doubled}");
+    }
+    assert_eq!(place.run(&["campaign", "study.toml", "--threads", "3", "--out", "three"]).code, 0);
+    assert_eq!(bytes(&place, "three"), whole);
+    for share in ["1/3", "3/3", "2/3"] {
+        let run = place.run(&["campaign", "study.toml", "--shard", share]);
+        assert_eq!(run.code, 0, "{}", run.stderr);
+    }
+    let shares = [1, 2, 3].map(|number| format!("out/study/shard_{number}_of_3"));
+    let merge = |parts: &[&str]| {
+        place.run(&[&["campaign", "merge", "study.toml"], parts, &["--out", "merged"]].concat())
+    };
+    let two = merge(&[&shares[2], &shares[0]]);
+    assert_eq!(two.code, 2);
+    contains_all(&two.stderr, &["shards are missing: 2 of 3"]);
+    let twice = merge(&[&shares[0], &shares[0]]);
+    contains_all(&twice.stderr, &["shard 1/3 is also in"]);
+    let all = merge(&[&shares[2], &shares[0], &shares[1]]);
+    assert_eq!(all.code, 0, "{}", all.stderr);
+    assert_eq!(bytes(&place, "merged"), whole);
+    let bad = place.run(&["campaign", "study.toml", "--shard", "4/3"]);
+    contains_all(&bad.stderr, &["numbered from 1 to 3"]);
+}
+
+/// The program is killed again and again; the table is that of a campaign without interruption.
+#[cfg(unix)]
+#[test]
+fn a_killed_campaign_goes_on_and_loses_nothing() {
+    let place = place("campaign_killed", RANDOM);
+    assert_eq!(place.run(&["campaign", "study.toml"]).code, 0);
+    let whole = bytes(&place, "out/study");
+    let mut kills = 0;
+    for attempt in 0.. {
+        assert!(attempt < 400, "it never ends");
+        let resume = if place.exists("killed/campaign.json") { "--resume" } else { "--replace" };
+        // Longer from attempt to attempt, so that it ends on any machine.
+        let limit = format!("{:.3}", 0.02 + 0.005 * f64::from(attempt));
+        let line = format!(
+            "timeout -s KILL {limit} \"$FENDERLINE\" campaign study.toml --out killed {resume} --threads 2"
+        );
+        if place.shell(&line).code == 0 {
+            break;
+        }
+        kills += 1;
+    }
+    assert!(kills > 0);
+    assert_eq!(bytes(&place, "killed"), whole);
+    let again = place.run(&["campaign", "study.toml", "--out", "killed", "--resume"]);
+    contains_all(&again.stderr, &["is finished", "--replace"]);
+}
+
+#[test]
+fn a_folder_is_never_overwritten_and_never_goes_on_with_another_campaign() {
+    let place = place("campaign_folder", RANDOM);
+    assert_eq!(place.run(&["campaign", "study.toml", "--shard", "1/2", "--out", "part"]).code, 0);
+    let refused = |more: &[&str], parts: &[&str]| {
+        let run = place.run(&[&["campaign", "study.toml"], more].concat());
+        assert_eq!(run.code, 2, "{}", run.stderr);
+        contains_all(&run.stderr, parts);
+    };
+    refused(&["--out", "part"], &["holds a campaign already", "--resume", "--replace"]);
+    refused(&["--out", "part", "--resume"], &["it holds shard 1/2, not 1/1"]);
+    refused(&["--out", "new", "--resume"], &["no campaign to go on with"]);
+    place.write("study.toml", RANDOM.replace("7.1 cm/s", "7.2 cm/s").as_bytes());
+    refused(&["--shard", "1/2", "--out", "part", "--resume"], &["differs from this one"]);
+    place.write("study.toml", RANDOM.replace("number = 60", "number = 61").as_bytes());
+    refused(&["--shard", "1/2", "--out", "part", "--resume"], &["has 60 runs, this one 61"]);
+    place.write("study.toml", RANDOM.as_bytes());
+    let scenario = place.text("quay.toml");
+    place.write(
+        "quay.toml",
+        scenario.replace("gyradius = \"46 m\"", "gyradius = \"47 m\"").as_bytes(),
+    );
+    refused(&["--shard", "1/2", "--out", "part", "--resume"], &["differs from this one"]);
+}
+
+#[test]
+fn a_case_of_a_random_campaign_is_replayed_with_its_report() {
+    let place = place("campaign_replay", RANDOM);
+    assert_eq!(place.run(&["campaign", "study.toml"]).code, 0);
+    let csv = place.text("out/study/cases.csv");
+    let run = place.run(&["campaign", "replay", "study.toml", "5", "--out", "fifth"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let summary = place.json("fifth/summary.json");
+    assert_eq!(summary["verdict"]["key"], column(&csv, "verdict")[4]);
+    let fenders = summary["fenders"].as_array().expect("a list");
+    let peak_n = fenders.iter().filter_map(|fender| fender["peak_reaction_n"].as_f64());
+    let peak_kn = peak_n.max_by(f64::total_cmp).expect("a fender was touched") * 1e-3;
+    let line = csv.lines().nth(5).expect("a row");
+    assert!(line.contains(&format!(",{peak_kn},")), "{peak_kn} is not in {line}");
+    assert!(place.exists("fifth/report.html"));
+}
+
+/// The rows that a stop rule ends with do not depend on the threads.
+#[test]
+fn a_stop_rule_ends_at_the_same_run_for_any_number_of_threads() {
+    let stop = format!("{RANDOM}\n[stop]\noutput = \"energy\"\nhalf_width = 0.5\nevery = 10\n");
+    let place = place("campaign_stop", &stop);
+    let run = place.run(&["campaign", "study.toml", "--threads", "1"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    contains_all(&run.stdout, &["ended by its stop rule"]);
+    let rows = place.text("out/study/cases.csv").lines().count() - 1;
+    assert!(rows.is_multiple_of(10) && rows < 60, "{rows}");
+    assert_eq!(place.run(&["campaign", "study.toml", "--threads", "4", "--out", "four"]).code, 0);
+    assert_eq!(bytes(&place, "four"), bytes(&place, "out/study"));
+}
+
+#[test]
+fn mistakes_in_a_random_campaign_are_found_before_the_first_run() {
+    let place = place("campaign_mistakes", RANDOM);
+    place.write("speeds.csv", b"speed [cm/s]\n3\n\n5\n,\n");
+    place.write("gap.csv", b"speed,other\n3,1\n,2\n");
+    let refused = |part: &str, mistake: &str, fragments: &[&str]| {
+        assert!(RANDOM.contains(part), "{part}");
+        place.write("bad.toml", RANDOM.replacen(part, mistake, 1).as_bytes());
+        let run = place.run(&["campaign", "bad.toml"]);
+        assert_eq!(run.code, 2, "{mistake}: {}{}", run.stdout, run.stderr);
+        contains_all(&run.stderr, fragments);
+        assert!(!place.path("out/bad").exists(), "{mistake}");
+    };
+    refused("standard_deviation = \"4.47 cm/s\"", "standard_deviation = 0", &["one unit"]);
+    refused("\"4.47 cm/s\"", "\"0 cm/s\"", &["must be above 0", "bad.toml:9"]);
+    refused("at_most = \"40 cm/s\"", "at_most = \"1e-9 cm/s\"", &["too little to draw from"]);
+    refused(
+        "standard_deviation = \"4.47 cm/s\"\n",
+        "",
+        &["needs `mean` and `standard_deviation`", "given is `mean`"],
+    );
+    refused("\"lognormal\"", "\"lognormall\"", &["lognormal"]);
+    refused("upper = \"5 deg\"", "upper = \"-6 deg\"", &["is not below"]);
+    refused("number = 60", "", &["`number` is missing"]);
+    refused(
+        "number = 60",
+        "number = 60\nplan = \"Sobol\"\ntable = \"x.csv\"",
+        &["`table` goes with"],
+    );
+    refused("number = 60", "number = 70000\nplan = \"Sobol\"", &["at most 65536"]);
+    refused("number = 60", "plan = \"full factorial\"", &["goes with a random plan"]);
+    refused("coefficient = 0.3", "coefficient = 1", &["not positive definite"]);
+    refused("[\"speed\", \"angle\"]", "[\"speed\", \"angel\"]", &["did you mean \"angle\"?"]);
+    refused("[\"speed\", \"angle\"]", "[\"speed\", \"ship\"]", &["has no distribution"]);
+    refused("fender.fender_3.reaction", "fender.fender_99.reaction", &["no fender `fender_99`"]);
+    refused(
+        "fender.fender_3.reaction",
+        "fender.fender_3.force",
+        &["a fender has no `force`", "reaction"],
+    );
+    refused(
+        "930 - reaction",
+        "930 - reation",
+        &["no number `reation`", "did you mean `reaction`?"],
+    );
+    refused("930 - reaction", "930 -", &["output.margin"]);
+    refused("2 * speed", "2 * sped", &["did you mean `speed`?"]);
+    refused("2 * speed", "2 * doubled", &["needs a formula that needs it"]);
+    refused("speed_normal", "sped_normal", &["did you mean `speed_normal`?"]);
+    refused(
+        "cm/s\"\nstandard",
+        "cm/s\"\nfile = \"x.csv\"\nstandard",
+        &["goes with an \"empirical\""],
+    );
+    let law = "distribution = \"lognormal\"\nmean = \"7.1 cm/s\"\nstandard_deviation = \"4.47 cm/s\"\nat_most = \"40 cm/s\"";
+    refused(law, "distribution = \"empirical\"\nfile = \"none.csv\"", &["none.csv"]);
+    refused(
+        law,
+        "distribution = \"empirical\"\nfile = \"gap.csv\"",
+        &["gap.csv", "no value in row 2"],
+    );
+    refused(
+        law,
+        "distribution = \"empirical\"\nfile = \"gap.csv\"\ncolumn = \"sped\"",
+        &["did you mean `speed`"],
+    );
+    refused(
+        "seed = 7",
+        "seed = 7\nstop = { output = \"reation\", half_width = 0.1 }",
+        &["did you mean `reaction`"],
+    );
+}
+
+/// A table of the user's own: a row a run, with names in it.
+#[test]
+fn the_rows_of_a_table_are_runs() {
+    let table = r#"
+scenario = "quay.toml"
+plan = "table"
+table = "runs.csv"
+[variable.speed]
+key = "body.ship.approach.speed_normal"
+[variable.side]
+key = "body.ship.approach.contact"
+column = "where"
+"#;
+    let place = place("campaign_table", table);
+    place.write(
+        "runs.csv",
+        "speed [cm/s],where\n5,quarter point\n7.5,quarter point\n10,midship\n".as_bytes(),
+    );
+    let run = place.run(&["campaign", "study.toml"]);
+    assert!(run.code <= 1, "{}", run.stderr);
+    let csv = place.text("out/study/cases.csv");
+    assert_eq!(column(&csv, "speed [cm/s]"), ["5", "7.5", "10"]);
+    assert_eq!(column(&csv, "side")[0], "quarter point");
+    place.write("runs.csv", b"speed [cm/s],where\n5,\n");
+    let run = place.run(&["campaign", "study.toml", "--out", "gap"]);
+    assert_eq!(run.code, 2, "{}", run.stdout);
+    contains_all(&run.stderr, &["runs.csv", "where"]);
+}
+
+#[test]
+fn a_run_with_too_many_steps_is_a_row_with_its_reason() {
+    let few = RANDOM.replace("seed = 7", "seed = 7\nmost_steps = 100");
+    let place = place("campaign_steps", &few);
+    let run = place.run(&["campaign", "study.toml"]);
+    assert_eq!(run.code, 1, "{}", run.stdout);
+    contains_all(&run.stderr, &["60 cases did not run", "more than `most_steps` 100"]);
 }

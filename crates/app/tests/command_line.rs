@@ -273,7 +273,8 @@ fn on_a_terminal(place: &Workplace, line: &str) -> Option<String> {
         println!("skipped: script of util-linux is missing");
         return None;
     }
-    let run = place.shell(&format!("env -u CI script --quiet --return --command '{line}' /dev/null"));
+    let run =
+        place.shell(&format!("env -u CI script --quiet --return --command '{line}' /dev/null"));
     Some(run.stdout)
 }
 

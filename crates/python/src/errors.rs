@@ -48,6 +48,12 @@ pub(crate) fn of_engine(py: Python<'_>, error: &EngineError) -> PyErr {
     exception(py, "EngineError", error.to_string())
 }
 
+/// `fenderline.CampaignError`.
+pub(crate) fn of_campaign(py: Python<'_>, message: String) -> PyErr {
+    let message = message.strip_prefix("error: ").map(str::to_owned).unwrap_or(message);
+    exception(py, "CampaignError", message)
+}
+
 /// A failed step of a simulation.
 pub(crate) fn of_simulation(py: Python<'_>, error: &SimError) -> PyErr {
     exception(py, "SimulationError", error.to_string())

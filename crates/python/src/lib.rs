@@ -7,6 +7,7 @@
 #![allow(missing_docs, reason = "private items; the classes have the documentation for Python")]
 
 mod arrays;
+mod campaign;
 mod contacts;
 mod controls;
 mod engine;
@@ -37,6 +38,7 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<simulation::SimulationState>()?;
     module.add_class::<contacts::StepEvent>()?;
     module.add_class::<fleet::Fleet>()?;
+    module.add_class::<campaign::Campaign>()?;
     module.add_function(wrap_pyfunction!(engine::seconds_of_steps, module)?)?;
     module.add_function(wrap_pyfunction!(scenario::scenario_of_parts, module)?)?;
     module.add_function(wrap_pyfunction!(pickled::simulation_of_parts, module)?)?;

@@ -88,7 +88,11 @@ mod vessels;
 pub use bounded_file::{
     FileError, FileFault, irregular, open_regular, read_bytes, read_text_of, without_following,
 };
-pub use campaign::{Campaign, Change, Choice, MOST_CASES, Variable};
+pub use campaign::law::{Law, LawFamily};
+pub use campaign::{
+    Campaign, Change, Choice, Correlation, Design, Draw, MOST_CASES, MOST_OF_SOBOL, Output, Plan,
+    Statistic, Stop, Target, Variable,
+};
 pub use error::{Notice, Place, ScenarioError};
 pub use fenderline_sim::hydro::vessels::Standing;
 pub use fit::{
@@ -105,4 +109,5 @@ pub use overrides::{Override, set_keys};
 pub use printable::{escaped_json, printable_line, printable_number, printable_text};
 pub use scenario::Scenario;
 pub use schema::{campaign_schema, fender_schema, schema, vessel_schema};
+pub use suggest::nearest;
 pub use vessels::{Belting, DeckPoint, Shaft, Stability, VesselData, VesselLibrary};

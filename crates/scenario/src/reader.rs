@@ -17,8 +17,8 @@ use crate::spec::{Absent, KeySpec, Kind, TableSpec};
 pub(crate) use self::errors::unknown_key;
 use self::errors::{missing_key, wrong_type};
 use self::values::{
-    any_values, check_text, choice, curve, flag, name_or, number, outline, points, text, texts,
-    two_names, vector,
+    any_number, any_values, check_text, choice, curve, flag, name_or, number, outline, points,
+    text, texts, two_names, vector,
 };
 
 type Read<T> = Result<T, ScenarioError>;
@@ -117,6 +117,7 @@ pub(crate) fn read_value(
         }
         Kind::Texts => texts(sources, path, node).map(Value::Texts),
         Kind::Values => any_values(sources, path, node).map(Value::Texts),
+        Kind::AnyNumber => any_number(sources, path, node).map(Value::Text),
         Kind::Outline(quantity) => outline(sources, quantity, path, node).map(Value::Outline),
         Kind::Points(quantity, fewest, most) => {
             points(sources, quantity, [*fewest, *most], path, node).map(Value::Outline)

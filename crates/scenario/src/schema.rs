@@ -129,6 +129,7 @@ fn kind(kind: &Kind) -> Map<String, Json> {
             "items": { "anyOf": [{ "type": "number" }, { "type": "boolean" }, name()] },
             "minItems": 1
         })),
+        Kind::AnyNumber => object(json!({ "anyOf": [{ "type": "number" }, name()] })),
         Kind::Outline(value) => {
             let point = two(&Json::Object(quantity(value)));
             object(json!({ "type": "array", "items": point, "minItems": 3 }))

@@ -88,6 +88,8 @@ pub(crate) enum Kind {
     Texts,
     /// A list of values of any kind: numbers, or texts with their units.
     Values,
+    /// A number, or a text with a number and a unit, of any dimension.
+    AnyNumber,
     /// A list of points, forward and to starboard.
     Outline(Quantity),
     /// A list of points, with the least and the greatest number of them.

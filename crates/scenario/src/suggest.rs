@@ -4,10 +4,7 @@
 ///
 /// A candidate is near if at most a third of the letters differ, or one letter of a short word. Swapped neighbours
 /// count once, and case does not count. The first of equally near candidates wins.
-pub(crate) fn nearest<'a>(
-    word: &str,
-    candidates: impl IntoIterator<Item = &'a str>,
-) -> Option<&'a str> {
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     // Computing the distance takes time in proportion to the product of both lengths.
     const LONGEST: usize = 100;
     if word.len() > LONGEST {

@@ -54,12 +54,10 @@ fn campaigns_fit_reader_and_schema() {
     let campaign = Campaign::parse(text, "quay_54_cases.toml").unwrap();
     assert_eq!(campaign.cases(), 54);
     assert_eq!(campaign.labels(53), ["0.18 m/s", "6 deg", "9.5 m", "18 m"]);
-    assert_eq!(campaign.settings_of(53).last(), Some(&"fender_row.fender.number=14"));
     let start = "scenario = \"x.toml\"\n[variable.a]\n";
     for (rest, good) in [
         ("key = \"time.step\"\nvalues = [0.1, \"0.2 s\"]", true),
         ("[variable.a.choice.b]\nset = [\"time.step=1\"]", true),
-        ("key = \"time.step\"", false),
         ("values = [1]", false),
         ("key = \"time.step\"\nvalues = []", false),
         ("key = \"time.step\"\nvalues = 3", false),
@@ -69,11 +67,20 @@ fn campaigns_fit_reader_and_schema() {
             false,
         ),
         ("[variable.a.choice.b]\n", false),
+        ("keys = [\"time.step\"]\nvalues = [1]\nweights = [2]", true),
+        ("key = \"time.step\"\nexpression = \"1 + 1\"", true),
+        ("key = \"time.step\"\nvalues = [1]\nsource = 3", false),
     ] {
         let text = format!("{start}{rest}\n");
         assert_eq!(Campaign::parse(&text, "c.toml").is_ok(), good, "{text}");
         assert_eq!(validator.validate(&json_of(&text)).is_ok(), good, "{text}");
     }
+    // A key alone is the column of a table: only the plan tells.
+    let alone = format!("{start}key = \"time.step\"\n");
+    assert!(Campaign::parse(&alone, "c.toml").is_err());
+    let of_table = format!("plan = \"table\"\ntable = \"runs.csv\"\n{alone}");
+    assert!(Campaign::parse(&of_table, "c.toml").is_ok());
+    assert!(validator.validate(&json_of(&of_table)).is_ok());
     // Ten variables of ten values are 10^10 cases.
     let ten = |name: usize| {
         format!(

@@ -16,7 +16,7 @@ impl Axis {
     /// The axis of a variable; `None` where a value is no number, or the units differ.
     pub(super) fn of(variable: &Variable) -> Option<Axis> {
         let parts: Vec<(f64, &str)> =
-            variable.choices.iter().map(|choice| split(&choice.label)).collect::<Option<_>>()?;
+            variable.choices().iter().map(|choice| split(&choice.label)).collect::<Option<_>>()?;
         let (_, unit) = *parts.first()?;
         let is_one_unit = parts.iter().all(|(_, other)| *other == unit);
         is_one_unit.then(|| Axis {
@@ -31,7 +31,7 @@ impl Axis {
         Axis::of(variable).unwrap_or_else(|| Axis {
             name: format!("{} (in the order of the file)", variable.name),
             unit: String::new(),
-            places: (1..=variable.choices.len()).map(|number| number as f64).collect(),
+            places: (1..=variable.choices().len()).map(|number| number as f64).collect(),
         })
     }
 }

@@ -1,14 +1,14 @@
 //! The figure of a campaign: a page of charts without outside resources. One variable is the horizontal axis, another makes
 //! the lines, and there is a chart for each combination of the others.
 
+use fenderline_campaign::Cell;
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_report::plot::{Axis as ChartAxis, Chart, Point, Reference, Series, page, plain};
 use fenderline_scenario::Campaign;
 use maud::{Markup, html};
 
 use super::axis::Axis;
-use super::case::{Case, Done, Numbers};
-use super::columns::{CaseTable, Cell};
+use super::gathered::{CaseTable, Gathered};
 
 /// Most charts of a quantity, and most rows of the table: a page stays readable.
 const MOST_CHARTS: usize = 60;
@@ -57,9 +57,9 @@ impl Layout {
         if lines == Some(x) {
             return Err("--x and --lines name the same variable".to_owned());
         }
-        let fits = |index: &usize| *index != x && variables[*index].choices.len() <= MOST_LINES;
+        let fits = |index: &usize| *index != x && variables[*index].choices().len() <= MOST_LINES;
         if let Some(index) = lines.filter(|index| !fits(index)) {
-            let count = variables[index].choices.len();
+            let count = variables[index].choices().len();
             return Err(format!("--lines: {count} lines cannot be told apart; {MOST_LINES} can"));
         }
         Ok(Layout { x, lines: lines.or_else(|| (0..variables.len()).find(fits)) })
@@ -72,7 +72,14 @@ struct Drawn {
     name: &'static str,
     unit: &'static str,
     limit: Option<(&'static str, f64)>,
-    value: fn(&Numbers) -> Option<f64>,
+    /// Its column of the table.
+    column: &'static str,
+}
+
+/// A case: number, and the value of a quantity.
+struct Value {
+    index: usize,
+    value: f64,
 }
 
 impl Drawn {
@@ -88,36 +95,32 @@ const DRAWN: [Drawn; 3] = [
         name: "share of its rating",
         unit: "%",
         limit: Some(("rated", 100.0)),
-        value: |of| of.governing.as_ref().map(|governing| 100.0 * governing.2),
+        column: "governing_share",
     },
     Drawn {
         title: "Largest energy of a fender",
         name: "energy",
         unit: "kJ",
         limit: None,
-        value: |of| of.energy.as_ref().map(|peak| peak.value / 1e3),
+        column: "energy",
     },
     Drawn {
         title: "Largest reaction of a fender",
         name: "reaction",
         unit: "kN",
         limit: None,
-        value: |of| of.reaction.as_ref().map(|peak| peak.value / 1e3),
+        column: "reaction",
     },
 ];
 
 /// The page.
-pub(super) fn render(
-    campaign: &Campaign,
-    cases: &[Case],
-    table: &CaseTable,
-    layout: Layout,
-) -> String {
+pub(super) fn render(campaign: &Campaign, gathered: &Gathered, layout: Layout) -> String {
+    let table = gathered.held();
     let body = html! {
         h1 { (campaign.title) }
-        p { (cases.len()) " of " (campaign.cases()) " cases of "
+        p { (gathered.count) " of " (campaign.cases()) " cases of "
             (campaign.scenario.file_name().unwrap_or_default().to_string_lossy()) "." }
-        @for drawn in &DRAWN { (charts(campaign, cases, drawn, layout)) }
+        @for drawn in &DRAWN { (charts(campaign, &values(table, drawn), drawn, layout)) }
         h2 { "Cases" }
         (rows(table))
     };
@@ -125,28 +128,29 @@ pub(super) fn render(
 }
 
 /// The charts of a quantity, one for each combination of the variables that are neither axis nor lines.
-fn charts(campaign: &Campaign, cases: &[Case], drawn: &Drawn, layout: Layout) -> Markup {
+fn charts(campaign: &Campaign, cases: &[Value], drawn: &Drawn, layout: Layout) -> Markup {
     let variables = &campaign.variables;
     let others: Vec<usize> = (0..variables.len())
         .filter(|index| *index != layout.x && Some(*index) != layout.lines)
         .collect();
-    let combinations: usize = others.iter().map(|index| variables[*index].choices.len()).product();
+    let combinations: usize =
+        others.iter().map(|index| variables[*index].choices().len()).product();
     let x = Axis::or_numbered(&variables[layout.x]);
     let top = common_top(cases, drawn);
     let highest = drawn.highest();
-    let is_beyond = values(cases, drawn).any(|value| value > highest);
+    let is_beyond = cases.iter().any(|case| case.value > highest);
     let chart = |number: usize| {
         // The choice of each of the other variables, the last one fastest.
         let mut left = number;
         let mut wanted: Vec<(usize, usize)> = Vec::new();
         for &index in others.iter().rev() {
-            let count = variables[index].choices.len();
+            let count = variables[index].choices().len();
             wanted.push((index, left % count));
             left /= count;
         }
         wanted.reverse();
         let words = wanted.iter().map(|(index, choice)| {
-            format!("{} {}", variables[*index].name, variables[*index].choices[*choice].label)
+            format!("{} {}", variables[*index].name, variables[*index].choices()[*choice].label)
         });
         let title =
             [drawn.title.to_owned()].into_iter().chain(words).collect::<Vec<_>>().join(", ");
@@ -154,7 +158,7 @@ fn charts(campaign: &Campaign, cases: &[Case], drawn: &Drawn, layout: Layout) ->
         let series = match layout.lines {
             None => vec![line("", cases, campaign, drawn, (layout.x, &x), &here)],
             Some(of) => variables[of]
-                .choices
+                .choices()
                 .iter()
                 .enumerate()
                 .map(|(choice, own)| {
@@ -191,8 +195,8 @@ fn charts(campaign: &Campaign, cases: &[Case], drawn: &Drawn, layout: Layout) ->
 
 /// The upper end that all charts of a quantity reach, so that they can be compared. A fender that failed may be far
 /// above its limit: it does not flatten the other charts.
-fn common_top(cases: &[Case], drawn: &Drawn) -> f64 {
-    let most = values(cases, drawn).fold(0.0, greater);
+fn common_top(cases: &[Value], drawn: &Drawn) -> f64 {
+    let most = cases.iter().map(|case| case.value).fold(0.0, greater);
     match drawn.limit {
         Some((_, limit)) => bounded(most, 1.1 * limit, 1.5 * limit),
         None => most,
@@ -200,17 +204,20 @@ fn common_top(cases: &[Case], drawn: &Drawn) -> f64 {
 }
 
 /// A quantity of the cases that ran.
-fn values(cases: &[Case], drawn: &Drawn) -> impl Iterator<Item = f64> {
-    cases.iter().filter_map(|case| match &case.done {
-        Done::Run(numbers) => (drawn.value)(numbers).filter(|value| value.is_finite()),
-        Done::Failed(_) => None,
-    })
+fn values(table: &CaseTable, drawn: &Drawn) -> Vec<Value> {
+    let place = table.heads.iter().position(|head| head.name == drawn.column);
+    let place = place.expect("every campaign has it");
+    let value = |row: &Vec<Cell>| {
+        let index = row[0].number()? as usize - 1;
+        Some(Value { index, value: row[place].number()? })
+    };
+    table.rows.iter().filter_map(value).collect()
 }
 
 /// One line: the cases that `is_on` holds for, in the order of the axis.
 fn line(
     name: &str,
-    cases: &[Case],
+    cases: &[Value],
     campaign: &Campaign,
     drawn: &Drawn,
     (x, axis): (usize, &Axis),
@@ -219,10 +226,9 @@ fn line(
     let mut points: Vec<Point> = Vec::new();
     for case in cases {
         let chosen = campaign.choices(case.index);
-        let Done::Run(numbers) = &case.done else { continue };
-        let highest = drawn.highest();
-        if let Some(y) = (drawn.value)(numbers).filter(|y| y.is_finite() && is_on(&chosen)) {
-            points.push(Point { x: axis.places[chosen[x]], y: lesser(y, highest) });
+        if is_on(&chosen) {
+            points
+                .push(Point { x: axis.places[chosen[x]], y: lesser(case.value, drawn.highest()) });
         }
     }
     points.sort_by(|one, other| one.x.total_cmp(&other.x));
@@ -237,8 +243,8 @@ fn rows(table: &CaseTable) -> Markup {
     html! {
         div class="wide" {
             table {
-                thead { tr { @for (name, unit) in &table.heads {
-                    th { (name.replace('_', " ")) @if !unit.is_empty() { " [" (unit) "]" } }
+                thead { tr { @for head in &table.heads {
+                    th { (head.name.replace('_', " ")) @if !head.unit.is_empty() { " [" (head.unit) "]" } }
                 } } }
                 tbody { @for row in table.rows.iter().take(MOST_ROWS) {
                     tr { @for cell in row { td { (shown(cell)) } } }

@@ -3,6 +3,7 @@
 - :class:`Engine`: the contact engine for your own simulator. Set states, call ``step``, add its wrenches to your forces.
 - :class:`Simulation`: a whole scenario, step by step; :func:`run` runs one to its end.
 - :func:`run_many`: thousands of variants on all cores; :class:`Fleet`: many simulations in lockstep.
+- :mod:`fenderline.campaign`: runs with values drawn from distributions, on one machine or many.
 - :mod:`fenderline.plot`: figures of results.
 - :mod:`fenderline.docking`: a Gymnasium environment, ``fenderline/Docking-v0``; :mod:`fenderline.tugs`: two tugs, for PettingZoo.
 
@@ -10,7 +11,7 @@ Lengths are in metres, angles in radians, forces in newtons, times in seconds. x
 clockwise from north; a body's own axes point forward and to starboard.
 """
 
-from fenderline._errors import EngineError, Error, ScenarioError, SimulationError
+from fenderline._errors import CampaignError, EngineError, Error, ScenarioError, SimulationError
 from fenderline._native import (
     CONTACT_TYPE,
     Engine,
@@ -26,6 +27,7 @@ from fenderline._runs import Runs, example, run, run_many
 
 __all__ = [
     "CONTACT_TYPE",
+    "CampaignError",
     "Column",
     "Engine",
     "EngineError",

@@ -41,3 +41,7 @@ class EngineError(Error, ValueError):
 
 class SimulationError(Error, RuntimeError):
     """A failed step, or an invalid call of a simulation."""
+
+
+class CampaignError(Error, ValueError):
+    """A campaign that cannot begin or go on: what is wrong with its file, its values or its folder."""

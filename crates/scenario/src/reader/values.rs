@@ -73,6 +73,16 @@ pub(super) fn any_values(sources: &Sources<'_>, path: &str, node: &Node<'_>) -> 
     nodes.iter().enumerate().map(one).collect()
 }
 
+/// A number with or without a unit, as it would stand behind `--set KEY=`.
+pub(super) fn any_number(sources: &Sources<'_>, path: &str, node: &Node<'_>) -> Read<String> {
+    match node.get_ref() {
+        DeValue::Integer(integer) if integer.radix() == 10 => Ok(integer.as_str().to_owned()),
+        DeValue::Float(float) => Ok(float.as_str().to_owned()),
+        DeValue::String(_) => text(sources, path, node),
+        _ => Err(wrong_type(sources, "a number or a text with a number and its unit", path, node)),
+    }
+}
+
 /// Names and titles are short and in one line.
 pub(super) fn check_text(sources: &Sources<'_>, path: &str, text: &str, span: &Span) -> Read<()> {
     let complaint = if text.trim().is_empty() {

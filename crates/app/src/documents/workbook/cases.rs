@@ -4,7 +4,9 @@ use fenderline_contact::number::bounded;
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, Workbook, XlsxError};
 
 use super::table::{self, Head, sheet_of};
-use crate::campaign::{CaseTable, Cell};
+use fenderline_campaign::Cell;
+
+use crate::campaign::CaseTable;
 
 /// The workbook's bytes: one sheet, a row a case, units in the second row.
 ///
@@ -21,7 +23,7 @@ pub(crate) fn cases_workbook(title: &str, cases: &CaseTable) -> Result<Vec<u8>, 
         _ => bounded(name.chars().count() as f64 + 2.0, 9.0, 30.0),
     };
     let heads: Vec<Head<'_>> =
-        cases.heads.iter().map(|(name, unit)| Head(name, unit, width(name))).collect();
+        cases.heads.iter().map(|head| Head(&head.name, &head.unit, width(&head.name))).collect();
     let cell = |cell: &Cell| match cell {
         Cell::Text(text) => table::Cell::Text(text.clone()),
         Cell::Number(value) => table::Cell::Number(*value),

@@ -1,0 +1,129 @@
+//! What the program shows of a campaign's rows.
+
+use fenderline_campaign::store::Store;
+use fenderline_campaign::{CampaignError, Cell, Head, Row, Runs};
+use fenderline_report::plot::counted;
+use fenderline_sim::Verdict;
+
+use crate::failure::Failure;
+
+/// Most rows that are held for figure and workbook.
+const MOST_ROWS: usize = 1_000_000;
+
+/// A table with units.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct CaseTable {
+    /// Heads.
+    pub(crate) heads: Vec<Head>,
+    /// Rows.
+    pub(crate) rows: Vec<Vec<Cell>>,
+}
+
+/// The rows of a campaign, and what is counted of them.
+pub(super) struct Gathered {
+    table: CaseTable,
+    /// Number of rows; the table holds the first of them.
+    pub(super) count: u64,
+    /// Verdicts in words with their numbers, in the order of their first run.
+    pub(super) verdicts: Vec<(String, u64)>,
+    /// The most used fender: case, fender, quantity, share in per cent.
+    pub(super) governing: Option<(u64, String, String, f64)>,
+    /// The first run that was not made, and why.
+    pub(super) failed: Option<(u64, String)>,
+    failures: u64,
+}
+
+impl Gathered {
+    /// The rows of a store, those below `ended` where a rule ended the campaign.
+    pub(super) fn of(
+        runs: &Runs,
+        store: &Store<'_>,
+        ended: Option<u64>,
+    ) -> Result<Gathered, CampaignError> {
+        let mut heads = vec![Head::new("case", "", "number of the run")];
+        heads.extend(runs.heads().iter().cloned());
+        let mut gathered = Gathered {
+            table: CaseTable { heads, rows: Vec::new() },
+            count: 0,
+            verdicts: Vec::new(),
+            governing: None,
+            failed: None,
+            failures: 0,
+        };
+        let keeps = matches!(runs.campaign().plan, fenderline_scenario::Plan::FullFactorial);
+        store.each(ended.unwrap_or(u64::MAX), &mut |row| {
+            gathered.add(row, keeps);
+            Ok(())
+        })?;
+        Ok(gathered)
+    }
+
+    fn add(&mut self, row: &Row, keeps: bool) {
+        self.count += 1;
+        let text = |name: &str| match self.cell(row, name) {
+            Cell::Text(text) => text.clone(),
+            _ => String::new(),
+        };
+        let verdict = text("verdict");
+        let words = match Verdict::ALL.iter().find(|known| known.key() == verdict) {
+            Some(verdict) => verdict.text(),
+            None => "Did not run",
+        };
+        if let Some(share) = self.cell(row, "governing_share").number()
+            && self.governing.as_ref().is_none_or(|most| share > most.3)
+        {
+            let named = (row.run + 1, text("governing_fender"), text("governing_quantity"), share);
+            self.governing = Some(named);
+        }
+        if let Cell::Text(why) = self.cell(row, "error").clone() {
+            self.failures += 1;
+            self.failed.get_or_insert((row.run + 1, why));
+        }
+        match self.verdicts.iter_mut().find(|(known, _)| known == words) {
+            Some((_, count)) => *count += 1,
+            None => self.verdicts.push((words.to_owned(), 1)),
+        }
+        if keeps && self.table.rows.len() < MOST_ROWS {
+            let cells =
+                [Cell::Number((row.run + 1) as f64)].into_iter().chain(row.cells.iter().cloned());
+            self.table.rows.push(cells.collect());
+        }
+    }
+
+    fn cell<'r>(&self, row: &'r Row, name: &str) -> &'r Cell {
+        let place = self.table.heads.iter().position(|head| head.name == name);
+        &row.cells[place.expect("every campaign has it") - 1]
+    }
+
+    /// The table that is held: of a full factorial.
+    pub(super) fn held(&self) -> &CaseTable {
+        &self.table
+    }
+
+    /// The whole table for a workbook.
+    ///
+    /// # Errors
+    /// A plan whose rows are not held.
+    pub(super) fn table(&self) -> Result<&CaseTable, Failure> {
+        if self.table.rows.len() as u64 == self.count {
+            Ok(&self.table)
+        } else {
+            Err(Failure::input(
+                "error: --xlsx: the table has too many rows for a workbook; it is in cases.parquet",
+            ))
+        }
+    }
+
+    /// Whether all runs were made.
+    pub(super) fn outcome(&self) -> Result<(), Failure> {
+        match self.failures {
+            0 => Ok(()),
+            _ => {
+                let count = counted(self.failures, "case", "cases");
+                Err(Failure::case(format_args!(
+                    "error: {count} did not run: see the column `error`"
+                )))
+            }
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! `fenderline campaign merge`: the shares of a campaign into one table.
+
+use fenderline_campaign::Runs;
+use fenderline_campaign::store::{self, Shard};
+use fenderline_scenario::Campaign;
+
+use super::default_folder;
+use crate::cli::CampaignMergeArgs;
+use crate::failure::Failure;
+use crate::terminal::say;
+
+/// Merges shares.
+///
+/// # Errors
+/// Bad input: a folder that holds no share of the campaign, a share that is missing, not finished or there twice, a folder that
+/// holds a campaign already.
+pub(super) fn merge(args: &CampaignMergeArgs) -> Result<(), Failure> {
+    let campaign = Campaign::load(&args.campaign).map_err(Failure::input)?;
+    let runs = Runs::new(campaign).map_err(Failure::input)?;
+    let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.campaign, Shard::WHOLE));
+    store::merge(&runs, &args.shares, &folder).map_err(Failure::input)?;
+    let path = folder.join(store::TABLE_PARQUET);
+    say(&format!(
+        "{}: {} cases of {} shares: {}\n",
+        runs.campaign().title,
+        runs.count(),
+        args.shares.len(),
+        path.display()
+    ))
+}

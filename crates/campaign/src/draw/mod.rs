@@ -1,0 +1,11 @@
+//! The values of the variables in each run: by the plan, the laws and the expressions. They depend on the campaign and the number of the
+//! run alone.
+
+mod copula;
+mod formula;
+mod labels;
+mod plan;
+mod prepared;
+
+pub use self::formula::Formula;
+pub use self::prepared::{Drawn, Draws};

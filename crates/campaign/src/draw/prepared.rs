@@ -1,0 +1,371 @@
+//! The draws of a campaign.
+
+use std::path::Path;
+
+use fenderline_scenario::{Campaign, Change, Choice, Draw, Law, Override, Plan, Target, Variable};
+
+use super::copula::Copula;
+use super::formula::Formula;
+use super::labels;
+use super::plan::Probabilities;
+use crate::error::CampaignError;
+use crate::row::{Cell, Head};
+use crate::table::Table;
+
+/// The values of the variables of every run.
+pub struct Draws {
+    sources: Vec<Source>,
+    /// In the order of evaluation: formulas may use each other.
+    formulas: Vec<(usize, Formula, Vec<usize>)>,
+    probabilities: Option<Probabilities>,
+    copula: Option<Copula>,
+    counts: Vec<usize>,
+    heads: Vec<Head>,
+    runs: u64,
+}
+
+/// Where a variable's value comes from.
+enum Source {
+    Choices {
+        choices: Vec<Choice>,
+        /// Their numbers; `None` for names.
+        numbers: Option<Vec<f64>>,
+        /// Sums of the weights up to each choice, over the whole.
+        cumulative: Vec<f64>,
+    },
+    Law(Law, Target),
+    /// Measured values, rising.
+    Measured(Vec<f64>, Target),
+    Formula(Target),
+    Numbers(Vec<f64>, Target),
+    Texts(Vec<String>, Target),
+}
+
+/// What a run draws.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawn {
+    /// The value of each variable, in the order of the file.
+    pub values: Vec<Cell>,
+    /// The changes of the scenario as `--set` takes them, KEY=VALUE.
+    pub settings: Vec<String>,
+}
+
+impl Drawn {
+    /// The changes, read.
+    ///
+    /// # Errors
+    /// A value that cannot stand in a scenario, such as the empty text of a table: why.
+    pub fn overrides(&self) -> Result<Vec<Override>, String> {
+        let one = |text: &String| Override::parse(text).map_err(|error| error.message().to_owned());
+        self.settings.iter().map(one).collect()
+    }
+}
+
+impl Draws {
+    /// Reads the files that the campaign names, and prepares its laws and formulas.
+    ///
+    /// # Errors
+    /// [`CampaignError`]: a file of values that cannot be read, a column that is missing, a cell without a value, correlations that
+    /// no variables have, a formula that cannot be read or names an unknown number, formulas that need each other, a formula of
+    /// names.
+    pub fn new(campaign: &Campaign) -> Result<Draws, CampaignError> {
+        let variables = &campaign.variables;
+        let table = match &campaign.plan {
+            Plan::Table { file } => Some(open(file)?),
+            _ => None,
+        };
+        let mut sources = Vec::new();
+        let mut heads = Vec::new();
+        for variable in variables {
+            let (source, unit) = source(variable, table.as_ref())?;
+            let is_text =
+                matches!(source, Source::Choices { numbers: None, .. } | Source::Texts(..));
+            let head = Head::new(&variable.name, &unit, "value of the variable");
+            heads.push(Head { is_text, ..head });
+            sources.push(source);
+        }
+        let runs = match &campaign.plan {
+            Plan::FullFactorial => campaign.cases() as u64,
+            Plan::MonteCarlo { number }
+            | Plan::LatinHypercube { number }
+            | Plan::Sobol { number } => *number,
+            Plan::Table { file } => {
+                rows(&sources).ok_or_else(|| CampaignError::values(file, "there is no row"))?
+            }
+        };
+        let probabilities = Probabilities::new(&campaign.plan, variables.len(), campaign.seed)
+            .map_err(|why| CampaignError::part("plan", why))?;
+        let copula = match &campaign.correlations[..] {
+            [] => None,
+            all => Some(Copula::new(all).map_err(|why| CampaignError::part("correlation", why))?),
+        };
+        Ok(Draws {
+            formulas: formulas(variables, &sources)?,
+            counts: variables.iter().map(|variable| variable.choices().len().max(1)).collect(),
+            sources,
+            probabilities,
+            copula,
+            heads,
+            runs,
+        })
+    }
+
+    /// The number of runs.
+    #[must_use]
+    pub fn runs(&self) -> u64 {
+        self.runs
+    }
+
+    /// Names and units of the variables.
+    #[must_use]
+    pub fn heads(&self) -> &[Head] {
+        &self.heads
+    }
+
+    /// What a run draws; `run` counts from 0.
+    ///
+    /// # Panics
+    /// If there is no such run.
+    #[must_use]
+    pub fn of_run(&self, run: u64) -> Drawn {
+        assert!(run < self.runs, "there are {} runs", self.runs);
+        let probabilities = self.probabilities.as_ref().map(|plan| {
+            let mut probabilities = plan.of_run(run);
+            if let Some(copula) = &self.copula {
+                copula.correlate(&mut probabilities);
+            }
+            probabilities
+        });
+        self.at(run, probabilities.as_deref())
+    }
+
+    /// What is drawn at these probabilities, one for each variable; those of formulas are not used. Rare-event methods choose their
+    /// own.
+    ///
+    /// # Errors
+    /// A campaign without a random plan; another number of probabilities than of variables; one that is not between 0 and 1.
+    pub fn at_probabilities(&self, probabilities: &[f64]) -> Result<Drawn, String> {
+        if self.probabilities.is_none() {
+            return Err("the campaign's plan is not random: it has no probabilities".to_owned());
+        }
+        if probabilities.len() != self.sources.len() {
+            let (own, wanted) = (probabilities.len(), self.sources.len());
+            return Err(format!("there are {own} probabilities for {wanted} variables"));
+        }
+        if let Some(bad) = probabilities.iter().find(|p| !(0.0 < **p && **p < 1.0)) {
+            return Err(format!("the probability {bad} is not between 0 and 1"));
+        }
+        let mut correlated = probabilities.to_vec();
+        if let Some(copula) = &self.copula {
+            copula.correlate(&mut correlated);
+        }
+        Ok(self.at(0, Some(&correlated)))
+    }
+
+    fn at(&self, run: u64, probabilities: Option<&[f64]>) -> Drawn {
+        let mut values: Vec<Cell> = Vec::with_capacity(self.sources.len());
+        let mut chosen = vec![0; self.sources.len()];
+        for (index, source) in self.sources.iter().enumerate() {
+            let p = probabilities.map(|all| all[index]);
+            values.push(match source {
+                Source::Choices { choices, numbers, cumulative } => {
+                    let own = match p {
+                        Some(p) => {
+                            cumulative.partition_point(|sum| *sum <= p).min(choices.len() - 1)
+                        }
+                        None => self.combination(run, index),
+                    };
+                    chosen[index] = own;
+                    match numbers {
+                        Some(numbers) => Cell::Number(numbers[own]),
+                        None => Cell::Text(choices[own].label.clone()),
+                    }
+                }
+                Source::Law(law, _) => {
+                    Cell::Number(law.quantile(p.expect("laws go with random plans")))
+                }
+                Source::Measured(all, _) => {
+                    let p = p.expect("measured values go with random plans");
+                    Cell::Number(all[((p * all.len() as f64) as usize).min(all.len() - 1)])
+                }
+                Source::Formula(_) => Cell::Empty,
+                Source::Numbers(all, _) => Cell::Number(all[run as usize]),
+                Source::Texts(all, _) => Cell::Text(all[run as usize].clone()),
+            });
+        }
+        for (index, formula, inputs) in &self.formulas {
+            let numbers: Vec<f64> =
+                inputs.iter().map(|input| values[*input].number().unwrap_or(f64::NAN)).collect();
+            values[*index] = Cell::of_number(formula.value(&numbers));
+        }
+        let mut settings = Vec::new();
+        for (index, (source, value)) in self.sources.iter().zip(&values).enumerate() {
+            match source {
+                Source::Choices { choices, .. } => {
+                    let changes: &[Change] = &choices[chosen[index]].changes;
+                    settings.extend(changes.iter().map(|change| change.text.clone()));
+                }
+                Source::Law(_, target)
+                | Source::Measured(_, target)
+                | Source::Formula(target)
+                | Source::Numbers(_, target)
+                | Source::Texts(_, target) => {
+                    let text = match value {
+                        Cell::Number(number) => target.value(*number),
+                        Cell::Text(text) => text.clone(),
+                        // A formula without a value: the scenario refuses it, and the row says so.
+                        Cell::Empty => "nan".to_owned(),
+                    };
+                    settings.extend(target.keys.iter().map(|key| format!("{key}={text}")));
+                }
+            }
+        }
+        Drawn { values, settings }
+    }
+
+    /// The choice of a variable in a case of a full factorial, the last variable fastest.
+    fn combination(&self, run: u64, index: usize) -> usize {
+        let faster: u64 = self.counts[index + 1..].iter().map(|count| *count as u64).product();
+        (run / faster % self.counts[index] as u64) as usize
+    }
+}
+
+fn open(file: &Path) -> Result<Table, CampaignError> {
+    Table::open(file).map_err(|error| CampaignError::values(file, error))
+}
+
+/// The numbers of a column, none of them missing.
+fn numbers(table: &Table, file: &Path, column: &str) -> Result<(Vec<f64>, String), CampaignError> {
+    let read = table.numbers(column).map_err(|error| CampaignError::values(file, error))?;
+    if let Some(row) = read.values.iter().position(|value| value.is_nan()) {
+        let why = format!("column `{column}` has no value in row {} below the heads", row + 1);
+        return Err(CampaignError::values(file, why));
+    }
+    if read.values.is_empty() {
+        return Err(CampaignError::values(file, format!("column `{column}` has no rows")));
+    }
+    let unit =
+        table.heads().iter().find(|head| head.name == column).map_or("", |head| head.unit.as_str());
+    Ok((read.values, unit.to_owned()))
+}
+
+/// A target with the unit of the file's head, where the campaign names none.
+///
+/// # Errors
+/// Two units that differ.
+fn with_unit(variable: &Variable, target: &Target, unit: String) -> Result<Target, CampaignError> {
+    match (target.unit.as_str(), unit.as_str()) {
+        ("", _) => Ok(Target { unit, ..target.clone() }),
+        (_, "") => Ok(target.clone()),
+        (own, other) if own == other => Ok(target.clone()),
+        (own, other) => {
+            let why = format!("its `unit` is {own}, but the file's head says {other}");
+            Err(CampaignError::part(format!("variable.{}", variable.name), why))
+        }
+    }
+}
+
+fn source(variable: &Variable, table: Option<&Table>) -> Result<(Source, String), CampaignError> {
+    Ok(match &variable.draw {
+        Draw::Choices(choices) => {
+            let whole: f64 = choices.iter().map(|choice| choice.weight).sum();
+            let mut sum = 0.0;
+            let cumulative = choices
+                .iter()
+                .map(|choice| {
+                    sum += choice.weight;
+                    sum / whole
+                })
+                .collect();
+            let found = labels::numbers(choices);
+            let unit = found.as_ref().map_or(String::new(), |(_, unit)| (*unit).to_owned());
+            let numbers = found.map(|(numbers, _)| numbers);
+            (Source::Choices { choices: choices.clone(), numbers, cumulative }, unit)
+        }
+        Draw::Law(law, target) => (Source::Law(*law, target.clone()), target.unit.clone()),
+        Draw::Measured { file, column, target } => {
+            let (mut values, unit) = numbers(&open(file)?, file, column)?;
+            values.sort_by(f64::total_cmp);
+            let target = with_unit(variable, target, unit)?;
+            let unit = target.unit.clone();
+            (Source::Measured(values, target), unit)
+        }
+        Draw::Expression { target, .. } => (Source::Formula(target.clone()), target.unit.clone()),
+        Draw::Column { column, target } => {
+            let table = table.expect("columns are of the plan \"table\"");
+            let file = table.path();
+            match numbers(table, file, column) {
+                Ok((values, unit)) => {
+                    let target = with_unit(variable, target, unit)?;
+                    let unit = target.unit.clone();
+                    (Source::Numbers(values, target), unit)
+                }
+                Err(error) => {
+                    // Names, such as those of vessels, or numbers with their units.
+                    let texts = table.texts(column).map_err(|_| error.clone())?;
+                    let texts: Vec<String> = texts.iter().map(str::to_owned).collect();
+                    if texts.iter().any(|text| text.trim().is_empty()) || !target.unit.is_empty() {
+                        return Err(error);
+                    }
+                    (Source::Texts(texts, target.clone()), String::new())
+                }
+            }
+        }
+    })
+}
+
+/// The number of rows of a table's columns.
+fn rows(sources: &[Source]) -> Option<u64> {
+    sources.iter().find_map(|source| match source {
+        Source::Numbers(all, _) => Some(all.len() as u64),
+        Source::Texts(all, _) => Some(all.len() as u64),
+        _ => None,
+    })
+}
+
+/// The formulas, each after those that it uses.
+fn formulas(
+    variables: &[Variable],
+    sources: &[Source],
+) -> Result<Vec<(usize, Formula, Vec<usize>)>, CampaignError> {
+    let mut waiting = Vec::new();
+    for (index, variable) in variables.iter().enumerate() {
+        let Draw::Expression { text, .. } = &variable.draw else { continue };
+        let refused = |why: String| {
+            CampaignError::part(format!("variable.{}.expression", variable.name), why)
+        };
+        let formula = Formula::parse(text).map_err(refused)?;
+        let mut inputs = Vec::new();
+        for name in formula.names() {
+            let Some(input) = variables.iter().position(|variable| variable.name == *name) else {
+                let names = variables.iter().map(|variable| variable.name.as_str());
+                let near = fenderline_scenario::nearest(name, names);
+                let near = near.map_or(String::new(), |near| format!("; did you mean `{near}`?"));
+                return Err(refused(format!("there is no variable `{name}`{near}")));
+            };
+            if matches!(sources[input], Source::Choices { numbers: None, .. } | Source::Texts(..)) {
+                return Err(refused(format!("the values of `{name}` are names, not numbers")));
+            }
+            inputs.push(input);
+        }
+        waiting.push((index, formula, inputs));
+    }
+    let mut ordered: Vec<(usize, Formula, Vec<usize>)> = Vec::new();
+    while !waiting.is_empty() {
+        let is_open = |input: &usize, waiting: &[(usize, Formula, Vec<usize>)]| {
+            waiting.iter().any(|(own, ..)| own == input)
+        };
+        let ready = waiting
+            .iter()
+            .position(|(_, _, inputs)| !inputs.iter().any(|input| is_open(input, &waiting)));
+        let Some(ready) = ready else {
+            let name = format!("variable.{}.expression", variables[waiting[0].0].name);
+            return Err(CampaignError::part(
+                name,
+                "it needs a formula that needs it: there is no order to compute them",
+            ));
+        };
+        ordered.push(waiting.remove(ready));
+    }
+    Ok(ordered)
+}

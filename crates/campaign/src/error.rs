@@ -1,0 +1,95 @@
+//! Why a campaign cannot begin or go on.
+
+use core::fmt;
+use std::path::{Path, PathBuf};
+
+use fenderline_scenario::LoadError;
+
+/// A mistake of the user or a failure of the disk.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CampaignError {
+    /// The campaign's file, or the base scenario with its changes.
+    File(Box<LoadError>),
+    /// A variable, output or rule of the campaign: its name, and what is wrong.
+    Part {
+        /// As in the file: `variable.speed`, `output.margin`, `stop.output`, `correlation`.
+        name: String,
+        /// What is wrong.
+        why: String,
+    },
+    /// A file of values: where, and what is wrong.
+    Values {
+        /// The file.
+        file: PathBuf,
+        /// What is wrong, with line and column where there is one.
+        why: String,
+    },
+    /// None of the first runs can be made: why not the first.
+    Hopeless(Box<CampaignError>),
+    /// A file or folder that cannot be written or read: why.
+    Disk {
+        /// The file or folder.
+        path: PathBuf,
+        /// Why.
+        why: String,
+        /// The disk is full: no mistake of the user's.
+        is_full: bool,
+    },
+    /// The folder of the results: what is wrong.
+    Folder {
+        /// The folder or file.
+        path: PathBuf,
+        /// What is wrong.
+        why: String,
+    },
+}
+
+impl CampaignError {
+    pub(crate) fn part(name: impl Into<String>, why: impl Into<String>) -> CampaignError {
+        CampaignError::Part { name: name.into(), why: why.into() }
+    }
+
+    pub(crate) fn folder(path: &Path, why: impl fmt::Display) -> CampaignError {
+        CampaignError::Folder { path: path.to_owned(), why: why.to_string() }
+    }
+
+    pub(crate) fn disk(path: &Path, error: &std::io::Error) -> CampaignError {
+        let is_full = error.kind() == std::io::ErrorKind::StorageFull;
+        CampaignError::Disk { path: path.to_owned(), why: error.to_string(), is_full }
+    }
+
+    /// Whether the disk is full.
+    #[must_use]
+    pub fn is_disk_full(&self) -> bool {
+        matches!(self, CampaignError::Disk { is_full: true, .. })
+    }
+
+    pub(crate) fn values(path: &Path, why: impl fmt::Display) -> CampaignError {
+        CampaignError::Values { file: path.to_owned(), why: why.to_string() }
+    }
+}
+
+impl fmt::Display for CampaignError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            CampaignError::File(error) => error.fmt(f),
+            CampaignError::Part { name, why } => write!(f, "error: `{name}`: {why}"),
+            CampaignError::Hopeless(error) => {
+                write!(f, "{error}\nno case of the campaign can be run")
+            }
+            CampaignError::Values { file, why } => write!(f, "error: {}: {why}", file.display()),
+            CampaignError::Disk { path, why, .. } => {
+                write!(f, "error: cannot write {}: {why}", path.display())
+            }
+            CampaignError::Folder { path, why } => write!(f, "error: {}: {why}", path.display()),
+        }
+    }
+}
+
+impl std::error::Error for CampaignError {}
+
+impl From<LoadError> for CampaignError {
+    fn from(error: LoadError) -> CampaignError {
+        CampaignError::File(Box::new(error))
+    }
+}

@@ -1,0 +1,18 @@
+//! Campaigns: many runs of one scenario with values that are drawn from distributions, their tables and statistics.
+
+mod draw;
+mod error;
+mod row;
+mod run;
+pub mod statistics;
+mod stop;
+pub mod store;
+pub mod table;
+mod work;
+
+pub use draw::{Drawn, Draws, Formula};
+pub use error::CampaignError;
+pub use row::{Cell, Head, Row};
+pub use run::{Runner, Runs};
+pub use stop::StopRule;
+pub use work::make;

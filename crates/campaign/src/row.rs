@@ -1,0 +1,80 @@
+//! Cells and heads of a campaign's table.
+
+/// A cell.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cell {
+    /// Words.
+    Text(String),
+    /// A number; never one that is not finite.
+    Number(f64),
+    /// Nothing: not known, or the run was not made.
+    Empty,
+}
+
+impl Cell {
+    /// A cell of a number, empty where it is not finite.
+    #[must_use]
+    pub fn of_number(value: f64) -> Cell {
+        if value.is_finite() { Cell::Number(value) } else { Cell::Empty }
+    }
+
+    /// The number of a cell that has one.
+    #[must_use]
+    pub fn number(&self) -> Option<f64> {
+        match self {
+            Cell::Number(value) => Some(*value),
+            Cell::Text(_) | Cell::Empty => None,
+        }
+    }
+
+    /// As text; numbers in the shortest form that reads back to the same value.
+    #[must_use]
+    pub fn shown(&self) -> String {
+        match self {
+            Cell::Text(text) => text.clone(),
+            Cell::Number(value) => format!("{value}"),
+            Cell::Empty => String::new(),
+        }
+    }
+}
+
+/// Name, unit and meaning of a column.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Head {
+    /// Name.
+    pub name: String,
+    /// Unit; empty where it has none.
+    pub unit: String,
+    /// What it is.
+    pub meaning: String,
+    /// Whether its cells are words.
+    pub is_text: bool,
+}
+
+impl Head {
+    /// The head of a column of numbers.
+    #[must_use]
+    pub fn new(name: &str, unit: &str, meaning: &str) -> Head {
+        Head {
+            name: name.to_owned(),
+            unit: unit.to_owned(),
+            meaning: meaning.to_owned(),
+            is_text: false,
+        }
+    }
+
+    /// The head of a column of words.
+    #[must_use]
+    pub fn of_text(name: &str, meaning: &str) -> Head {
+        Head { is_text: true, ..Head::new(name, "", meaning) }
+    }
+}
+
+/// A row: one run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Number of the run, from 0.
+    pub run: u64,
+    /// A cell for each column.
+    pub cells: Vec<Cell>,
+}

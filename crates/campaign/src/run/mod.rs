@@ -1,0 +1,10 @@
+//! One run of a campaign, and the numbers that are kept of it.
+
+mod columns;
+mod motion;
+mod named;
+mod numbers;
+mod outputs;
+mod runner;
+
+pub use self::runner::{Runner, Runs};

@@ -1,0 +1,116 @@
+//! The columns of a campaign's results, and their cells for a run.
+
+use fenderline_results::WorldTotals;
+use fenderline_scenario::{Campaign, nearest};
+use fenderline_sim::{Setup, Simulation};
+
+use super::columns;
+use super::motion::Excursion;
+use super::named::Named;
+use super::numbers::Numbers;
+use crate::draw::Formula;
+use crate::error::CampaignError;
+use crate::row::{Cell, Head};
+
+/// The results of a run: columns that all campaigns have, those of named parts, formulas, notices and error.
+pub(super) struct Outputs {
+    named: Vec<Named>,
+    formulas: Vec<(Formula, Vec<usize>)>,
+    /// Bodies whose motion is needed.
+    pub(super) bodies: Vec<usize>,
+    /// Heads of variables and results, in the order of the table, without the number of the run.
+    pub(super) heads: Vec<Head>,
+}
+
+impl Outputs {
+    /// The outputs of a campaign of this base scenario; `variables` are the heads of its variables.
+    ///
+    /// # Errors
+    /// An output of an unknown part or quantity, or twice; a formula that cannot be read, or of an unknown or later number.
+    pub(super) fn new(
+        campaign: &Campaign,
+        setup: &Setup,
+        variables: &[Head],
+    ) -> Result<Outputs, CampaignError> {
+        let mut heads = variables.to_vec();
+        heads.extend(columns::heads());
+        for variable in variables {
+            if heads.iter().filter(|head| head.name == variable.name).count() > 1
+                || ["run", "notices", "error"].contains(&variable.name.as_str())
+            {
+                let why = "it has the name of a column of the results: choose another".to_owned();
+                return Err(CampaignError::part(format!("variable.{}", variable.name), why));
+            }
+        }
+        let mut named = Vec::new();
+        for text in &campaign.outputs {
+            let refused = |why: String| CampaignError::part("outputs", why);
+            let own = Named::parse(text, setup).map_err(refused)?;
+            if heads.iter().any(|head| head.name == *text) {
+                return Err(refused(format!("\"{text}\" stands there twice")));
+            }
+            heads.push(own.head(text));
+            named.push(own);
+        }
+        let mut formulas = Vec::new();
+        for output in &campaign.expressions {
+            let name = format!("output.{}", output.name);
+            let refused = |why: String| CampaignError::part(name.clone(), why);
+            let formula = Formula::parse(&output.expression).map_err(refused)?;
+            let mut inputs = Vec::new();
+            for own in formula.names() {
+                let Some(input) = heads.iter().position(|head| head.name == *own) else {
+                    let near = nearest(own, heads.iter().map(|head| head.name.as_str()));
+                    let near =
+                        near.map_or(String::new(), |near| format!("; did you mean `{near}`?"));
+                    return Err(refused(format!("there is no number `{own}` above it{near}")));
+                };
+                if heads[input].is_text {
+                    return Err(refused(format!("`{own}` is a word, not a number")));
+                }
+                inputs.push(input);
+            }
+            if heads.iter().any(|head| head.name == output.name) {
+                return Err(refused("there is a column of that name".to_owned()));
+            }
+            heads.push(Head::new(&output.name, &output.unit, &output.expression));
+            formulas.push((formula, inputs));
+        }
+        heads.push(Head::new("notices", "", "number of notices of the scenario"));
+        heads.push(Head::of_text("error", "why the run was not made, or not to its end"));
+        let mut bodies: Vec<usize> = named.iter().filter_map(|own: &Named| own.body()).collect();
+        bodies.sort_unstable();
+        bodies.dedup();
+        Ok(Outputs { named, formulas, bodies, heads })
+    }
+
+    /// The cells of a run that has ended, after those of its variables.
+    pub(super) fn cells(
+        &self,
+        variables: Vec<Cell>,
+        simulation: &Simulation,
+        world: &WorldTotals,
+        motions: &[(usize, Excursion)],
+        numbers: &Numbers,
+    ) -> Vec<Cell> {
+        let mut cells = variables;
+        cells.extend(columns::cells(numbers));
+        cells.extend(self.named.iter().map(|own| own.cell(simulation, world, motions)));
+        for (formula, inputs) in &self.formulas {
+            let values: Vec<f64> =
+                inputs.iter().map(|input| cells[*input].number().unwrap_or(f64::NAN)).collect();
+            cells.push(Cell::of_number(formula.value(&values)));
+        }
+        cells.extend([Cell::Number(numbers.notices as f64), Cell::Empty]);
+        cells
+    }
+
+    /// The cells of a run that was not made, or not to its end.
+    pub(super) fn cells_of_failure(&self, variables: Vec<Cell>, why: String) -> Vec<Cell> {
+        let mut cells = variables;
+        cells.extend(columns::cells_of_failure());
+        cells.resize(self.heads.len() - 1, Cell::Empty);
+        cells.push(Cell::Text(why));
+        cells
+    }
+}

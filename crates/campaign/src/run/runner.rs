@@ -1,0 +1,315 @@
+//! Runs of a campaign.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use fenderline_contact::hash::Fnv1a;
+use fenderline_results::WorldTotals;
+use fenderline_scenario::{Campaign, LoadError, Override, Scenario, ScenarioError, read_text};
+use fenderline_sim::{Simulation, Start};
+
+use super::motion::Excursion;
+use super::numbers::Numbers;
+use super::outputs::Outputs;
+use crate::draw::{Drawn, Draws};
+use crate::error::CampaignError;
+use crate::row::{Cell, Head, Row};
+
+/// What all runs of a campaign share.
+pub struct Runs {
+    campaign: Campaign,
+    draws: Draws,
+    source: Source,
+    base: Scenario,
+    /// The base is the scenario with the changes of all runs, so that a run may differ from it in its start alone.
+    is_common: bool,
+    outputs: Outputs,
+}
+
+/// The scenario's text and the files that it names, read once.
+struct Source {
+    name: String,
+    text: String,
+    folder: PathBuf,
+    files: BTreeMap<String, String>,
+}
+
+impl Source {
+    fn parse(&self, overrides: &[Override]) -> Result<Scenario, ScenarioError> {
+        let mut read = |file: &str| match self.files.get(file) {
+            Some(text) => Ok(text.clone()),
+            // A file that only this run names.
+            None => read_text(&self.folder.join(file)),
+        };
+        Scenario::parse_among(&self.text, &self.name, overrides, &mut read)
+    }
+
+    /// Reads the scenario with the changes of all runs; where it is none without those of a run, with those of `first`: then
+    /// false.
+    fn load(
+        path: &Path,
+        changes: &[Override],
+        first: &[Override],
+    ) -> Result<(Source, Scenario, bool), LoadError> {
+        let text = read_text(path).map_err(LoadError::Unreadable)?;
+        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+        let mut files = BTreeMap::new();
+        let name = path.display().to_string();
+        let mut read = |file: &str| {
+            let text = read_text(&folder.join(file))?;
+            files.insert(file.to_owned(), text.clone());
+            Ok(text)
+        };
+        let (base, is_common) = match Scenario::parse_among(&text, &name, changes, &mut read) {
+            Ok(base) => (base, true),
+            Err(_) => {
+                let all: Vec<Override> = changes.iter().chain(first).cloned().collect();
+                let base = Scenario::parse_among(&text, &name, &all, &mut read);
+                // Neither: `refuse_hopeless` looks at other runs, and needs a base to say what they are.
+                (base.map_err(LoadError::Refused)?, false)
+            }
+        };
+        Ok((Source { name, text, folder, files }, base, is_common))
+    }
+}
+
+impl Runs {
+    /// Reads the scenario and everything that the campaign names.
+    ///
+    /// # Errors
+    /// [`CampaignError`]: what is wrong with the campaign, its files, or the scenario with the changes of all runs; a scenario that
+    /// no run of the first [`TRIED`] can be made of.
+    pub fn new(campaign: Campaign) -> Result<Runs, CampaignError> {
+        let draws = Draws::new(&campaign)?;
+        let changes: Vec<Override> =
+            campaign.changes.iter().map(|change| change.set.clone()).collect();
+        let first =
+            draws.of_run(0).overrides().map_err(|why| CampaignError::part("variable", why))?;
+        let (source, base, is_common) = Source::load(&campaign.scenario, &changes, &first)?;
+        if !base.setup.world.providers.is_empty() {
+            let why = "it has a [[provider]], which only `fenderline run` starts";
+            return Err(CampaignError::part("scenario", why));
+        }
+        let outputs = Outputs::new(&campaign, &base.setup, draws.heads())?;
+        if let Some(stop) = &campaign.stop
+            && !outputs.heads.iter().any(|head| head.name == stop.output && !head.is_text)
+        {
+            let names = outputs.heads.iter().map(|head| head.name.as_str());
+            let near = fenderline_scenario::nearest(&stop.output, names);
+            let near = near.map_or(String::new(), |near| format!("; did you mean `{near}`?"));
+            return Err(CampaignError::part(
+                "stop.output",
+                format!("there is no number `{}`{near}", stop.output),
+            ));
+        }
+        let runs = Runs { campaign, draws, source, base, is_common, outputs };
+        runs.refuse_hopeless()?;
+        Ok(runs)
+    }
+
+    /// The campaign.
+    #[must_use]
+    pub fn campaign(&self) -> &Campaign {
+        &self.campaign
+    }
+
+    /// The draws of its variables.
+    #[must_use]
+    pub fn draws(&self) -> &Draws {
+        &self.draws
+    }
+
+    /// The scenario with the changes of all runs.
+    #[must_use]
+    pub fn base(&self) -> &Scenario {
+        &self.base
+    }
+
+    /// The number of runs.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        self.draws.runs()
+    }
+
+    /// The heads of the table, without the number of the run.
+    #[must_use]
+    pub fn heads(&self) -> &[Head] {
+        &self.outputs.heads
+    }
+
+    /// A number that differs where two campaigns may have different rows: of the draws, the scenario with its files, and the columns.
+    #[must_use]
+    pub fn fingerprint(&self) -> u64 {
+        let mut hash = Fnv1a::default();
+        let mut add = |text: &str| {
+            hash.bytes(text.as_bytes());
+            hash.bytes(&[0]);
+        };
+        add(env!("CARGO_PKG_VERSION"));
+        let campaign = Campaign {
+            // Neither title nor place of the files changes a row.
+            title: String::new(),
+            scenario: PathBuf::new(),
+            design: None,
+            ..self.campaign.clone()
+        };
+        add(&format!("{campaign:?}"));
+        add(&self.source.text);
+        for (name, text) in &self.source.files {
+            add(name);
+            add(text);
+        }
+        for head in self.heads() {
+            add(&head.name);
+        }
+        // Files of values: what they give first and last.
+        for run in [0, self.count() / 2, self.count() - 1] {
+            add(&format!("{:?}", self.draws.of_run(run)));
+        }
+        hash.finish()
+    }
+
+    /// All settings of a run, as `--set` takes them: those of all runs, then its own.
+    #[must_use]
+    pub fn settings(&self, run: u64) -> Vec<String> {
+        let common = self.campaign.changes.iter().map(|change| change.text.clone());
+        common.chain(self.draws.of_run(run).settings).collect()
+    }
+
+    /// Refuses a campaign of which none of the first runs can start: the first error is then about the file, not about a run.
+    fn refuse_hopeless(&self) -> Result<(), CampaignError> {
+        let mut first = None;
+        for run in 0..self.count().min(TRIED) {
+            let drawn = self.draws.of_run(run);
+            let overrides = match drawn.overrides() {
+                Ok(overrides) => overrides,
+                Err(why) => {
+                    first.get_or_insert(CampaignError::part("variable", why));
+                    continue;
+                }
+            };
+            match self.scenario(&overrides) {
+                Ok(scenario) => match Simulation::new(scenario.setup) {
+                    Ok(_) => return Ok(()),
+                    Err(error) => {
+                        first.get_or_insert(CampaignError::part("scenario", error.to_string()));
+                    }
+                },
+                Err(error) => {
+                    first.get_or_insert(LoadError::Refused(error).into());
+                }
+            }
+        }
+        first.map_or(Ok(()), |first| Err(CampaignError::Hopeless(Box::new(first))))
+    }
+
+    /// The scenario of a run.
+    fn scenario(&self, own: &[Override]) -> Result<Scenario, ScenarioError> {
+        let common = self.campaign.changes.iter().map(|change| change.set.clone());
+        let all: Vec<Override> = common.chain(own.iter().cloned()).collect();
+        self.source.parse(&all)
+    }
+}
+
+/// Runs of which one must be able to start.
+const TRIED: u64 = 1000;
+
+/// Makes runs one after the other; one for each thread.
+pub struct Runner<'r> {
+    runs: &'r Runs,
+    start: Start,
+    /// A simulation of the base scenario, which is started again where runs differ in their start alone.
+    own: Option<Simulation>,
+    /// `own` is one of the base scenario.
+    is_of_base: bool,
+}
+
+impl<'r> Runner<'r> {
+    /// A runner.
+    #[must_use]
+    pub fn new(runs: &'r Runs) -> Runner<'r> {
+        Runner { runs, start: runs.base.setup.start(), own: None, is_of_base: false }
+    }
+
+    /// Makes a run, from 0; `None` if it was stopped before its end. A run that cannot be made is a row with the reason.
+    pub fn run(&mut self, run: u64, is_stopped: &dyn Fn() -> bool) -> Option<Row> {
+        let drawn = self.runs.draws.of_run(run);
+        self.of(drawn, is_stopped).map(|cells| Row { run, cells })
+    }
+
+    /// The cells of a run with these draws; `None` if it was stopped before its end.
+    pub fn of(&mut self, drawn: Drawn, is_stopped: &dyn Fn() -> bool) -> Option<Vec<Cell>> {
+        let outputs = &self.runs.outputs;
+        let failed = |values: Vec<Cell>, why: String| Some(outputs.cells_of_failure(values, why));
+        let notices = match self.begin(&drawn) {
+            Ok(notices) => notices,
+            Err(why) => return failed(drawn.values, why),
+        };
+        let simulation = self.own.as_mut().expect("a run has begun");
+        let steps = simulation.steps_total();
+        if steps > self.runs.campaign.most_steps {
+            let most = self.runs.campaign.most_steps;
+            return failed(
+                drawn.values,
+                format!("the run has {steps} time steps, more than `most_steps` {most}"),
+            );
+        }
+        let mut world = WorldTotals::new(simulation.setup());
+        let states = simulation.states();
+        let mut motions: Vec<(usize, Excursion)> =
+            outputs.bodies.iter().map(|body| (*body, Excursion::new(&states[*body]))).collect();
+        let mut touching = 0_u64;
+        while !simulation.is_done() {
+            match simulation.step() {
+                Ok(step) => {
+                    world.add(&step);
+                    touching +=
+                        u64::from(step.contacts.iter().any(|contact| contact.fender.is_some()));
+                    for (body, motion) in &mut motions {
+                        motion.add(&step.states_after[*body]);
+                    }
+                }
+                Err(error) => return failed(drawn.values, error.to_string()),
+            }
+            if is_stopped() {
+                return None;
+            }
+        }
+        let alongside_s = touching as f64 * simulation.setup().step_s;
+        let numbers = Numbers::of(simulation, &world, alongside_s, notices);
+        Some(outputs.cells(drawn.values, simulation, &world, &motions, &numbers))
+    }
+
+    /// Puts the simulation of a run before its first step into `own`; the number of the scenario's notices.
+    fn begin(&mut self, drawn: &Drawn) -> Result<usize, String> {
+        let overrides = drawn.overrides()?;
+        let base = &self.runs.base;
+        if self.runs.is_common
+            && base.setup.restarts_in_place()
+            && base.start_with(&overrides, &mut self.start)
+        {
+            let own = match self.own.take().filter(|_| self.is_of_base) {
+                Some(own) => own,
+                None => Simulation::new(base.setup.clone()).map_err(|error| one_line(&error))?,
+            };
+            self.is_of_base = true;
+            let own = self.own.insert(own);
+            own.restart(&self.start).map_err(|error| one_line(&error))?;
+            return Ok(base.notices.len());
+        }
+        let scenario = self.runs.scenario(&overrides).map_err(|error| one_line(&error))?;
+        let notices = scenario.notices.len();
+        self.is_of_base = false;
+        self.own = Some(Simulation::new(scenario.setup).map_err(|error| one_line(&error))?);
+        Ok(notices)
+    }
+}
+
+/// The message and its help in one line, without the place between them.
+fn one_line(error: &dyn core::fmt::Display) -> String {
+    let text = error.to_string();
+    let line = text.lines().next().unwrap_or_default();
+    let message = line.strip_prefix("error: ").unwrap_or(line);
+    let help = text.lines().find_map(|line| line.trim_start().strip_prefix("= help: "));
+    help.map_or_else(|| message.to_owned(), |help| format!("{message}; {help}"))
+}

@@ -1,0 +1,1 @@
+//! Statistics of the numbers of many runs: exceedance, design values, fits, sensitivity.

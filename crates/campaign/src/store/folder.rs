@@ -1,0 +1,311 @@
+//! The folder of a campaign, or of a share of it.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value as Json, json};
+
+use super::journal::Journal;
+use super::tables::{TABLE_PARQUET, write_tables};
+use super::whole;
+use crate::error::CampaignError;
+use crate::row::Row;
+use crate::run::Runs;
+
+const MANIFEST: &str = "campaign.json";
+const JOURNAL: &str = "rows.journal";
+const LOCK: &str = ".fenderline.lock";
+
+/// A share of a campaign's runs: every n-th.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shard {
+    /// Its number, from 1.
+    pub number: u64,
+    /// How many there are.
+    pub of: u64,
+}
+
+impl Shard {
+    /// All runs.
+    pub const WHOLE: Shard = Shard { number: 1, of: 1 };
+
+    /// A share.
+    ///
+    /// # Errors
+    /// A number that is not between 1 and `of`.
+    pub fn new(number: u64, of: u64) -> Result<Shard, String> {
+        if (1..=of).contains(&number) {
+            Ok(Shard { number, of })
+        } else {
+            Err(format!("shard {number} of {of}: shards are numbered from 1 to {of}"))
+        }
+    }
+
+    /// The runs of the share.
+    pub fn runs(self, count: u64) -> impl Iterator<Item = u64> {
+        (self.number - 1..count).step_by(usize::try_from(self.of).unwrap_or(usize::MAX))
+    }
+
+    /// The number of its runs.
+    #[must_use]
+    pub fn count(self, all: u64) -> u64 {
+        let first = self.number - 1;
+        if first >= all { 0 } else { (all - first).div_ceil(self.of) }
+    }
+}
+
+/// How a folder is opened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Opened {
+    /// It must not hold a campaign.
+    New,
+    /// It goes on with what it holds.
+    Resumed,
+    /// What it holds is removed first.
+    Replaced,
+}
+
+/// The folder, locked.
+pub struct Store<'r> {
+    folder: PathBuf,
+    runs: &'r Runs,
+    shard: Shard,
+    journal: Journal,
+    _lock: File,
+}
+
+impl<'r> Store<'r> {
+    /// Opens the folder and reads what it holds; `visit` sees each row.
+    ///
+    /// # Errors
+    /// Another program works in it; it holds a campaign and `opened` is new; it is resumed, and holds none or another; it cannot be
+    /// written.
+    pub fn open(
+        folder: &Path,
+        runs: &'r Runs,
+        shard: Shard,
+        opened: Opened,
+        visit: &mut dyn FnMut(&Row),
+    ) -> Result<Store<'r>, CampaignError> {
+        fs::create_dir_all(folder).map_err(|error| CampaignError::disk(folder, &error))?;
+        let lock = lock(folder)?;
+        let manifest = folder.join(MANIFEST);
+        let there = read_manifest(&manifest)?;
+        match (opened, there) {
+            (Opened::New, Some(_)) => {
+                let why = "it holds a campaign already; add --resume to go on with it, or --replace to begin again";
+                return Err(CampaignError::folder(folder, why));
+            }
+            (Opened::Resumed, None) => {
+                let why = "there is no campaign to go on with; leave out --resume to begin it";
+                return Err(CampaignError::folder(folder, why));
+            }
+            (Opened::Resumed, Some(own)) => own.check(runs, shard, folder)?,
+            (Opened::New | Opened::Replaced, _) => {
+                // In this order, so that a manifest never stands beside the rows of another campaign.
+                for name in [MANIFEST, JOURNAL, TABLE_PARQUET, super::tables::TABLE_CSV] {
+                    match fs::remove_file(folder.join(name)) {
+                        Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
+                            return Err(CampaignError::disk(&folder.join(name), &error));
+                        }
+                        _ => {}
+                    }
+                }
+                Manifest::of(runs, shard).write(&manifest)?;
+            }
+        }
+        let columns = runs.heads().len();
+        let is_finished = folder.join(TABLE_PARQUET).exists() && !folder.join(JOURNAL).exists();
+        if is_finished {
+            let why = "its campaign is finished; use --replace to make it again";
+            return Err(CampaignError::folder(folder, why));
+        }
+        let journal = Journal::open(&folder.join(JOURNAL), runs.count(), columns, visit)?;
+        Ok(Store { folder: folder.to_owned(), runs, shard, journal, _lock: lock })
+    }
+
+    /// The runs of the share that have no row yet.
+    #[must_use]
+    pub fn missing(&self) -> Vec<u64> {
+        self.shard.runs(self.runs.count()).filter(|run| !self.journal.has(*run)).collect()
+    }
+
+    /// The number of rows.
+    #[must_use]
+    pub fn done(&self) -> u64 {
+        self.journal.done()
+    }
+
+    /// Adds the row of a run; a run that has its row keeps it.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn add(&mut self, row: &Row) -> Result<(), CampaignError> {
+        self.journal.append(row)
+    }
+
+    /// Calls `use_row` for each row in the order of the runs below `most`.
+    ///
+    /// # Errors
+    /// The disk, or what `use_row` returns.
+    pub fn each(
+        &self,
+        most: u64,
+        use_row: &mut dyn FnMut(&Row) -> Result<(), CampaignError>,
+    ) -> Result<(), CampaignError> {
+        self.journal.each(most, use_row)
+    }
+
+    /// Writes the tables of the runs below `most`, and removes the journal. A share keeps its journal for [`super::merge`] and gets no
+    /// tables.
+    ///
+    /// # Errors
+    /// The disk; the rows are then still there.
+    pub fn finish(self, most: u64) -> Result<(), CampaignError> {
+        if self.shard != Shard::WHOLE {
+            return Ok(());
+        }
+        let count = most.min(self.runs.count());
+        write_tables(&self.folder, self.runs, count, &mut |use_row| {
+            self.journal.each(count, use_row)
+        })?;
+        let path = self.folder.join(JOURNAL);
+        fs::remove_file(&path).map_err(|error| CampaignError::disk(&path, &error))
+    }
+
+    /// Writes the tables of the runs so far; the journal stays, so that the campaign can go on.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn write_so_far(&self) -> Result<(), CampaignError> {
+        let count = self.journal.done();
+        write_tables(&self.folder, self.runs, count, &mut |use_row| {
+            self.journal.each(u64::MAX, use_row)
+        })
+    }
+}
+
+/// Takes the lock of a folder. The lock ends with the program, however it ends; the file stays.
+fn lock(folder: &Path) -> Result<File, CampaignError> {
+    let path = folder.join(LOCK);
+    let file = OpenOptions::new().write(true).create(true).truncate(false).open(&path);
+    let file = file.map_err(|error| CampaignError::disk(&path, &error))?;
+    match file.try_lock() {
+        Ok(()) => Ok(file),
+        Err(fs::TryLockError::WouldBlock) => Err(CampaignError::folder(
+            folder,
+            "another program writes here; give each shard a folder of its own",
+        )),
+        Err(fs::TryLockError::Error(error)) => Err(CampaignError::disk(&path, &error)),
+    }
+}
+
+/// What a folder says of its campaign.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Manifest {
+    pub(super) fingerprint: String,
+    pub(super) runs: u64,
+    pub(super) shard: Shard,
+}
+
+impl Manifest {
+    pub(super) fn of(runs: &Runs, shard: Shard) -> Manifest {
+        Manifest { fingerprint: format!("{:016x}", runs.fingerprint()), runs: runs.count(), shard }
+    }
+
+    fn write(&self, path: &Path) -> Result<(), CampaignError> {
+        let text = json!({
+            "program": format!("fenderline {}", env!("CARGO_PKG_VERSION")),
+            "fingerprint": self.fingerprint,
+            "runs": self.runs,
+            "shard": [self.shard.number, self.shard.of],
+        });
+        whole::write(path, |file| {
+            writeln!(file, "{text:#}").map_err(|error| CampaignError::disk(path, &error))
+        })
+    }
+
+    /// Refuses a folder of another campaign or share.
+    pub(super) fn check(
+        &self,
+        runs: &Runs,
+        shard: Shard,
+        folder: &Path,
+    ) -> Result<(), CampaignError> {
+        let now = Manifest::of(runs, shard);
+        if self.runs != now.runs {
+            let why = format!("its campaign has {} runs, this one {}", self.runs, now.runs);
+            return Err(CampaignError::folder(folder, why));
+        }
+        if self.fingerprint != now.fingerprint {
+            let why = "its campaign differs from this one: the campaign's file, the scenario, a file that they name or the program has \
+                       changed; use another --out, or --replace to begin again";
+            return Err(CampaignError::folder(folder, why));
+        }
+        if self.shard != shard {
+            let (own, other) = (self.shard, shard);
+            let why = format!(
+                "it holds shard {}/{}, not {}/{}",
+                own.number, own.of, other.number, other.of
+            );
+            return Err(CampaignError::folder(folder, why));
+        }
+        Ok(())
+    }
+}
+
+/// The manifest of a folder; `None` where there is none.
+fn read_manifest(path: &Path) -> Result<Option<Manifest>, CampaignError> {
+    let text = match fs::read_to_string(path) {
+        Ok(text) => text,
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+        Err(error) => return Err(CampaignError::disk(path, &error)),
+    };
+    let read = |json: &Json| {
+        let shard = Shard::new(json["shard"][0].as_u64()?, json["shard"][1].as_u64()?).ok()?;
+        Some(Manifest {
+            fingerprint: json["fingerprint"].as_str()?.to_owned(),
+            runs: json["runs"].as_u64()?,
+            shard,
+        })
+    };
+    let manifest = serde_json::from_str(&text).ok().and_then(|json: Json| read(&json));
+    manifest
+        .map(Some)
+        .ok_or_else(|| CampaignError::folder(path, "it is not the file of a campaign's folder"))
+}
+
+/// The manifest and the journal of a share, to be merged.
+pub(super) fn open_share(folder: &Path, runs: &Runs) -> Result<(Shard, Journal), CampaignError> {
+    let Some(manifest) = read_manifest(&folder.join(MANIFEST))? else {
+        return Err(CampaignError::folder(folder, "there is no share of a campaign"));
+    };
+    manifest.check(runs, manifest.shard, folder)?;
+    let path = folder.join(JOURNAL);
+    if !path.exists() {
+        return Err(CampaignError::folder(
+            folder,
+            "it has no rows: its campaign is whole, or did not begin",
+        ));
+    }
+    // Nobody may append while it is read.
+    let _lock = lock(folder)?;
+    let journal = Journal::open(&path, runs.count(), runs.heads().len(), &mut |_| {})?;
+    Ok((manifest.shard, journal))
+}
+
+/// Makes the folder of merged shares, which must not hold a campaign.
+pub(super) fn begin_merged(folder: &Path, runs: &Runs) -> Result<File, CampaignError> {
+    fs::create_dir_all(folder).map_err(|error| CampaignError::disk(folder, &error))?;
+    let lock = lock(folder)?;
+    let manifest = folder.join(MANIFEST);
+    if read_manifest(&manifest)?.is_some() {
+        return Err(CampaignError::folder(
+            folder,
+            "it holds a campaign already; merge into another folder",
+        ));
+    }
+    Manifest::of(runs, Shard::WHOLE).write(&manifest)?;
+    Ok(lock)
+}

@@ -1,0 +1,107 @@
+//! Tables as text with separators.
+
+use std::fs::File;
+use std::path::Path;
+
+use fenderline_scenario::open_regular;
+
+use super::error::{TableError, TableFault};
+use super::head::Head;
+use super::{LARGEST_BYTES, Numbers, Texts, cell};
+
+/// Bytes that a line of heads is looked for in.
+const HEAD_BYTES: u64 = 1 << 20;
+
+/// The mark that some programs put before a text.
+const BYTE_ORDER_MARK: &str = "\u{feff}";
+
+/// The heads of a table and its separator.
+pub(super) fn heads(path: &Path) -> Result<(Vec<Head>, u8), TableError> {
+    let separator = separator(path)?;
+    let mut reader = reader(path, separator)?;
+    let record = reader.headers().map_err(|why| TableError::damaged(path, why))?;
+    let cells: Vec<&str> =
+        record.iter().map(|cell| cell.trim_start_matches(BYTE_ORDER_MARK)).collect();
+    if cells.iter().all(|cell| cell.trim().is_empty()) {
+        return Err(TableError::new(path, TableFault::NoHead { number: None }));
+    }
+    let is_number = |cell: &&&str| {
+        !cell.trim().is_empty() && cell::number(cell, separator == b';').is_ok_and(f64::is_finite)
+    };
+    if let Some(number) = cells.iter().find(is_number) {
+        let number = Some((*number).to_owned());
+        return Err(TableError::new(path, TableFault::NoHead { number }));
+    }
+    Ok((cells.into_iter().map(Head::of_text).collect(), separator))
+}
+
+/// A column as numbers; the first line that is refused is the error.
+pub(super) fn numbers(
+    path: &Path,
+    separator: u8,
+    place: usize,
+    column: &str,
+) -> Result<Numbers, TableError> {
+    let mut numbers = Numbers { values: Vec::new(), missing: 0 };
+    each(path, separator, place, |line, text| {
+        let value = cell::number(text, separator == b';').map_err(|()| {
+            let (column, text) = (column.to_owned(), text.to_owned());
+            TableError::new(path, TableFault::NotANumber { column, line, text })
+        })?;
+        numbers.missing += usize::from(value.is_nan());
+        numbers.values.push(value);
+        Ok(())
+    })?;
+    Ok(numbers)
+}
+
+/// A column as texts.
+pub(super) fn texts(path: &Path, separator: u8, place: usize) -> Result<Texts, TableError> {
+    let mut texts = Texts::default();
+    each(path, separator, place, |_, text| {
+        texts.push(text);
+        Ok(())
+    })?;
+    Ok(texts)
+}
+
+/// Calls `use_cell` with line and text of each cell of a column.
+fn each(
+    path: &Path,
+    separator: u8,
+    place: usize,
+    mut use_cell: impl FnMut(u64, &str) -> Result<(), TableError>,
+) -> Result<(), TableError> {
+    let mut reader = reader(path, separator)?;
+    let mut record = csv::StringRecord::new();
+    loop {
+        match reader.read_record(&mut record) {
+            Ok(false) => return Ok(()),
+            Ok(true) => {
+                let line = record.position().map_or(0, csv::Position::line);
+                use_cell(line, record.get(place).unwrap_or(""))?;
+            }
+            Err(why) => return Err(TableError::damaged(path, why)),
+        }
+    }
+}
+
+fn open(path: &Path) -> Result<File, TableError> {
+    open_regular(path, LARGEST_BYTES).map_err(|e| TableError::new(path, TableFault::File(e)))
+}
+
+fn reader(path: &Path, separator: u8) -> Result<csv::Reader<File>, TableError> {
+    Ok(csv::ReaderBuilder::new().delimiter(separator).from_reader(open(path)?))
+}
+
+/// The separator of the head line: a tab or a semicolon where it has one, else a comma.
+fn separator(path: &Path) -> Result<u8, TableError> {
+    use std::io::Read as _;
+    let mut start = Vec::new();
+    open(path)?
+        .take(HEAD_BYTES)
+        .read_to_end(&mut start)
+        .map_err(|why| TableError::damaged(path, why))?;
+    let line = start.split(|byte| *byte == b'\n').next().unwrap_or_default();
+    Ok([b'\t', b';'].into_iter().find(|sought| line.contains(sought)).unwrap_or(b','))
+}

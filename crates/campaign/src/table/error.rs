@@ -1,0 +1,124 @@
+//! What is wrong with a table.
+
+use core::fmt;
+use std::path::{Path, PathBuf};
+
+use fenderline_scenario::{FileError, nearest, printable_line};
+
+/// A table that cannot be read, or does not hold what is asked for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TableError {
+    /// The file.
+    pub path: PathBuf,
+    /// What is wrong.
+    pub fault: TableFault,
+}
+
+/// What is wrong with a table.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum TableFault {
+    /// The file cannot be opened.
+    File(FileError),
+    /// The file is damaged, or not of its form.
+    Damaged {
+        /// The reader's text.
+        why: String,
+    },
+    /// The first line is not a line of names.
+    NoHead {
+        /// The first of its cells that is a number; `None` for an empty file.
+        number: Option<String>,
+    },
+    /// Two columns have this name.
+    TwoOfOneName {
+        /// The name.
+        name: String,
+    },
+    /// There is no such column.
+    NoColumn {
+        /// The name that was asked for.
+        name: String,
+        /// The nearest one that there is.
+        nearest: Option<String>,
+        /// All columns.
+        columns: Vec<String>,
+    },
+    /// A cell of a column of numbers holds something else.
+    NotANumber {
+        /// Column.
+        column: String,
+        /// Line of a text, from 1; row of a Parquet file, from 1.
+        line: u64,
+        /// The cell.
+        text: String,
+    },
+    /// A column of a Parquet file holds lists or binary data.
+    NotPlain {
+        /// Column.
+        column: String,
+    },
+}
+
+impl TableError {
+    pub(super) fn new(path: &Path, fault: TableFault) -> TableError {
+        TableError { path: path.to_owned(), fault }
+    }
+
+    pub(super) fn damaged(path: &Path, why: impl fmt::Display) -> TableError {
+        TableError::new(path, TableFault::Damaged { why: why.to_string() })
+    }
+}
+
+impl TableFault {
+    pub(super) fn no_column(name: &str, columns: &[&str]) -> TableFault {
+        TableFault::NoColumn {
+            name: name.to_owned(),
+            nearest: nearest(name, columns.iter().copied()).map(str::to_owned),
+            columns: columns.iter().map(|&column| column.to_owned()).collect(),
+        }
+    }
+}
+
+/// Longest cell that an error shows (characters).
+const SHOWN: usize = 40;
+
+impl fmt::Display for TableError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let path = printable_line(&self.path.display().to_string()).into_owned();
+        let cut = |text: &str| printable_line(text).chars().take(SHOWN).collect::<String>();
+        match &self.fault {
+            TableFault::File(error) => write!(f, "cannot read {error}"),
+            TableFault::Damaged { why } => write!(f, "{path}: {}", printable_line(why)),
+            TableFault::NoHead { number: None } => write!(f, "{path}: the file is empty"),
+            TableFault::NoHead { number: Some(number) } => write!(
+                f,
+                "{path}:1: `{}` is a number: the first line must name the columns, as in `speed [cm/s]`",
+                cut(number)
+            ),
+            TableFault::TwoOfOneName { name } => {
+                write!(f, "{path}: two columns are called `{}`", cut(name))
+            }
+            TableFault::NoColumn { name, nearest, columns } => {
+                write!(f, "{path}: there is no column `{}`", cut(name))?;
+                match nearest {
+                    Some(nearest) => write!(f, "; did you mean `{}`?", cut(nearest)),
+                    None => {
+                        let names: Vec<String> = columns.iter().map(|name| cut(name)).collect();
+                        write!(f, "; the columns are {}", names.join(", "))
+                    }
+                }
+            }
+            TableFault::NotANumber { column, line, text } => write!(
+                f,
+                "{path}:{line}: column `{}`: `{}` is not a number; leave the cell empty where there is none",
+                cut(column),
+                cut(text)
+            ),
+            TableFault::NotPlain { column } => {
+                write!(f, "{path}: column `{}` holds neither numbers nor texts", cut(column))
+            }
+        }
+    }
+}
+
+impl std::error::Error for TableError {}

@@ -1,0 +1,141 @@
+//! Tables of many runs in files, read by columns.
+//!
+//! [`Table::open`] reads the heads only; [`Table::numbers`] and [`Table::texts`] read one column each, so that a table of
+//! any length takes the memory of one column. Files are comma-separated text with a head line, or Apache Parquet.
+
+mod cell;
+mod comma;
+mod error;
+mod head;
+mod parquet_file;
+mod texts;
+
+use std::path::{Path, PathBuf};
+
+pub use error::{TableError, TableFault};
+pub use head::Head;
+pub use texts::Texts;
+
+/// Largest file that is read (bytes): 64 GiB, more than 10⁸ rows of a campaign.
+const LARGEST_BYTES: u64 = 64 << 30;
+
+/// A table in a file, of which the heads are known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    path: PathBuf,
+    heads: Vec<Head>,
+    form: Form,
+}
+
+/// How the file is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Form {
+    /// Text with this separator.
+    Text { separator: u8 },
+    /// Apache Parquet.
+    Parquet,
+}
+
+/// A column of numbers, a value a row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Numbers {
+    /// One value a row; NaN where the cell is empty.
+    pub values: Vec<f64>,
+    /// Number of empty cells.
+    pub missing: usize,
+}
+
+impl Numbers {
+    /// The values without the empty cells, in the order of the rows.
+    #[must_use]
+    pub fn present(&self) -> Vec<f64> {
+        self.values.iter().copied().filter(|value| value.is_finite()).collect()
+    }
+}
+
+impl Table {
+    /// Opens a table and reads its heads. A file whose name ends in `.parquet` is Parquet, every other one text. The separator
+    /// of text is that of its head line: a tab, a semicolon, or a comma. With semicolons a comma in a number is its decimal point.
+    ///
+    /// # Errors
+    /// A file that cannot be read, has no head line, or has two columns of one name.
+    pub fn open(path: &Path) -> Result<Table, TableError> {
+        let is_parquet = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("parquet"));
+        let (heads, form) = match is_parquet {
+            true => (parquet_file::heads(path)?, Form::Parquet),
+            false => {
+                let (heads, separator) = comma::heads(path)?;
+                (heads, Form::Text { separator })
+            }
+        };
+        for (index, head) in heads.iter().enumerate() {
+            if heads[..index].iter().any(|earlier| earlier.name == head.name) {
+                let fault = TableFault::TwoOfOneName { name: head.name.clone() };
+                return Err(TableError::new(path, fault));
+            }
+        }
+        Ok(Table { path: path.to_owned(), heads, form })
+    }
+
+    /// The file.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The columns, in the order of the file.
+    #[must_use]
+    pub fn heads(&self) -> &[Head] {
+        &self.heads
+    }
+
+    /// Whether there is a column of this name.
+    #[must_use]
+    pub fn has(&self, name: &str) -> bool {
+        self.heads.iter().any(|head| head.name == name)
+    }
+
+    /// A column's head. The unit may stand in the name, as in `energy [kJ]`.
+    ///
+    /// # Errors
+    /// There is no such column; the error names the nearest one.
+    pub fn head(&self, name: &str) -> Result<&Head, TableError> {
+        self.place(name).map(|place| &self.heads[place])
+    }
+
+    /// A column of numbers. Empty cells, and those that say `NaN`, `NA` or `n/a`, are missing; `true` and `false` are 1 and 0.
+    ///
+    /// # Errors
+    /// There is no such column, the file cannot be read, or a cell holds another text or a number that is not finite.
+    pub fn numbers(&self, name: &str) -> Result<Numbers, TableError> {
+        let place = self.place(name)?;
+        match self.form {
+            Form::Text { separator } => {
+                comma::numbers(&self.path, separator, place, &self.heads[place].name)
+            }
+            Form::Parquet => parquet_file::numbers(&self.path, place, &self.heads[place].name),
+        }
+    }
+
+    /// A column of texts; an empty cell is an empty text.
+    ///
+    /// # Errors
+    /// There is no such column, or the file cannot be read.
+    pub fn texts(&self, name: &str) -> Result<Texts, TableError> {
+        let place = self.place(name)?;
+        match self.form {
+            Form::Text { separator } => comma::texts(&self.path, separator, place),
+            Form::Parquet => parquet_file::texts(&self.path, place, &self.heads[place].name),
+        }
+    }
+
+    fn place(&self, name: &str) -> Result<usize, TableError> {
+        let wanted = Head::of_text(name).name;
+        self.heads.iter().position(|head| head.name == name || head.name == wanted).ok_or_else(
+            || {
+                let names: Vec<&str> = self.heads.iter().map(|head| head.name.as_str()).collect();
+                TableError::new(&self.path, TableFault::no_column(name, &names))
+            },
+        )
+    }
+}
