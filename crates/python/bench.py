@@ -5,7 +5,7 @@
 - the cost of a step call, beside the same step called from Rust
 - 10,000 tug impacts of varying speed and angle on one thread and on all, with the processor time that they got, as
   wall-clock time includes waiting for other work on the machine
-- steps per second of the docking environment with a random policy, on one core
+- steps per second of the docking environment with random actions: one environment, and many on one thread and on all
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from typing import Any
 import fenderline
 import numpy as np
 from fenderline._native import seconds_of_steps
-from fenderline.docking import DockingVectorEnv
+from fenderline.docking import DockingEnv, DockingVectorEnv
 
 
 def step_call() -> None:
@@ -77,18 +77,43 @@ def impacts() -> None:
 
 
 def docking() -> None:
+    """Actions are drawn beforehand: a learner computes them by itself."""
+    draws = 16
+    single = DockingEnv()
+    single.reset(seed=0)
+    single.action_space.seed(0)
+    actions = [single.action_space.sample() for _ in range(draws)]
+
+    def play_one() -> None:
+        for step in range(2000):
+            _, _, terminated, truncated, _ = single.step(actions[step % draws])
+            if terminated or truncated:
+                single.reset()
+
+    _, cpu, _ = min(timed(play_one) for _ in range(5))
+    print(f"docking, one environment: {2000 / cpu:,.0f} steps a second of a core")
     for count in (64, 1024):
-        vector = DockingVectorEnv(count)
-        vector.reset(seed=0)
-        vector.action_space.seed(0)
-        steps = 200_000 // count
+        for threads in (1, os.cpu_count() or 1):
+            vector = DockingVectorEnv(count, threads=threads)
+            vector.reset(seed=0)
+            vector.action_space.seed(0)
+            batches = [vector.action_space.sample() for _ in range(draws)]
+            steps = 100_000 // count
 
-        def play(vector: DockingVectorEnv = vector, steps: int = steps) -> None:
-            for _ in range(steps):
-                vector.step(vector.action_space.sample())
+            def play(
+                vector: DockingVectorEnv = vector,
+                batches: list[Any] = batches,
+                steps: int = steps,
+            ) -> None:
+                for step in range(steps):
+                    vector.step(batches[step % draws])
 
-        _, cpu, _ = timed(play)
-        print(f"docking, random policy, {count} environments: {steps * count / cpu:,.0f} steps a second of a core")
+            wall, cpu, _ = min(timed(play) for _ in range(5))
+            done = steps * count
+            print(
+                f"docking, {count} environments on {threads} threads: {done / wall:,.0f} steps a second, "
+                f"{done / cpu:,.0f} a second of a core; load {os.getloadavg()[0]:.1f}"
+            )
 
 
 if __name__ == "__main__":

@@ -98,6 +98,40 @@ test("a mistake is marked with line and column while one types, and its mending 
   expect(await problem.isVisible()).toBe(false);
 });
 
+test("a mistake far from the cursor is shown when the typing ends, a near one at once", async () => {
+  const { page } = at;
+  const lines = text(CONES).split("\n");
+  const line = lines.findIndex((each) => each.startsWith("gyradius"));
+  const seen = () =>
+    editor().evaluate((area: HTMLTextAreaElement, index: number) => {
+      const height = area.scrollHeight / area.value.split("\n").length;
+      const [top, bottom] = [index * height, (index + 1) * height];
+      return top >= area.scrollTop - 1 && bottom <= area.scrollTop + area.clientHeight + 1;
+    }, line);
+  // The cursor is behind the last line after the text was written, far from the mistake.
+  const broken = lines.with(line, 'gyradiu = "74.5 m"').join("\n");
+  await write(broken + "# more\n".repeat(200));
+  expect(await seen()).toBe(false);
+  await editor().blur();
+  expect(await seen()).toBe(true);
+  // With the cursor two lines below it, from a view that ends above.
+  await reran(page, () =>
+    editor().evaluate((area: HTMLTextAreaElement, index: number) => {
+      const at = area.value
+        .split("\n")
+        .slice(0, index + 2)
+        .join("\n").length;
+      area.focus();
+      area.setSelectionRange(at, at);
+      area.scrollTop = 0;
+      area.dispatchEvent(new Event("input"));
+    }, line),
+  );
+  expect(await seen()).toBe(true);
+  await write(text(CONES));
+  expect(await state()).toMatch(/^done/);
+});
+
 test("the report is that of the run, and is shown", async () => {
   const { page } = at;
   await write(text(CONES));

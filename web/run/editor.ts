@@ -48,6 +48,10 @@ export class Editor {
     );
     this.area.addEventListener("input", () => this.edited());
     this.area.addEventListener("scroll", () => this.scrolled());
+    this.area.addEventListener("blur", () => {
+      const mistake = this.marks.find(({ kind }) => kind === "alarm");
+      if (mistake) this.reveal(mistake.line);
+    });
     this.area.addEventListener("keydown", (event) => this.pressed(event));
     document.addEventListener("selectionchange", () => this.showNumber());
   }
@@ -88,8 +92,7 @@ export class Editor {
     );
     this.problem.classList.remove("hidden");
     this.draw();
-    // Who types sees the place already.
-    if (line !== null && document.activeElement !== this.area) this.scrollTo(line);
+    if (line !== null) this.reveal(line);
   }
 
   /** Marks what looks unintended. */
@@ -125,9 +128,28 @@ export class Editor {
     this.scrollTo(line);
   }
 
+  /** Brings the line of a mistake into view. Who types keeps the line of the cursor in view too; where both do not fit, the view
+   *  goes to the mistake when the typing ends. */
+  private reveal(line: number): void {
+    if (document.activeElement !== this.area) {
+      this.scrollTo(line);
+      return;
+    }
+    const cursor = this.text.slice(0, this.area.selectionEnd).split("\n").length;
+    const height = this.lineHeight();
+    const [first, last] = [Math.min(line, cursor) - 1, Math.max(line, cursor)];
+    if ((last - first) * height > this.area.clientHeight) return;
+    const { scrollTop, clientHeight } = this.area;
+    const lowest = last * height - clientHeight;
+    this.area.scrollTop = Math.min(Math.max(scrollTop, lowest), first * height);
+  }
+
   private scrollTo(line: number): void {
-    const height = this.area.scrollHeight / Math.max(1, this.text.split("\n").length);
-    this.area.scrollTop = Math.max(0, (line - 4) * height);
+    this.area.scrollTop = Math.max(0, (line - 4) * this.lineHeight());
+  }
+
+  private lineHeight(): number {
+    return this.area.scrollHeight / Math.max(1, this.text.split("\n").length);
   }
 
   private edited(): void {

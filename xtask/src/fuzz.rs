@@ -13,8 +13,13 @@ pub(crate) const MANIFEST: &str = "fuzz/Cargo.toml";
 pub(crate) const SECONDS: u64 = 20;
 
 /// A target, and folders with inputs to start from besides its seeds.
-pub(crate) const TARGETS: [(&str, &[&str]); 4] =
-    [("advance", &[]), ("clip", &[]), ("scenario", &["scenarios"]), ("snapshot", &[])];
+pub(crate) const TARGETS: [(&str, &[&str]); 5] = [
+    ("advance", &[]),
+    ("clip", &[]),
+    ("dump", &[]),
+    ("scenario", &["scenarios"]),
+    ("snapshot", &[]),
+];
 
 /// `cargo xtask fuzz`.
 pub(crate) fn fuzz_command(seconds: u64) -> ExitCode {

@@ -20,11 +20,13 @@ mod guide;
 mod hosts;
 mod live_load;
 mod nautical;
+mod oldest_rust;
 mod pages;
 mod passivity;
 mod program;
 mod same_bits;
 mod scenarios;
+mod starts;
 mod state_hashes;
 mod step;
 mod test;
@@ -53,8 +55,10 @@ usage: cargo xtask test                   everything that a change must pass
        cargo xtask circles                fails where files of a crate use each other in a circle
        cargo xtask finite-elements        fenders by finite elements: studies, comparison, tables, data files
        cargo xtask dist [cheap]           everything that a release hands out, into target/dist; cheap: what the tests run
+       cargo xtask dist try               that, unpacked and used as a user does
        cargo xtask dist c PREFIX          the C library for this machine, with headers, pkg-config and CMake files, into PREFIX
        cargo xtask hosts                  FMUs in FMPy, libcosim and ecos, which come from PyPI
+       cargo xtask oldest-rust            what users build, with the oldest Rust that Cargo.toml names
        cargo xtask passivity [EPISODES]   random impacts on fenders: none may gain energy (default: 100000)
        cargo xtask live-load [SECONDS]    the live server with 8 clients and 50 hostile ones (default: 20 s)
        cargo xtask pages                  the live server's pages: checked, built, driven in a browser
@@ -64,6 +68,7 @@ usage: cargo xtask test                   everything that a change must pass
        cargo xtask same-bits-everywhere [PROFILE]
                                           hashes of the results of scenarios on Linux (glibc, musl), Windows, WebAssembly
                                           and 64-bit Arm, by emulators (default: release)
+       cargo xtask starts                 the README's three ways to start, in a new clone with an empty home
        cargo xtask state-hashes [REVISION]
                                           a hash of all numbers that each scenario writes, compared with a revision
        cargo xtask windows [PROFILE]      program, FMU and C library for Windows under Wine, compared with Linux's";
@@ -87,6 +92,7 @@ fn main() -> ExitCode {
             Ok(seconds) => fuzz::fuzz_command(seconds),
             Err(_) => usage(),
         },
+        ["oldest-rust"] => oldest_rust::oldest_rust_command(),
         ["passivity"] => passivity::passivity_command(passivity::EPISODES),
         ["passivity", episodes] => match episodes.parse() {
             Ok(episodes) => passivity::passivity_command(episodes),
@@ -100,6 +106,7 @@ fn main() -> ExitCode {
         ["finite-elements"] => finite_elements::finite_elements_command(),
         ["dist"] => dist::dist_command(),
         ["dist", "cheap"] => dist::cheap_command(),
+        ["dist", "try"] => dist::try_command(),
         ["dist", "c", prefix] => dist::install_c_command(prefix),
         ["hosts"] => hosts::hosts_command(),
         ["pages"] => step::run_all(&pages::STEPS),
@@ -115,6 +122,7 @@ fn main() -> ExitCode {
         },
         ["same-bits-everywhere"] => same_bits::same_bits_command("release"),
         ["same-bits-everywhere", profile] => same_bits::same_bits_command(profile),
+        ["starts"] => starts::starts_command(),
         ["state-hashes"] => state_hashes::state_hashes_command(None),
         ["state-hashes", revision] => state_hashes::state_hashes_command(Some(revision)),
         ["windows"] => windows::windows_command("release"),

@@ -5,6 +5,7 @@ use fenderline_validate::Validation;
 use crate::cli::ValidateArgs;
 use crate::failure::Failure;
 use crate::output::{make_folder, write_whole};
+use crate::progress::Progress;
 use crate::terminal::{say, say_json};
 
 /// Runs all cases, prints the table and writes the report if `args` asks for one.
@@ -13,7 +14,10 @@ use crate::terminal::{say, say_json};
 /// A row that is out of tolerance, a statement that unexpectedly does not hold, a run that failed,
 /// or a file that cannot be written. The table is printed and written all the same.
 pub(crate) fn validate(args: &ValidateArgs) -> Result<(), Failure> {
-    let validation = Validation::run().map_err(Failure::Case)?;
+    let mut progress = Progress::of(Validation::PARTS as u64, "parts");
+    let validation =
+        Validation::run(|done| progress.advance(done as u64)).map_err(Failure::Case)?;
+    drop(progress);
     let files = validation.files();
     if args.json {
         let json = files.iter().find(|(name, _)| *name == "validation.json");

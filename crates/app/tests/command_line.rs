@@ -289,6 +289,9 @@ fn a_terminal_shows_the_rate_and_the_time_left_and_colours() {
     contains_all(&shown, &["% of 3000000 steps, ", "steps/s, ", " left"]);
     let quiet = on_a_terminal(&place, &format!("TERM=xterm {long} --quiet")).expect("as above");
     assert_eq!(quiet, "");
+    let validate = "TERM=xterm COLUMNS=100 \"$FENDERLINE\" validate";
+    let shown = on_a_terminal(&place, validate).expect("as above");
+    contains_all(&shown, &["% of 27 parts, ", "parts/s, ", " left"]);
     let bad = "\"$FENDERLINE\" check tug.toml --step -1";
     let coloured = on_a_terminal(&place, &format!("TERM=xterm {bad}")).expect("as above");
     contains_all(&coloured, &["\u{1b}[31merror:"]);

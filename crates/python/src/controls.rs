@@ -1,14 +1,20 @@
-//! Controls: numbers that hold until they are set again. Only their names are defined here; orders and limits come from
-//! the table in `fenderline_sim`.
+//! Controls: numbers that hold until they are set again. Their limits come from the table of orders in `fenderline_sim`.
 
-use fenderline_sim::order::{Arguments, OrderName, Target, Value};
-use fenderline_sim::{Order, OrderError, Setup};
+use fenderline_sim::order::OrderName;
+use fenderline_sim::tug::TugOrder;
+use fenderline_sim::{Action, Order, Setup, VesselAction};
 
-/// How a control's value becomes an order.
+/// What a control's value orders.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
-    /// The value is this argument of an order; `part` is the thruster or azimuth unit.
-    Argument { order: OrderName, argument: &'static str, part: Option<usize> },
+    Rudder,
+    Engine,
+    /// A thruster, by its index.
+    Thruster(usize),
+    /// The power of an azimuth unit, by its index.
+    AzimuthPower(usize),
+    /// The direction of an azimuth unit, by its index.
+    AzimuthDirection(usize),
     /// The force of a vector tug, square to the ship: a push where it is positive, a pull where it is negative.
     TugForce,
 }
@@ -18,7 +24,8 @@ enum Kind {
 pub(crate) struct Control {
     /// The user's name for it: `ship.rudder_rad`.
     pub(crate) name: String,
-    target: Target,
+    /// Index of the vessel, or of the tug.
+    target: usize,
     kind: Kind,
 }
 
@@ -26,30 +33,27 @@ pub(crate) struct Control {
 pub(crate) fn controls(setup: &Setup) -> Vec<Control> {
     let world = &setup.world;
     let mut all = Vec::new();
-    for (index, vessel) in world.vessels.iter().enumerate() {
+    for (target, vessel) in world.vessels.iter().enumerate() {
         let ship = &setup.bodies[vessel.body].name;
-        let target = Target::Vessel(index);
-        let mut add = |name: String, order, argument, part| {
-            let kind = Kind::Argument { order, argument, part };
+        let mut add = |name: String, kind| {
             all.push(Control { name: format!("{ship}.{name}"), target, kind });
         };
-        if OrderName::Rudder.spec().gear.is_on(index, setup) {
-            add("rudder_rad".to_owned(), OrderName::Rudder, "angle", None);
-            add("engine".to_owned(), OrderName::Engine, "share", None);
+        if OrderName::Rudder.spec().gear.is_on(target, setup) {
+            add("rudder_rad".to_owned(), Kind::Rudder);
+            add("engine".to_owned(), Kind::Engine);
         }
         for (part, of) in vessel.thrusters.iter().enumerate() {
-            let name = format!("thruster.{}", of.name);
-            add(name, OrderName::Thruster, "power", Some(part));
+            add(format!("thruster.{}", of.name), Kind::Thruster(part));
         }
         for (part, of) in vessel.azimuths.iter().enumerate() {
             let name = format!("azimuth.{}", of.name);
-            add(format!("{name}.power"), OrderName::Azimuth, "power", Some(part));
-            add(format!("{name}.direction_rad"), OrderName::Azimuth, "direction", Some(part));
+            add(format!("{name}.power"), Kind::AzimuthPower(part));
+            add(format!("{name}.direction_rad"), Kind::AzimuthDirection(part));
         }
     }
-    for (tug, of) in world.tugs.iter().enumerate() {
+    for (target, of) in world.tugs.iter().enumerate() {
         let name = format!("tug.{}.force_n", of.tug.name);
-        all.push(Control { name, target: Target::Tug(tug), kind: Kind::TugForce });
+        all.push(Control { name, target, kind: Kind::TugForce });
     }
     all
 }
@@ -58,7 +62,11 @@ impl Control {
     /// The smallest and the largest value.
     pub(crate) fn limits(&self) -> [f64; 2] {
         match self.kind {
-            Kind::Argument { order, argument, .. } => order.limits(argument),
+            Kind::Rudder => OrderName::Rudder.limits("angle"),
+            Kind::Engine => OrderName::Engine.limits("share"),
+            Kind::Thruster(_) => OrderName::Thruster.limits("power"),
+            Kind::AzimuthPower(_) => OrderName::Azimuth.limits("power"),
+            Kind::AzimuthDirection(_) => OrderName::Azimuth.limits("direction"),
             Kind::TugForce => {
                 let [_, most_n] = OrderName::Push.limits("force");
                 [-most_n, most_n]
@@ -66,22 +74,32 @@ impl Control {
         }
     }
 
-    /// The order that sets this control to a value at a time.
-    ///
-    /// # Errors
-    /// A value out of its limits.
-    pub(crate) fn order(&self, value: f64, at_s: f64, setup: &Setup) -> Result<Order, OrderError> {
-        let none = Arguments::new();
-        let (order, arguments) = match self.kind {
-            Kind::Argument { order, argument, part } => {
-                let named = part.map_or(none.clone(), |part| none.with("name", Value::Index(part)));
-                (order, named.number(argument, value))
+    /// The order that sets this control to a value at a time. The simulation checks it as any other.
+    pub(crate) fn order(&self, value: f64, at_s: f64, setup: &Setup) -> Order {
+        let of_unit =
+            |unit, power, direction_rad| VesselAction::Azimuth { unit, power, direction_rad };
+        let action = match self.kind {
+            Kind::Rudder => VesselAction::Rudder(value),
+            Kind::Engine => VesselAction::Engine(value),
+            Kind::Thruster(part) => VesselAction::Thruster(part, value),
+            Kind::AzimuthPower(unit) => of_unit(unit, Some(value), None),
+            Kind::AzimuthDirection(unit) => of_unit(unit, None, Some(value)),
+            Kind::TugForce => {
+                let action = Action::Tug(self.target, self.tug_order(value, setup));
+                return Order { at_s, action };
             }
-            Kind::TugForce if value > 0.0 => (OrderName::Push, none.number("force", value)),
-            Kind::TugForce if value < 0.0 => (OrderName::Pull, none.number("force", -value)),
-            Kind::TugForce => (OrderName::StandBy, none),
         };
-        let (Target::Vessel(target) | Target::Tug(target) | Target::Line(target)) = self.target;
-        Ok(Order { at_s, action: order.build(target, &arguments, setup)? })
+        Order { at_s, action: Action::Vessel(self.target, action) }
+    }
+
+    fn tug_order(&self, force_n: f64, setup: &Setup) -> TugOrder {
+        let push_rad = setup.world.tugs[self.target].square_push_rad();
+        if force_n > 0.0 {
+            TugOrder::Push { force_n, direction_rad: push_rad }
+        } else if force_n < 0.0 {
+            TugOrder::Pull { force_n: -force_n, direction_rad: -push_rad }
+        } else {
+            TugOrder::StandBy
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use fenderline_scenario::Override;
 use numpy::PyArray2;
-use pyo3::exceptions::{PyIndexError, PyValueError};
+use pyo3::exceptions::{PyIndexError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 
 use crate::arrays::{ReadOnly, STATE, Shared, write_states};
@@ -190,6 +190,14 @@ impl Fleet {
     #[getter]
     fn step_s(&self) -> f64 {
         self.common.base.setup.step_s
+    }
+
+    /// A fleet is not sent to other processes: it fills their place.
+    fn __reduce__(&self) -> PyResult<()> {
+        Err(PyTypeError::new_err(
+            "a Fleet can be neither pickled nor copied: send its scenario and variants, and make a Fleet of them there; \
+             a Simulation can be pickled",
+        ))
     }
 
     fn __len__(&self) -> usize {

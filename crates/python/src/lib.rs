@@ -10,6 +10,7 @@ mod arrays;
 mod campaign;
 mod contacts;
 mod controls;
+mod docking;
 mod engine;
 mod errors;
 mod fleet;
@@ -38,6 +39,7 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<simulation::SimulationState>()?;
     module.add_class::<contacts::StepEvent>()?;
     module.add_class::<fleet::Fleet>()?;
+    module.add_class::<docking::Docking>()?;
     module.add_class::<campaign::Campaign>()?;
     module.add_function(wrap_pyfunction!(engine::seconds_of_steps, module)?)?;
     module.add_function(wrap_pyfunction!(scenario::scenario_of_parts, module)?)?;

@@ -3,7 +3,7 @@
 use std::num::NonZero;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::mpsc::{self, RecvTimeoutError};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
 
@@ -11,6 +11,51 @@ use std::time::Duration;
 pub(crate) fn threads(given: Option<usize>) -> usize {
     let all = || thread::available_parallelism().map_or(1, NonZero::get);
     given.unwrap_or_else(all).max(1)
+}
+
+/// Takes the indices below `count` in order, one at a time as runs differ in length, on `threads` other threads, until `goes_on` says
+/// no. Each thread has something of its own for `work`, which `own` makes. Meanwhile this one runs `wait`, with a channel that closes when
+/// all have ended. The results are in the order of the indices: each that was taken is done.
+fn spread<T: Send, W>(
+    (count, threads): (usize, usize),
+    own: impl Fn() -> W + Sync,
+    goes_on: impl Fn() -> bool + Sync,
+    work: impl Fn(&mut W, usize) -> T + Sync,
+    wait: impl FnOnce(&Receiver<()>),
+) -> Vec<T> {
+    let next = AtomicUsize::new(0);
+    let worker = || {
+        let (mut done, mut own) = (Vec::new(), own());
+        while goes_on() {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            if index >= count {
+                break;
+            }
+            done.push((index, work(&mut own, index)));
+        }
+        done
+    };
+    let mut done: Vec<(usize, T)> = thread::scope(|scope| {
+        let (all, ended) = mpsc::channel::<()>();
+        let workers: Vec<_> = (0..threads.min(count))
+            .map(|_| {
+                let (all, worker) = (all.clone(), &worker);
+                scope.spawn(move || {
+                    // Dropped at the end, also of a panic.
+                    let _all = all;
+                    worker()
+                })
+            })
+            .collect();
+        drop(all);
+        wait(&ended);
+        let joined = workers.into_iter().map(thread::ScopedJoinHandle::join);
+        joined
+            .flat_map(|done| done.unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
+            .collect()
+    });
+    done.sort_unstable_by_key(|(index, _)| *index);
+    done.into_iter().map(|(_, result)| result).collect()
 }
 
 /// Runs `work` for each index below `count`.
@@ -22,29 +67,7 @@ pub(crate) fn each<T: Send>(
     if threads == 1 || count < 2 {
         return (0..count).map(work).collect();
     }
-    let next = AtomicUsize::new(0);
-    // One index at a time, as runs differ in length.
-    let worker = || {
-        let mut done = Vec::new();
-        loop {
-            let index = next.fetch_add(1, Ordering::Relaxed);
-            if index >= count {
-                return done;
-            }
-            done.push((index, work(index)));
-        }
-    };
-    let mut results: Vec<Option<T>> = (0..count).map(|_| None).collect();
-    thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads.min(count)).map(|_| scope.spawn(worker)).collect();
-        for done in workers {
-            let done = done.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-            for (index, result) in done {
-                results[index] = Some(result);
-            }
-        }
-    });
-    results.into_iter().map(|result| result.expect("each index is taken once")).collect()
+    spread((count, threads), || (), || true, |(), index| work(index), |_| ())
 }
 
 /// The reason why not all of the work was done.
@@ -58,9 +81,9 @@ pub(crate) enum Ended<E> {
 /// Time between two calls of `watch`.
 const WATCH: Duration = Duration::from_millis(20);
 
-/// Runs `work` for each index below `count` on `threads` other threads, and meanwhile calls `watch` with the number of those done.
-/// Where it says no, or where work fails, no further index is begun; `work` is told to stop early by its last argument. Each thread
-/// has something of its own for it, which `own` makes.
+/// As [`each`], but always on other threads: meanwhile this one calls `watch` with the number of those done. Where it says no, or where
+/// work fails, no further index is begun; `work` is told to stop early by its last argument. Each thread has something of its own for
+/// it, which `own` makes.
 pub(crate) fn each_watched<T: Send, E: Send, W>(
     count: usize,
     threads: usize,
@@ -68,54 +91,28 @@ pub(crate) fn each_watched<T: Send, E: Send, W>(
     work: impl Fn(&mut W, usize, &AtomicBool) -> Result<T, E> + Sync,
     mut watch: impl FnMut(usize) -> bool,
 ) -> Result<Vec<T>, Ended<E>> {
-    let next = AtomicUsize::new(0);
     let finished = AtomicUsize::new(0);
     let (has_failed, is_stopped) = (AtomicBool::new(false), AtomicBool::new(false));
-    let worker = || {
-        let (mut done, mut own) = (Vec::new(), own());
-        while !has_failed.load(Ordering::Relaxed) && !is_stopped.load(Ordering::Relaxed) {
-            // Indices are taken in order, and each that was taken is done: so the lowest failure is always found.
-            let index = next.fetch_add(1, Ordering::Relaxed);
-            if index >= count {
-                break;
-            }
-            let result = work(&mut own, index, &is_stopped);
-            has_failed.fetch_or(result.is_err(), Ordering::Relaxed);
-            done.push((index, result));
-            finished.fetch_add(1, Ordering::Relaxed);
-        }
-        done
+    let goes_on = || !has_failed.load(Ordering::Relaxed) && !is_stopped.load(Ordering::Relaxed);
+    let one = |own: &mut W, index: usize| {
+        let result = work(own, index, &is_stopped);
+        has_failed.fetch_or(result.is_err(), Ordering::Relaxed);
+        finished.fetch_add(1, Ordering::Relaxed);
+        result
     };
-    let mut done: Vec<(usize, Result<T, E>)> = thread::scope(|scope| {
-        let (all, ended) = mpsc::channel::<()>();
-        let workers: Vec<_> = (0..threads.min(count))
-            .map(|_| {
-                let (all, worker) = (all.clone(), &worker);
-                scope.spawn(move || {
-                    // Dropped at the end, also of a panic.
-                    let _all = all;
-                    worker()
-                })
-            })
-            .collect();
-        drop(all);
+    let done = spread((count, threads), own, goes_on, one, |ended| {
         while ended.recv_timeout(WATCH) == Err(RecvTimeoutError::Timeout) {
             if !watch(finished.load(Ordering::Relaxed)) {
                 is_stopped.store(true, Ordering::Relaxed);
             }
         }
-        let joined = workers.into_iter().map(thread::ScopedJoinHandle::join);
-        joined
-            .flat_map(|done| done.unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
-            .collect()
     });
     if is_stopped.load(Ordering::Relaxed) {
         return Err(Ended::Stopped);
     }
-    done.sort_by_key(|(index, _)| *index);
-    done.into_iter()
-        .map(|(index, result)| result.map_err(|error| Ended::Failed(index, error)))
-        .collect()
+    // Indices are taken in order, and each that was taken is done: the first failure is the lowest, and its place is its index.
+    let numbered = done.into_iter().enumerate();
+    numbered.map(|(index, result)| result.map_err(|error| Ended::Failed(index, error))).collect()
 }
 
 /// Runs `work` for each item in place.

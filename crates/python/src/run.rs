@@ -81,8 +81,8 @@ impl Run {
         self.set[index] = value;
         let at_s = self.simulation.time_s();
         let order = self.controls[index].order(value, at_s, self.simulation.setup());
-        let order = order.expect("the controls belong to the set-up and are within their limits");
-        self.simulation.order(order).expect("an order that was checked");
+        let given = self.simulation.order(order);
+        given.expect("the controls belong to the set-up and are within their limits");
     }
 
     /// One step.

@@ -83,6 +83,13 @@ def test_a_simulation_goes_on_to_the_same_bits(again: Any, record: bool) -> None
                 np.testing.assert_array_equal(table[column], theirs[name][column])
 
 
+@COPIES
+def test_a_fleet_says_what_to_send_in_its_place(again: Any) -> None:
+    fleet = fenderline.Fleet(TUG, [{}, {}])
+    with pytest.raises(TypeError, match="send its scenario and variants"):
+        again(fleet)
+
+
 def test_a_saved_state_goes_to_another_process() -> None:
     one = Simulation(TUG)
     one.step(30)

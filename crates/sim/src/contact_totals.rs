@@ -28,6 +28,8 @@ pub(crate) struct ContactTotals {
     has_begun: bool,
     /// The entry that was found last.
     last: usize,
+    /// For each entry, the one that was found after it when it was looked for last.
+    following: Vec<usize>,
 }
 
 /// A contact at the start of a step.
@@ -43,9 +45,10 @@ struct AtStart {
 impl ContactTotals {
     /// Forgets the run.
     pub(crate) fn restart(&mut self) {
-        let ContactTotals { all, at_start, gained_j, has_begun, last } = self;
+        let ContactTotals { all, at_start, gained_j, has_begun, last, following } = self;
         all.clear();
         at_start.clear();
+        following.clear();
         (*gained_j, *has_begun, *last) = (0.0, false, 0);
     }
 
@@ -53,7 +56,7 @@ impl ContactTotals {
     /// stored energy accumulated so far with the potential of the springs.
     pub(crate) fn open(&mut self, contacts: &[Contact], works: &[HeightWork]) {
         let mut index = 0;
-        let gained_j = &mut self.gained_j;
+        let (gained_j, count) = (&mut self.gained_j, self.all.len());
         self.all.retain(|energy| {
             index += 1;
             let exists = self.at_start[index - 1].exists;
@@ -62,6 +65,11 @@ impl ContactTotals {
             }
             exists
         });
+        if self.all.len() < count {
+            // The indices of the others have changed.
+            self.following.clear();
+            self.following.extend(1..=self.all.len());
+        }
         self.at_start.clear();
         self.at_start.resize(self.all.len(), AtStart::default());
         for energy in &mut self.all {
@@ -150,12 +158,20 @@ impl ContactTotals {
 
     fn index_of_pair(&mut self, bodies: [usize; 2], fender: Option<usize>) -> usize {
         let same = |b: &ContactEnergy| b.bodies == bodies && b.fender == fender;
-        // Contacts come in the same order in every step: the entry after the last one, or that again for another patch of it.
-        // With 1,000 fenders, searching all of them takes longer than solving the contacts.
+        // Contacts come in the same order in every step, which is not that of the entries where they began in several steps. So
+        // it is the entry that came next in the last step, or the last one again for another patch of it. With 1,000 fenders,
+        // searching all of them takes longer than solving the contacts.
         let is_at = |index: usize| self.all.get(index).is_some_and(same);
-        let near = [self.last + 1, self.last, 0].into_iter().find(|&index| is_at(index));
+        let next = self.following.get(self.last).copied().unwrap_or(0);
+        let near = [next, self.last, self.last + 1].into_iter().find(|&index| is_at(index));
         let found = near.or_else(|| self.all.iter().position(same));
-        self.last = found.unwrap_or(self.all.len());
+        let index = found.unwrap_or(self.all.len());
+        if index != self.last
+            && let Some(next) = self.following.get_mut(self.last)
+        {
+            *next = index;
+        }
+        self.last = index;
         found.unwrap_or_else(|| {
             // A contact that exists at the start of the run may have energy stored already.
             let since_began_j = if self.has_begun { 0.0 } else { f64::NEG_INFINITY };
@@ -166,7 +182,8 @@ impl ContactTotals {
                 ..ContactEnergy::default()
             });
             self.at_start.push(AtStart { exists: true, ..AtStart::default() });
-            self.all.len() - 1
+            self.following.push(self.all.len());
+            index
         })
     }
 }

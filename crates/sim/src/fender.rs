@@ -267,17 +267,28 @@ impl FenderSummary {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct FenderSummaries {
     pub(crate) all: Vec<Option<FenderSummary>>,
-    /// Reaction and energy of each fender in this step.
-    now: Vec<(f64, f64)>,
+    /// Each fender in this step.
+    now: Vec<Now>,
+    /// Whether a fender that was touched has chains.
+    has_chains: bool,
     /// Chains of the fenders that are touched in this step.
     pub(crate) chains: Vec<ChainTension>,
+}
+
+/// What a fender does in a step.
+#[derive(Clone, Copy, Debug, Default)]
+struct Now {
+    is_touched: bool,
+    reaction_n: f64,
+    energy_j: f64,
 }
 
 impl FenderSummaries {
     pub(crate) fn new(fenders: usize) -> FenderSummaries {
         FenderSummaries {
             all: vec![None; fenders],
-            now: vec![(0.0, 0.0); fenders],
+            now: vec![Now::default(); fenders],
+            has_chains: false,
             chains: Vec::new(),
         }
     }
@@ -285,8 +296,9 @@ impl FenderSummaries {
     /// Forgets the run.
     pub(crate) fn restart(&mut self) {
         self.all.fill(None);
-        self.now.fill((0.0, 0.0));
+        self.now.fill(Now::default());
         self.chains.clear();
+        self.has_chains = false;
     }
 
     /// Adds one step.
@@ -300,7 +312,7 @@ impl FenderSummaries {
         if setups.is_empty() {
             return;
         }
-        self.now.fill((0.0, 0.0));
+        self.now.fill(Now::default());
         self.chains.clear();
         for summary in self.all.iter_mut().flatten() {
             (summary.last_deflection_m, summary.last_reaction_n) = (0.0, 0.0);
@@ -311,18 +323,24 @@ impl FenderSummaries {
             let touch = step.hull_touches.get(number).copied().flatten();
             let index = id.0 as usize;
             let setup = &setups[index];
+            let is_first = self.all[index].is_none();
             let summary = self.all[index]
                 .get_or_insert_with(|| first_touch(index, setup, (contact, touch), t_s));
-            let (reaction_n, energy_j) = &mut self.now[index];
+            self.has_chains |= !summary.chains.is_empty();
+            let now = &mut self.now[index];
+            now.is_touched = true;
             // Forces of several hulls on one fender add up. The reaction is the component along the fender's axis.
-            *reaction_n += contact.peak_normal_force_n * libm::cos(contact.tilt_rad);
-            *energy_j += contact.energy.peak_absorbed_j;
-            add_contact(summary, setup, contact, t_s);
+            let along = libm::cos(contact.tilt_rad);
+            now.reaction_n += contact.peak_normal_force_n * along;
+            now.energy_j += contact.energy.peak_absorbed_j;
+            summary.last_reaction_n += contact.normal_force_n * along;
+            let is_deeper = add_deflection(summary, setup, contact, t_s);
+            let has_changed = is_first || is_deeper;
             if let (Some(met), Some(touch)) = (&mut summary.hull, touch) {
                 let up_n = contact.normal_force_n * touch.slope;
                 met.peak_vertical_force_n = larger_force_n(met.peak_vertical_force_n, up_n);
             }
-            update_peaks(summary, setup, *reaction_n, *energy_j, t_s);
+            update_peaks(summary, setup, *now, has_changed, t_s);
             if setup.chains.iter().any(|chain| chain.kind != ChainKind::Tension) {
                 let material = &materials[setup.material].material;
                 let load = ChainLoad::of(contact, material, sinking_mps(contact, setup.body));
@@ -339,9 +357,12 @@ impl FenderSummaries {
             }
             add_tension(&mut summary.chains, &setups[index].chains, motion, t_s);
         }
+        if !self.has_chains {
+            return;
+        }
         for summary in self.all.iter().flatten().filter(|summary| !summary.chains.is_empty()) {
             let index = summary.fender;
-            if step.contacts.iter().any(|c| c.fender.is_some_and(|id| id.0 as usize == index)) {
+            if self.now[index].is_touched {
                 let setups = &setups[index].chains;
                 self.chains.extend(ChainTension::of(index, setups, &summary.chains));
             }
@@ -405,32 +426,45 @@ fn first_touch(
     }
 }
 
-fn add_contact(summary: &mut FenderSummary, setup: &FenderSetup, contact: &Contact, t_s: f64) {
-    summary.last_reaction_n += contact.normal_force_n * libm::cos(contact.tilt_rad);
+/// Adds the deflection in a step. Returns true where it is the largest so far.
+fn add_deflection(
+    summary: &mut FenderSummary,
+    setup: &FenderSetup,
+    contact: &Contact,
+    t_s: f64,
+) -> bool {
     summary.last_deflection_m = greater(summary.last_deflection_m, contact.depth_m);
     let deflection_m = contact.peak_depth_m;
-    if deflection_m > summary.peak_deflection_m {
+    let is_deeper = deflection_m > summary.peak_deflection_m;
+    if is_deeper {
         summary.peak_deflection_m = deflection_m;
         summary.peak_deflection_at_s = t_s;
         summary.share_of_rated_deflection = setup.rated.map(|r| deflection_m / r.deflection_m);
         let travel_m = setup.stop.map_or(setup.projection_m, |stop| stop.from_m);
         summary.failed |= deflection_m > travel_m;
     }
+    is_deeper
 }
 
+/// Updates the peaks of energy and reaction, and what depends on them and on the largest deflection, which may have changed.
 fn update_peaks(
     summary: &mut FenderSummary,
     setup: &FenderSetup,
-    reaction_n: f64,
-    energy_j: f64,
+    Now { reaction_n, energy_j, .. }: Now,
+    has_changed: bool,
     t_s: f64,
 ) {
-    if energy_j > summary.peak_energy_j {
+    let (is_stronger, is_fuller) =
+        (reaction_n > summary.peak_reaction_n, energy_j > summary.peak_energy_j);
+    if !has_changed && !is_stronger && !is_fuller {
+        return;
+    }
+    if is_fuller {
         summary.peak_energy_j = energy_j;
         summary.peak_energy_at_s = t_s;
         summary.share_of_rated_energy = summary.capacity_j.map(|capacity_j| energy_j / capacity_j);
     }
-    if reaction_n > summary.peak_reaction_n {
+    if is_stronger {
         summary.peak_reaction_n = reaction_n;
         summary.peak_reaction_at_s = t_s;
         summary.share_of_rated_reaction =

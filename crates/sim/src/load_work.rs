@@ -40,7 +40,8 @@ impl LoadedStep<'_> {
             self.vessel(vessel, self.world.vessels[vessel].body, &mut works);
         }
         for &tug in &self.order.tugs {
-            works.tugs_j += self.of_force(self.world.tugs[tug].vessel, self.tugs[tug].force);
+            let vessel = self.world.tugs[tug].vessel;
+            works.tugs_j += self.of_force(vessel, self.attitude(vessel), self.tugs[tug].force);
         }
         for &line in &self.order.lines {
             for end in self.world.lines[line].ends_on(&self.lines[line]) {
@@ -54,16 +55,18 @@ impl LoadedStep<'_> {
     /// Adds the works of a vessel's own forces and of the current.
     fn vessel(&self, index: usize, body: usize, works: &mut LoadWork) {
         let (forces, water_inertia) = (&self.forces[index], &self.water_inertia[index]);
+        let attitude = self.attitude(index);
+        let of_force = |force: Force| self.of_force(index, attitude, force);
         // The hull coefficients contain the Munk moment and the centripetal terms of the added mass. They do no work
         // and are part of the turning momentum, so they are removed here.
-        works.hull_j += self.of_force(index, forces.hull + water_inertia.coriolis);
-        works.propeller_j += self.of_force(index, forces.propeller);
-        works.rudder_j += self.of_force(index, forces.rudder);
-        works.thrusters_j += self.of_force(index, forces.thrusters);
-        works.wind_j += self.of_force(index, forces.wind);
-        works.waves_j += self.of_force(index, forces.waves);
-        works.banks_j += self.of_force(index, forces.banks);
-        works.bottom_j += self.of_force(index, forces.bottom);
+        works.hull_j += of_force(forces.hull + water_inertia.coriolis);
+        works.propeller_j += of_force(forces.propeller);
+        works.rudder_j += of_force(forces.rudder);
+        works.thrusters_j += of_force(forces.thrusters);
+        works.wind_j += of_force(forces.wind);
+        works.waves_j += of_force(forces.waves);
+        works.banks_j += of_force(forces.banks);
+        works.bottom_j += of_force(forces.bottom);
         let stream_j = |state: &BodyState| {
             let drifting = BodyState {
                 velocity_mps: water_inertia.current_mps,
@@ -77,13 +80,17 @@ impl LoadedStep<'_> {
             - stream_j(&self.before[body]);
     }
 
+    /// The attitude of a vessel at the start of the step.
+    fn attitude(&self, vessel: usize) -> Rotation {
+        Rotation::from_angle(self.before[self.world.vessels[vessel].body].heading_rad)
+    }
+
     /// Work of a force on a vessel that is given about midship.
-    fn of_force(&self, vessel: usize, force: Force) -> f64 {
+    fn of_force(&self, vessel: usize, attitude: Rotation, force: Force) -> f64 {
         let vessel = &self.world.vessels[vessel];
-        let rotation = Rotation::from_angle(self.before[vessel.body].heading_rad);
         let forward_m = vessel.ship.particulars.centre_of_gravity_m;
         let wrench = Wrench {
-            force_n: rotation.apply(vec2(force.surge_n, force.sway_n)),
+            force_n: attitude.apply(vec2(force.surge_n, force.sway_n)),
             moment_nm: force.yaw_nm - forward_m * force.sway_n,
         };
         self.mean[vessel.body].power_w(&wrench) * self.step_s

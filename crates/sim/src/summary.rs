@@ -116,9 +116,12 @@ fn add_touch(pair: &mut PairSummary, own: &[Contact], record: &StepRecord<'_>) {
         }
     }
     // The final speed is that at the patch with the largest force, with the velocities at the end of the step.
-    let main = own
-        .iter()
-        .fold(own[0], |main, c| if c.normal_force_n > main.normal_force_n { *c } else { main });
+    let mut main = &own[0];
+    for contact in own {
+        if contact.normal_force_n > main.normal_force_n {
+            main = contact;
+        }
+    }
     let [after_1, after_2] = pair.bodies.map(|body| record.states_after[body]);
     let closing = (after_1.velocity_mps + main.arm_1_m.spun_by(after_1.yaw_rate_radps))
         - (after_2.velocity_mps + main.arm_2_m.spun_by(after_2.yaw_rate_radps));

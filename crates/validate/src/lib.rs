@@ -17,7 +17,7 @@ mod published;
 mod quantity;
 mod row;
 
-use computed::Values;
+use computed::{SUBJECTS, Values};
 pub use estimate_errors::errors_of;
 use play::play_all;
 use published::Source;
@@ -68,13 +68,21 @@ pub struct Validation {
 }
 
 impl Validation {
-    /// Runs all cases.
+    /// The number of parts that [`Validation::run`] counts: runs, subjects of computed values, and the ships that are estimated.
+    pub const PARTS: usize = play::SCENARIOS.len() + SUBJECTS.len() + 1;
+
+    /// Runs all cases. `progress` gets the number of parts that are done, after each of the [`Validation::PARTS`].
     ///
     /// # Errors
     /// A run that failed.
-    pub fn run() -> Result<Validation, String> {
+    pub fn run(mut progress: impl FnMut(usize)) -> Result<Validation, String> {
+        let mut done = 0;
+        let mut part_done = || {
+            done += 1;
+            progress(done);
+        };
         let sources = sources();
-        let (runs, values) = (play_all()?, values());
+        let (runs, values) = (play_all(&mut part_done)?, values(&mut part_done));
         let rows = sources.iter().flat_map(|source| evaluate(source, &runs, &values)).collect();
         Ok(Validation { sources, runs, rows })
     }
@@ -100,9 +108,12 @@ fn complaints(rows: &[Row]) -> Vec<String> {
 }
 
 /// All values that rows name by `computed`.
-fn values() -> Values {
-    let mut values = Values::all();
-    estimate_errors::put(&mut values);
+fn values(mut part_done: impl FnMut()) -> Values {
+    let mut values = Values::default();
+    for subject in SUBJECTS.into_iter().chain([estimate_errors::put as fn(&mut Values)]) {
+        subject(&mut values);
+        part_done();
+    }
     values
 }
 
@@ -115,14 +126,14 @@ mod tests {
 
     fn rows(moreno_2023: &str) -> Vec<Row> {
         let sources = Source::parse(moreno_2023).expect("the published numbers parse");
-        let runs = play_all().expect("the cases run");
+        let runs = play_all(|| ()).expect("the cases run");
         sources.iter().flat_map(|source| evaluate(source, &runs, &Values::default())).collect()
     }
 
     /// A computed run without a comparison is dead code. (A run gives several measures, not all of which are published.)
     #[test]
     fn every_computed_run_is_compared_and_no_case_occurs_twice() {
-        let (sources, values) = (sources(), values());
+        let (sources, values) = (sources(), values(|| ()));
         let numbers = || sources.iter().flat_map(|source| &source.numbers);
         let run = |name: &str| name.rsplit_once('/').map_or(name, |(run, _)| run).to_owned();
         for name in values.names() {
@@ -174,8 +185,8 @@ mod tests {
     #[test]
     fn the_same_runs_give_the_same_bytes() {
         let page = || {
-            let (sources, runs) = (sources(), play_all().expect("the cases run"));
-            let values = values();
+            let (sources, runs) = (sources(), play_all(|| ()).expect("the cases run"));
+            let values = values(|| ());
             let rows: Vec<Row> = sources.iter().flat_map(|s| evaluate(s, &runs, &values)).collect();
             page::render(&sources, &rows, &runs)
         };

@@ -15,7 +15,7 @@ macro_rules! embedded {
 }
 
 /// Every scenario of a validation.
-const SCENARIOS: [(&str, &str); 14] = embedded![
+pub(super) const SCENARIOS: [(&str, &str); 14] = embedded![
     "paper/experiment_1_step_0.1s",
     "paper/experiment_1_step_0.5s",
     "paper/experiment_1_step_1s",
@@ -82,15 +82,22 @@ impl Played {
     }
 }
 
-/// Runs all scenarios.
+/// Runs all scenarios, and calls `part_done` after each.
 ///
 /// # Errors
 /// A run that failed.
 ///
 /// # Panics
 /// A built-in scenario that cannot be read: a bug.
-pub(super) fn play_all() -> Result<BTreeMap<&'static str, Played>, String> {
-    SCENARIOS.iter().map(|(name, text)| Ok((*name, play(name, text)?))).collect()
+pub(super) fn play_all(
+    mut part_done: impl FnMut(),
+) -> Result<BTreeMap<&'static str, Played>, String> {
+    let played = SCENARIOS.iter().map(|(name, text)| {
+        let played = play(name, text)?;
+        part_done();
+        Ok((*name, played))
+    });
+    played.collect()
 }
 
 fn play(name: &str, text: &str) -> Result<Played, String> {

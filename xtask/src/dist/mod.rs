@@ -10,6 +10,8 @@ mod c_package;
 mod platforms;
 mod publish;
 mod python;
+mod shell_files;
+mod tried;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -26,7 +28,7 @@ use crate::virtual_environment::target_folder;
 pub(crate) const CHEAP: Step = Step { name: "packages for release, the cheap half", run: cheap };
 
 /// The whole, in order.
-const STEPS: [Step; 8] = [
+const STEPS: [Step; 9] = [
     Step { name: "tools", run: || platforms::tools().map(|_| Done::Good) },
     Step { name: "libraries of FMUs, C libraries", run: libraries },
     Step { name: "programs", run: programs },
@@ -38,7 +40,11 @@ const STEPS: [Step; 8] = [
     Step { name: "npm package", run: npm },
     Step { name: "crates and Python packages could be published", run: published },
     Step { name: "check sums", run: sums },
+    TRIED,
 ];
+
+/// What was made, unpacked and used.
+const TRIED: Step = Step { name: "the archives as a user finds them", run: tried::tried };
 
 /// `cargo xtask dist`.
 pub(crate) fn dist_command() -> ExitCode {
@@ -55,6 +61,11 @@ pub(crate) fn dist_command() -> ExitCode {
 /// `cargo xtask dist cheap`.
 pub(crate) fn cheap_command() -> ExitCode {
     run_all(&[CHEAP])
+}
+
+/// `cargo xtask dist try`: the last step alone, over what is in `target/dist`.
+pub(crate) fn try_command() -> ExitCode {
+    run_all(&[TRIED])
 }
 
 /// `cargo xtask dist c PREFIX`: builds the C library for this machine and installs it, with its headers, pkg-config and CMake
@@ -127,6 +138,9 @@ fn programs() -> Result<Done, String> {
         copy_stripped(platform.strip, &platform.built(&program), &folder.join(&program))?;
         copy(Path::new("README.md"), &folder)?;
         copy(Path::new("CHANGELOG.md"), &folder)?;
+        // That of this machine comes first, and its texts are those of all.
+        let own = Platform::ALL.into_iter().find(Platform::is_own).ok_or("not Linux on x86-64")?;
+        shell_files::write(&own.built("fenderline"), &folder)?;
         licences("fenderline", &folder, &[platform.triple])?;
         let size = size(&folder.join(&program))?;
         let archive = archive::pack(&folder, platform.is_windows())?;

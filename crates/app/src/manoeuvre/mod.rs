@@ -21,6 +21,7 @@ use fenderline_sim::hydro::vessels::Vessel;
 
 use crate::cli::{Manoeuvre, ManoeuvreArgs};
 use crate::failure::Failure;
+use crate::progress::Progress;
 use crate::terminal::{answer, say, say_json};
 use crate::vessels::{found, library};
 
@@ -62,10 +63,15 @@ fn sections(
     conditions: &Conditions,
 ) -> Result<Vec<Section>, Failure> {
     let deep = Model3::new(vessel.ship, sea.water);
-    let carried_out = |vessel: &Vessel, model: &Model3, conditions: &Conditions| {
+    let waters = 1 + usize::from(conditions.shallow.is_some());
+    let mut progress = Progress::of((waters * chosen.len()) as u64, "manoeuvres");
+    let mut done = 0;
+    let mut carried_out = |vessel: &Vessel, model: &Model3, conditions: &Conditions| {
         let mut sections = Vec::new();
         for manoeuvre in chosen {
             sections.extend(trials::carry_out(*manoeuvre, vessel, model, sea, conditions)?);
+            done += 1;
+            progress.advance(done);
         }
         Ok::<_, Failure>(sections)
     };

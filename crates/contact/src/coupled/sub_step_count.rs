@@ -223,12 +223,10 @@ impl Bounded<'_> {
                 };
                 Demand { rate_squared, travel }
             }
-            ([only], Some(face))
-                if let Some(rate_squared) =
-                    self.slow_rate_squared(candidate, face, only, share) =>
-            {
-                Demand { rate_squared, travel: 0.0 }
-            }
+            ([only], Some(face)) => match self.slow_rate_squared(candidate, face, only, share) {
+                Some(rate_squared) => Demand { rate_squared, travel: 0.0 },
+                None => self.demand_of_other(pairing, own),
+            },
             _ => self.demand_of_other(pairing, own),
         }
     }

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import Any, Final, Literal, TypeAlias, final
+from typing import Any, Final, Literal, NoReturn, TypeAlias, final
 
 import numpy as np
 import numpy.typing as npt
@@ -222,6 +222,28 @@ class Fleet:
     def fenders(self) -> list[str]: ...
     @property
     def step_s(self) -> float: ...
+    def __reduce__(self) -> NoReturn: ...
+    def __len__(self) -> int: ...
+
+@final
+class Docking:
+    def __new__(
+        cls,
+        scenario: Scenario,
+        count: int,
+        threads: int,
+        levers: Sequence[tuple[str, float]],
+        berthed_within_m: float,
+    ) -> Docking: ...
+    def begin(self, which: Sequence[int], starts: _Floats) -> npt.NDArray[np.float32]: ...
+    def step(
+        self, actions: _Floats
+    ) -> tuple[npt.NDArray[np.float32], _Floats, npt.NDArray[np.int8], npt.NDArray[np.bool_]]: ...
+    @property
+    def states(self) -> _Floats: ...
+    def shown(
+        self, index: int
+    ) -> tuple[list[float], tuple[float, float], int, float]: ...
     def __len__(self) -> int: ...
 
 @final

@@ -60,7 +60,6 @@ the basin. **Truncation** after 900 s.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from enum import IntEnum
 from typing import Any, TypeAlias, cast
 
 import gymnasium
@@ -70,7 +69,7 @@ from gymnasium.utils import seeding
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
-from fenderline._native import Fleet, Scenario
+from fenderline._native import Docking, Scenario
 from fenderline._picture import RENDER_MODES, Picture, Plan, known_render_mode
 from fenderline._runs import example
 
@@ -82,23 +81,21 @@ Floats: TypeAlias = npt.NDArray[np.float64]
 Observation: TypeAlias = npt.NDArray[np.float32]
 Action: TypeAlias = npt.NDArray[np.float32]
 
-RUDDER_STOP_RAD = float(np.deg2rad(35.0))
-#: From the scenario: half the ship's length, y of the fenders' faces, points of her outline on the starboard side.
-HALF_LENGTH_M = 65.0
+#: The numbers of an action: the controls that they set, and the value of each at 1.
+LEVERS = [
+    ("ship.rudder_rad", float(np.deg2rad(35.0))),
+    ("ship.engine", 1.0),
+    ("ship.thruster.bow", 1.0),
+    ("ship.thruster.stern", 1.0),
+]
+#: From the scenario: y of the fenders' faces.
 FACES_EAST_M = -1.8
-OUTLINE_M = np.array([(68, 0), (58, 6), (40, 10), (-60, 10), (-68, 8)], dtype=np.float64)
-#: Size of the basin: along the quay, and off it.
-BASIN_ALONG_M = 400.0
-BASIN_OFF_M = 200.0
-STEPS = 900
 
 #: Scales of the observation: its numbers are quantities over these.
 SCALES = np.array(
     [100, 50, 0.5, 1, 0.3, 0.005, 1, 1, 1, 1, 10, 10, 0.5, 1, 10, 5, 0.05], dtype=np.float64
 )
 SCALES.flags.writeable = False
-#: Numbers 14 to 16 are these again, by a finer scale.
-_NEAR = [0, 1, 2]
 _HIGH = np.where(np.arange(len(SCALES)) < 14, 10.0, 1.0).astype(np.float32)
 _HIGH[6:10] = 1.0
 _LOW = np.where(np.arange(len(SCALES)) == 13, 0.0, -_HIGH).astype(np.float32)
@@ -149,39 +146,40 @@ def _action_space() -> gymnasium.Space[Action]:
     return cast("gymnasium.Space[Action]", gymnasium.spaces.Box(-1.0, 1.0, (4,)))
 
 
-def _draw(random: np.random.Generator) -> dict[str, Any]:
-    """Start and weather of an episode, as keys of the scenario."""
-    along, off = random.uniform(-230.0, -130.0), random.uniform(30.0, 60.0)
-    heading, surge = random.uniform(-0.15, 0.15), random.uniform(0.8, 1.8)
-    wind, wind_from = random.uniform(0.0, 9.0), random.uniform(0.0, 2.0 * np.pi)
-    current = random.uniform(-0.4, 0.4)
-    return {
-        "body.ship.position": [along, FACES_EAST_M - 10.0 - off],
-        "body.ship.heading": heading,
-        "body.ship.velocity": {"surge": surge},
-        "environment.wind": {"speed": wind, "from": wind_from},
-        "environment.current": {
-            "speed": abs(current),
-            "towards": 0.0 if current >= 0.0 else float(np.pi),
-        },
-    }
+#: Of each start, in the order of :class:`Docking`: least and greatest number.
+_STARTS = np.array(
+    [
+        (-230.0, -130.0),  # position along the quay
+        (30.0, 60.0),  # clearance
+        (-0.15, 0.15),  # heading
+        (0.8, 1.8),  # surge
+        (0.0, 9.0),  # wind
+        (0.0, 2.0 * np.pi),  # where it comes from
+        (-0.4, 0.4),  # current along the quay
+    ]
+)
 
 
-class _Ended(IntEnum):
-    """How an episode ended."""
+def _draw(random: np.random.Generator) -> Floats:
+    """Start and weather of an episode: position north and east, heading, velocity ahead and to starboard, speed of the wind and where it
+    comes from, speed of the current and where it goes."""
+    low, high = _STARTS.T
+    along, off, heading, surge, wind, wind_from, current = low + (high - low) * random.random(7)
+    east = FACES_EAST_M - 10.0 - off
+    towards = 0.0 if current >= 0.0 else np.pi
+    start = [along, east, heading, surge, 0.0, wind, wind_from, abs(current), towards]
+    return np.array(start)
 
-    NOT_YET = 0
-    ALONGSIDE = 1
-    OVERLOADED = 2
-    OVER_QUAY_LINE = 3
-    LEFT_BASIN = 4
+
+#: How an episode ended, by the numbers of :class:`Docking`.
+_WORDS = np.array(["", "alongside", "overloaded", "over_quay_line", "left_basin"])
 
 
 class _Berth:
-    """Episodes in parallel; shared by all environments.
+    """Episodes in parallel; shared by all environments. The steps, observations and rewards are those of the native :class:`Docking`.
 
-    ``draw`` gives the start and weather of an episode, ``berthed_within_m`` is the distance along the quay from her berth at
-    which she is still alongside.
+    ``draw`` gives the start and weather of an episode, ``levers`` are the controls that an action sets, ``berthed_within_m`` is the
+    distance along the quay from her berth at which she is still alongside.
     """
 
     def __init__(
@@ -189,123 +187,44 @@ class _Berth:
         count: int,
         threads: int,
         scenario: Scenario | None = None,
-        draw: Callable[[np.random.Generator], dict[str, Any]] = _draw,
+        draw: Callable[[np.random.Generator], Floats] = _draw,
+        levers: Sequence[tuple[str, float]] = LEVERS,
         berthed_within_m: float = 4.0,
     ) -> None:
         scenario = example("docking") if scenario is None else scenario
-        self.count = count
-        self._draw, self._berthed_within_m = draw, berthed_within_m
-        self.fleet = Fleet(scenario, [{}] * count, threads=threads)
-        names = self.fleet.control_names
-        controls = ["ship.rudder_rad", "ship.engine", "ship.thruster.bow", "ship.thruster.stern"]
-        self._columns = [names.index(name) for name in controls]
-        self._ship = self.fleet.bodies.index("ship")
-        self._orders = np.zeros((count, 4))
-        self._weather = np.zeros((count, 3))
-        self._far = np.zeros(count)
-        self._share = np.zeros(count)
-        self._steps = np.zeros(count, dtype=np.int64)
+        self._draw = draw
+        self.native = Docking(scenario, count, threads, levers, berthed_within_m)
 
-    def begin(self, which: Sequence[int], randoms: Sequence[np.random.Generator]) -> None:
-        """Restarts some episodes."""
-        drawn = [self._draw(random) for random in randoms]
-        self.fleet.reset(list(which), drawn)
-        rows = list(which)
-        for row, keys in zip(rows, drawn, strict=True):
-            wind, current = keys["environment.wind"], keys["environment.current"]
-            # The wind's direction is where it comes from.
-            north, east = -np.cos(wind["from"]), -np.sin(wind["from"])
-            along = current["speed"] if current["towards"] == 0.0 else -current["speed"]
-            self._weather[row] = (wind["speed"] * north, wind["speed"] * east, along)
-        self._orders[rows] = 0.0
-        self._share[rows] = 0.0
-        self._steps[rows] = 0
-        self._far[rows] = self._distance()[rows]
+    def begin(
+        self, which: Sequence[int], randoms: Sequence[np.random.Generator]
+    ) -> Observation:
+        """Restarts some episodes, and observes them."""
+        return self.native.begin(which, np.stack([self._draw(random) for random in randoms]))
 
-    def _hull(self) -> tuple[Floats, Floats]:
-        """Her states, and the clearance between her starboard side and the faces."""
-        states = self.fleet.states[:, self._ship]
-        sine, cosine = np.sin(states[:, 2]), np.cos(states[:, 2])
-        points = np.outer(sine, OUTLINE_M[:, 0]) + np.outer(cosine, OUTLINE_M[:, 1])
-        off: Floats = FACES_EAST_M - states[:, 1] - points.max(axis=1)
-        return states, off
-
-    def _distance(self) -> Floats:
-        states, off = self._hull()
-        heading = np.remainder(states[:, 2] + np.pi, 2.0 * np.pi) - np.pi
-        ways = np.stack([states[:, 0], np.maximum(off, 0.0), HALF_LENGTH_M * heading])
-        distance: Floats = np.sqrt((ways * ways).sum(axis=0))
-        return distance
-
-    def observe(self) -> Observation:
-        """The current observation of every episode."""
-        states, off = self._hull()
-        seen = np.empty((self.count, len(SCALES)))
-        seen[:, 0] = -states[:, 0]
-        seen[:, 1] = off
-        seen[:, 2] = np.remainder(states[:, 2] + np.pi, 2.0 * np.pi) - np.pi
-        seen[:, 3:6] = states[:, 3:6]
-        seen[:, 6:10] = self._orders
-        seen[:, 10:13] = self._weather
-        seen[:, 13] = self._share
-        seen[:, 14:] = seen[:, _NEAR]
-        return np.clip((seen / SCALES).astype(np.float32), _LOW, _HIGH)
+    def step(
+        self, actions: npt.NDArray[Any]
+    ) -> tuple[Observation, Floats, npt.NDArray[np.int8], npt.NDArray[np.bool_]]:
+        """One second: observations, rewards, how each episode ended (see :func:`words`), and which are truncated."""
+        return self.native.step(np.ascontiguousarray(actions, dtype=np.float64))
 
     def plan(self, index: int) -> Plan:
         """What a picture of an episode shows."""
-        states = self.fleet.states[index, self._ship]
+        north, east, heading, *speeds = self.native.states[index].tolist()
+        orders, wind, steps, share = self.native.shown(index)
         return Plan(
-            ship=(float(states[0]), float(states[1]), float(states[2])),
-            speeds=(float(states[3]), float(states[4])),
-            orders=self._orders[index].copy(),
-            wind=(float(self._weather[index, 0]), float(self._weather[index, 1])),
-            seconds=int(self._steps[index]),
-            share=float(self._share[index]),
+            ship=(north, east, heading),
+            speeds=(speeds[0], speeds[1]),
+            orders=np.array(orders),
+            wind=wind,
+            seconds=steps,
+            share=share,
         )
-
-    def step(self, actions: Action) -> tuple[Floats, npt.NDArray[np.int64], npt.NDArray[np.bool_]]:
-        """One second: rewards, how each episode ended (an :class:`_Ended`), and which are truncated."""
-        orders = np.clip(np.asarray(actions, dtype=np.float64), -1.0, 1.0)
-        if not np.isfinite(orders).all():
-            raise ValueError("an action is not a finite number")
-        self._orders = orders
-        controls = self.fleet.controls
-        controls[:, self._columns] = orders * (RUDDER_STOP_RAD, 1.0, 1.0, 1.0)
-        self.fleet.step()
-        self._steps += 1
-        states, off = self._hull()
-        far = self._distance()
-        share: Floats = self.fleet.fender_energy_shares.max(axis=1)
-        rewards = 0.1 * (self._far - far) - 0.01 - 0.01 * (orders * orders).mean(axis=1)
-        rewards -= 50.0 * np.maximum(share - self._share, 0.0)
-        self._far, self._share = far, share
-        speed = np.hypot(states[:, 3], states[:, 4])
-        alongside = (
-            (np.abs(states[:, 0]) < self._berthed_within_m)
-            & (off < 0.2)
-            & (np.abs(states[:, 2]) < np.deg2rad(1.0))
-            & (speed < 0.05)
-            & (np.abs(states[:, 5]) < 5e-4)
-        )
-        left = (np.abs(states[:, 0]) > BASIN_ALONG_M) | (off > BASIN_OFF_M)
-        # The faces are 1.8 m in front of the quay: within 0.2 m of its line counts as touching it.
-        on_quay = off < -1.6
-        overloaded = (share > 1.0) | (self.fleet.fenders_failed > 0.0).any(axis=1)
-        ended = np.zeros(self.count, dtype=np.int64)
-        # A later line wins over an earlier one.
-        ended[alongside] = _Ended.ALONGSIDE
-        ended[overloaded] = _Ended.OVERLOADED
-        ended[on_quay] = _Ended.OVER_QUAY_LINE
-        ended[left] = _Ended.LEFT_BASIN
-        bad = (ended != _Ended.NOT_YET) & (ended != _Ended.ALONGSIDE)
-        rewards += np.where(ended == _Ended.ALONGSIDE, 100.0, np.where(bad, -100.0, 0.0))
-        return rewards, ended, (self._steps >= STEPS) & (ended == _Ended.NOT_YET)
 
     @staticmethod
-    def words(ended: npt.NDArray[np.int64]) -> npt.NDArray[np.str_]:
+    def words(ended: npt.NDArray[np.int8]) -> npt.NDArray[np.str_]:
         """How episodes ended, in words; empty for those that have not."""
-        kinds = (_Ended(int(kind)) for kind in ended)
-        return np.array(["" if kind is _Ended.NOT_YET else kind.name.lower() for kind in kinds])
+        words: npt.NDArray[np.str_] = _WORDS[ended]
+        return words
 
 
 class DockingEnv(gymnasium.Env[Observation, Action]):
@@ -325,19 +244,18 @@ class DockingEnv(gymnasium.Env[Observation, Action]):
     ) -> tuple[Observation, dict[str, Any]]:
         """Starts an episode, drawn from ``seed``, or from the random state that the last one left."""
         super().reset(seed=seed)
-        self._berth.begin([0], [self.np_random])
+        seen = self._berth.begin([0], [self.np_random])[0]
         if self.render_mode == "human":
             self._show()
-        return self._berth.observe()[0], {}
+        return seen, {}
 
     def step(self, action: Action) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
         """One second; ``info["ended"]`` says how an episode ended."""
-        rewards, ended, truncated = self._berth.step(np.asarray(action)[None])
+        seen, rewards, ended, truncated = self._berth.step(np.asarray(action)[None])
         info = {"ended": str(self._berth.words(ended)[0])} if ended[0] else {}
-        seen = self._berth.observe()[0]
         if self.render_mode == "human":
             self._show()
-        return seen, float(rewards[0]), bool(ended[0]), bool(truncated[0]), info
+        return seen[0], float(rewards[0]), bool(ended[0]), bool(truncated[0]), info
 
     def render(self) -> Any:
         """The plan as an array (height, width, 3) of bytes, with ``render_mode="rgb_array"``. ``"human"`` shows it in a
@@ -396,8 +314,7 @@ class DockingVectorEnv(VectorEnv[Observation, Action, npt.NDArray[Any]]):
             for index, own in enumerate(seed):
                 if own is not None:
                     self._randoms[index] = seeding.np_random(own)[0]
-        self._berth.begin(range(self.num_envs), self._randoms)
-        return self._berth.observe(), {}
+        return self._berth.begin(range(self.num_envs), self._randoms), {}
 
     def step(
         self, actions: Action
@@ -405,9 +322,9 @@ class DockingVectorEnv(VectorEnv[Observation, Action, npt.NDArray[Any]]):
         Observation, npt.NDArray[Any], npt.NDArray[Any], npt.NDArray[Any], dict[str, Any]
     ]:
         """One second of each; ``info["final_obs"]`` and ``info["final_info"]`` describe episodes that ended."""
-        rewards, ended, truncated = self._berth.step(actions)
-        seen = self._berth.observe()
-        over = (ended > 0) | truncated
+        seen, rewards, ended, truncated = self._berth.step(actions)
+        terminated = ended > 0
+        over = terminated | truncated
         info: dict[str, Any] = {}
         if over.any():
             which = np.flatnonzero(over)
@@ -420,9 +337,9 @@ class DockingVectorEnv(VectorEnv[Observation, Action, npt.NDArray[Any]]):
                 "final_info": {"ended": self._berth.words(ended), "_ended": over},
                 "_final_info": over,
             }
-            self._berth.begin(which.tolist(), [self._randoms[index] for index in which])
-            seen[which] = self._berth.observe()[which]
-        return seen, rewards, ended > 0, truncated, info
+            randoms = [self._randoms[index] for index in which]
+            seen[which] = self._berth.begin(which.tolist(), randoms)
+        return seen, rewards, terminated, truncated, info
 
     def render(self) -> tuple[Any, ...] | None:
         """The plan of each, as arrays (height, width, 3) of bytes, with ``render_mode="rgb_array"``."""

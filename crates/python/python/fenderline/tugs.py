@@ -36,7 +36,7 @@ from pettingzoo import ParallelEnv
 from fenderline._native import Scenario
 from fenderline._picture import RENDER_MODES, Picture, known_render_mode
 from fenderline._runs import example
-from fenderline.docking import _HIGH, _LOW, FACES_EAST_M, _Berth, physical
+from fenderline.docking import _HIGH, _LOW, FACES_EAST_M, LEVERS, _Berth, physical
 
 __all__ = ["TugsEnv", "master", "parallel_env"]
 
@@ -56,18 +56,14 @@ def _scenario() -> Scenario:
     return example("docking").with_set({"tug": tugs})
 
 
-def _draw(random: np.random.Generator) -> dict[str, Any]:
-    """Start and wind of an episode, as keys of the scenario."""
+def _draw(random: np.random.Generator) -> npt.NDArray[np.float64]:
+    """Start and wind of an episode, as in :mod:`fenderline.docking`."""
     off = random.uniform(15.0, 30.0)
     # On or off the quay, within 15 degrees.
     wind_from = random.choice([0.5, 1.5]) * np.pi + random.uniform(-0.26, 0.26)
-    return {
-        "body.ship.position": [random.uniform(-2.0, 2.0), FACES_EAST_M - 10.0 - off],
-        "body.ship.heading": random.uniform(-0.05, 0.05),
-        "body.ship.velocity": {"surge": 0.0},
-        "environment.wind": {"speed": random.uniform(0.0, 8.0), "from": float(wind_from)},
-        "environment.current": {"speed": 0.0, "towards": 0.0},
-    }
+    along, heading = random.uniform(-2.0, 2.0), random.uniform(-0.05, 0.05)
+    wind = random.uniform(0.0, 8.0)
+    return np.array([along, FACES_EAST_M - 10.0 - off, heading, 0.0, 0.0, wind, wind_from, 0.0, 0.0])
 
 
 def master(observation: npt.NDArray[Any]) -> Seen:
@@ -98,9 +94,9 @@ class TugsEnv(ParallelEnv[str, Seen, Seen]):
         self.render_mode = known_render_mode(render_mode)
         self.possible_agents = list(AGENTS)
         self.agents: list[str] = []
-        self._berth = _Berth(1, 1, _scenario(), _draw, berthed_within_m=10.0)
-        names = self._berth.fleet.control_names
-        self._columns = [names.index(f"tug.{name}.force_n") for name in AGENTS]
+        levers = LEVERS + [(f"tug.{name}.force_n", FULL_N) for name in AGENTS]
+        self._berth = _Berth(1, 1, _scenario(), _draw, levers, berthed_within_m=10.0)
+        self._shared = np.zeros(len(_LOW), dtype=np.float32)
         self._orders = np.zeros(2)
         self._random = seeding.np_random()[0]
         self._picture: Picture | None = None
@@ -125,7 +121,7 @@ class TugsEnv(ParallelEnv[str, Seen, Seen]):
             self._random = seeding.np_random(seed)[0]
         self.agents = list(AGENTS)
         self._orders[:] = 0.0
-        self._berth.begin([0], [self._random])
+        self._shared = self._berth.begin([0], [self._random])[0]
         self._show_in_window()
         return self._observe(), {name: {} for name in self.agents}
 
@@ -143,8 +139,9 @@ class TugsEnv(ParallelEnv[str, Seen, Seen]):
         if not np.isfinite(orders).all():
             raise ValueError("an action is not a finite number")
         self._orders = np.clip(orders, -1.0, 1.0)
-        self._berth.fleet.controls[0, self._columns] = self._orders * FULL_N
-        rewards, ended, truncated = self._berth.step(np.zeros((1, 4), dtype=np.float32))
+        action = np.concatenate([np.zeros(len(LEVERS)), self._orders])
+        seen_of_all, rewards, ended, truncated = self._berth.step(action[None])
+        self._shared = seen_of_all[0]
         is_over, is_late = bool(ended[0]), bool(truncated[0])
         own = 0.5 * float(rewards[0]) - 0.01 * self._orders**2
         word = str(self._berth.words(ended)[0])
@@ -162,7 +159,7 @@ class TugsEnv(ParallelEnv[str, Seen, Seen]):
 
     def state(self) -> npt.NDArray[np.float32]:
         """The ship's observation and both orders, for learners with a central critic."""
-        values = [self._berth.observe()[0], self._orders.astype(np.float32)]
+        values = [self._shared, self._orders.astype(np.float32)]
         joined: npt.NDArray[np.float32] = np.concatenate(values)
         return joined
 
@@ -177,11 +174,10 @@ class TugsEnv(ParallelEnv[str, Seen, Seen]):
             self._picture = None
 
     def _observe(self) -> dict[str, Seen]:
-        shared = self._berth.observe()[0]
         seen = {}
         for index, name in enumerate(AGENTS):
             own = [1.0 if name == "forward" else -1.0, self._orders[index], self._orders[1 - index]]
-            seen[name] = np.concatenate([shared, np.array(own, dtype=np.float32)])
+            seen[name] = np.concatenate([self._shared, np.array(own, dtype=np.float32)])
         return {name: seen[name] for name in self.agents}
 
     def _picture_now(self) -> Picture:

@@ -15,7 +15,7 @@ use box2::Box2;
 pub use fenders::{FenderBox, Use, fenders_legend};
 use furniture::{grid, north_arrow, scale_bar};
 pub use harbour::{Harbour, LineDrawn, TugDrawn, Weather, harbour_legend};
-use labels::{arrow_boxes, label_places};
+use labels::{arrow_boxes, text_places};
 use map::{ARROW, BOTTOM, Map, TOP, WIDTH, arrow_text};
 pub use map::{Arrow, Frame, Label, Place};
 
@@ -76,13 +76,19 @@ pub struct Track {
 }
 
 impl Plan {
-    /// What no name may cover.
+    /// What no text may cover.
     fn obstacles(&self, map: &Map) -> Vec<Box2> {
         let mut all = furniture::boxes(map);
         all.extend(harbour::boxes(&self.harbour, map));
         all.extend(self.arrows.iter().flat_map(|arrow| arrow_boxes(arrow, map)));
         all.extend(self.fenders.iter().map(|fender| Box2::around(&fender.corners(map), 0.0)));
         all
+    }
+
+    /// The texts that have to find a place: those of the tugs, then the names.
+    fn texts(&self) -> impl Iterator<Item = &str> {
+        let tugs = self.harbour.tugs.iter().map(|tug| tug.label.as_str());
+        tugs.chain(self.labels.iter().map(|label| label.text.as_str()))
     }
 
     /// The view as a `figure` with its title and note.
@@ -107,8 +113,8 @@ impl Plan {
                         @for ends_m in &self.harbour.banks { (harbour::bank(*ends_m, &map)) }
                         @for line in &self.harbour.lines { (harbour::line(line, &map)) }
                         @for tug in &self.harbour.tugs { (harbour::tug(tug, &map)) }
-                        @for (label, at) in self.labels.iter().zip(label_places(&self.labels, self.obstacles(&map), &map)) {
-                            @if let Some((x, y)) = at { (named(label, x, y)) }
+                        @for (text, at) in self.texts().zip(text_places(self, &map)) {
+                            @if let Some((x, y)) = at { (named(text, x, y)) }
                         }
                         @for arrow in &self.arrows { (arrowed(arrow, &map)) }
                         (harbour::corner(&self.harbour.weather))
@@ -185,10 +191,10 @@ pub fn outlined_legend() -> Markup {
     }
 }
 
-fn named(label: &Label, x: f64, y: f64) -> Markup {
+fn named(text: &str, x: f64, y: f64) -> Markup {
     html! {
         text class="halo name" x=(format!("{x:.1}")) y=(format!("{:.1}", y + 4.0))
-            text-anchor="middle" { (label.text) }
+            text-anchor="middle" { (text) }
     }
 }
 

@@ -74,9 +74,8 @@ pub fn allocate(devices: &[LateralDevice], force_n: f64, moment_nm: f64, forces_
             forces_n[worst] = bounded(wanted_n, lesser(low, high), greater(high, low));
             continue;
         }
-        let open: Vec<usize> = free().collect();
-        for i in open {
-            forces_n[i] = level + slope * devices[i].forward_m;
+        for (given_n, device) in forces_n.iter_mut().zip(devices).filter(|(n, _)| n.is_nan()) {
+            *given_n = level + slope * device.forward_m;
         }
         return;
     }

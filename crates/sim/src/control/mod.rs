@@ -11,7 +11,7 @@ pub use allocation::{LateralDevice, allocate};
 pub use assist::{AssistDemand, Handling, TOUCH_MPS, Task, assist};
 pub use course::{CoursePilot, SpeedPilot};
 pub use station::{Demand, Gains, StationPilot};
-pub use thrust::{Reach, Sway, ThrustDevice, allocate_thrust, bias_pairs};
+pub use thrust::{Reach, Sway, ThrustDevice, ThrustShares};
 
 /// The smallest turn from one heading to another, −π to π (rad).
 #[must_use]

@@ -38,54 +38,83 @@ pub enum Sway {
 /// Surge, sway and yaw of a force (N, N, N·m over the scale of length).
 type Axes = [f64; 3];
 
-/// Computes forces of all devices, ahead and to starboard (N), that together give the demand with the least sum of squares.
-///
-/// Least squares with conditions: f = Bᵀλ with BBᵀλ = demand. A device of one direction beyond its limit is set to it, and the
-/// rest is allocated again. Where azimuth units are beyond their limits, the yaw moment has priority, then surge, then sway:
-/// each is reduced to the largest part that all units can give.
-///
-/// ```
-/// use fenderline_contact::vec2;
-/// use fenderline_sim::control::{Demand, Reach, Sway, ThrustDevice, allocate_thrust};
-/// let unit = |across_m| ThrustDevice { at_m: vec2(-12.0, across_m), reach: Reach::Round(300e3) };
-/// let mut forces_n = [vec2(0.0, 0.0); 2];
-/// let ahead = Demand { surge_n: 400e3, ..Demand::default() };
-/// allocate_thrust(&[unit(-2.5), unit(2.5)], &ahead, Sway::Held, &mut forces_n);
-/// assert!((forces_n[0].x - 200e3).abs() < 1.0 && forces_n[0].y.abs() < 1.0);
-/// ```
-///
-/// # Panics
-/// If `forces_n` has not one entry for each device.
-pub fn allocate_thrust(
+/// Devices that together meet a demand, and the forces that they give. Its memory is reused: nothing is allocated where there are no more
+/// devices than before.
+#[derive(Clone, Debug, Default)]
+pub struct ThrustShares {
+    /// The devices.
+    pub devices: Vec<ThrustDevice>,
+    /// The force of each, ahead and to starboard (N), after [`ThrustShares::meet`].
+    pub forces_n: Vec<Vec2>,
+    /// Forces of the devices that are set to their limits.
+    fixed: Vec<Option<Vec2>>,
+    /// Forces for one axis alone.
+    part_n: Vec<Vec2>,
+}
+
+impl ThrustShares {
+    /// Computes forces of all devices that together give the demand with the least sum of squares.
+    ///
+    /// Least squares with conditions: f = Bᵀλ with BBᵀλ = demand. A device of one direction beyond its limit is set to it, and
+    /// the rest is allocated again. Where azimuth units are beyond their limits, the yaw moment has priority, then surge, then
+    /// sway: each is reduced to the largest part that all units can give.
+    ///
+    /// ```
+    /// use fenderline_contact::vec2;
+    /// use fenderline_sim::control::{Demand, Reach, Sway, ThrustDevice, ThrustShares};
+    /// let unit = |across_m| ThrustDevice { at_m: vec2(-12.0, across_m), reach: Reach::Round(300e3) };
+    /// let mut shares = ThrustShares::default();
+    /// shares.devices.extend([unit(-2.5), unit(2.5)]);
+    /// shares.meet(&Demand { surge_n: 400e3, ..Demand::default() }, Sway::Held);
+    /// let one_n = shares.forces_n[0];
+    /// assert!((one_n.x - 200e3).abs() < 1.0 && one_n.y.abs() < 1.0);
+    /// ```
+    pub fn meet(&mut self, demand: &Demand, sway: Sway) {
+        let ThrustShares { devices, forces_n, fixed, part_n } = self;
+        for forces_n in [&mut *forces_n, &mut *part_n] {
+            forces_n.clear();
+            forces_n.resize(devices.len(), Vec2::ZERO);
+        }
+        fixed.clear();
+        fixed.resize(devices.len(), None);
+        allocate(devices, demand, sway, (forces_n, fixed, part_n));
+    }
+
+    /// Makes units abreast of each other push against each other, as in dynamic positioning. The sum is unchanged, but a small
+    /// demand that changes its sign then turns a unit by a small angle instead of half a turn, which would take ten seconds.
+    pub fn bias_pairs(&mut self) {
+        bias_pairs(&self.devices, &mut self.forces_n);
+    }
+}
+
+/// See [`ThrustShares::meet`]; the slices have one entry for each device.
+fn allocate(
     devices: &[ThrustDevice],
     demand: &Demand,
     sway: Sway,
-    forces_n: &mut [Vec2],
+    (forces_n, fixed, part_n): (&mut [Vec2], &mut [Option<Vec2>], &mut [Vec2]),
 ) {
-    assert_eq!(devices.len(), forces_n.len(), "one force a device");
     let scale_m = devices.iter().map(|device| device.at_m.length()).fold(1.0, greater);
     let wanted = [demand.surge_n, demand.sway_n, demand.yaw_nm / scale_m];
     let problem = Problem { devices, scale_m, sway };
-    let mut fixed: Vec<Option<Vec2>> = vec![None; devices.len()];
     for _ in 0..=devices.len() {
-        let rest = problem.less(wanted, &fixed);
-        problem.share(rest, &fixed, forces_n);
-        let Some((worst, given_n)) = problem.worst(&fixed, forces_n) else { break };
+        let rest = problem.less(wanted, fixed);
+        problem.share(rest, fixed, forces_n);
+        let Some((worst, given_n)) = problem.worst(fixed, forces_n) else { break };
         fixed[worst] = Some(given_n);
     }
     if problem.all_within(forces_n) {
         return;
     }
     // Axis by axis, by priority.
-    let rest = problem.less(wanted, &fixed);
-    for (force_n, fixed_n) in forces_n.iter_mut().zip(&fixed) {
+    let rest = problem.less(wanted, fixed);
+    for (force_n, fixed_n) in forces_n.iter_mut().zip(&*fixed) {
         *force_n = fixed_n.unwrap_or(Vec2::ZERO);
     }
-    let mut part_n = vec![Vec2::ZERO; devices.len()];
     for axis in [2, 0, 1] {
         let mut alone = [0.0; 3];
         alone[axis] = rest[axis];
-        problem.share(alone, &fixed, &mut part_n);
+        problem.share(alone, fixed, part_n);
         let still = |i: usize| if fixed[i].is_some() { Vec2::ZERO } else { part_n[i] };
         let share = (0..devices.len())
             .map(|i| largest_share(devices[i].reach, forces_n[i], still(i)))
@@ -99,9 +128,8 @@ pub fn allocate_thrust(
 /// Opposing force of a pair of units over the smaller of their limits.
 const BIAS: f64 = 0.15;
 
-/// Makes units abreast of each other push against each other, as in dynamic positioning. The sum is unchanged, but a small
-/// demand that changes its sign then turns a unit by a small angle instead of half a turn, which would take ten seconds.
-pub fn bias_pairs(devices: &[ThrustDevice], forces_n: &mut [Vec2]) {
+/// See [`ThrustShares::bias_pairs`].
+fn bias_pairs(devices: &[ThrustDevice], forces_n: &mut [Vec2]) {
     for i in 0..devices.len() {
         for j in i + 1..devices.len() {
             let (Reach::Round(one_n), Reach::Round(other_n)) = (devices[i].reach, devices[j].reach)
@@ -264,15 +292,16 @@ fn solve(matrix: [[f64; 3]; 3], right: Axes) -> Axes {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::control::{LateralDevice, allocate};
+    use crate::control::{self, LateralDevice};
 
     fn round(x: f64, y: f64, most_n: f64) -> ThrustDevice {
         ThrustDevice { at_m: vec2(x, y), reach: Reach::Round(most_n) }
     }
 
     fn given(devices: &[ThrustDevice], demand: Demand, sway: Sway) -> (Demand, Vec<Vec2>) {
-        let mut forces_n = vec![Vec2::ZERO; devices.len()];
-        allocate_thrust(devices, &demand, sway, &mut forces_n);
+        let mut shares = ThrustShares { devices: devices.to_vec(), ..ThrustShares::default() };
+        shares.meet(&demand, sway);
+        let forces_n = shares.forces_n;
         let mut sum = Demand::default();
         for (device, force_n) in devices.iter().zip(&forces_n) {
             sum.surge_n += force_n.x;
@@ -344,7 +373,7 @@ mod tests {
         assert!(forces_n[0].y < -0.1 * 3e5 && forces_n[1].y > 0.1 * 3e5, "{forces_n:?}");
     }
 
-    /// For lateral devices alone the result is that of [`allocate`].
+    /// For lateral devices alone the result is that of [`control::allocate`].
     #[test]
     fn lateral_devices_get_the_forces_of_allocate() {
         let limits = [-1e5, 4e5];
@@ -357,7 +386,7 @@ mod tests {
             places.iter().map(|&forward_m| LateralDevice { forward_m, limits_n: limits }).collect();
         for (sway_n, yaw_nm) in [(2e5, -3e6), (3e5, -3e7), (5e5, 1e7)] {
             let mut before_n = [0.0; 3];
-            allocate(&lateral, sway_n, yaw_nm, &mut before_n);
+            control::allocate(&lateral, sway_n, yaw_nm, &mut before_n);
             let (_, now) = given(&across, demand(0.0, sway_n, yaw_nm), Sway::Held);
             for (before_n, now) in before_n.iter().zip(&now) {
                 assert!((before_n - now.y).abs() < 1e-3 * sway_n, "{before_n}, {now:?}");

@@ -8,8 +8,8 @@ use super::line::{Mooring, MooringSetup};
 use super::pilot::Abilities;
 use super::vessel::{VesselForces, VesselSetup, VesselState};
 use crate::control::{
-    AssistDemand, Demand, Handling, LateralDevice, Reach, Sway, Task, ThrustDevice,
-    allocate_thrust, assist as work, bias_pairs,
+    AssistDemand, Demand, Handling, LateralDevice, Reach, Sway, Task, ThrustDevice, ThrustShares,
+    assist as work,
 };
 use crate::hydro::{Force, Velocity, Water};
 
@@ -42,9 +42,10 @@ fn disturbance(setup: &VesselSetup, forces: &VesselForces) -> Demand {
     Demand { surge_n, sway_n, yaw_nm: yaw_nm - ahead_m * sway_n }
 }
 
-/// Keeps course and speed of a vessel that azimuth units alone propel and steer.
+/// Keeps course and speed of a vessel that azimuth units alone propel and steer. `shares` is memory.
 pub(crate) fn under_way(
     vessel: &mut VesselState,
+    shares: &mut ThrustShares,
     (setup, abilities, stream): (&VesselSetup, &Abilities, &Stream),
     forces: &VesselForces,
     state: &BodyState,
@@ -69,15 +70,15 @@ pub(crate) fn under_way(
         handling.turning_moment(state, course.heading_rad, disturbance.yaw_nm)
     });
     let demand = Demand { surge_n, sway_n: 0.0, yaw_nm };
-    let devices = azimuth_devices(setup);
-    let mut forces_n = vec![Vec2::ZERO; devices.len()];
-    allocate_thrust(&devices, &demand, Sway::Free, &mut forces_n);
-    order_azimuths(vessel, setup, &forces_n, stream);
+    azimuths_alone(setup, &mut shares.devices);
+    shares.meet(&demand, Sway::Free);
+    order_azimuths(vessel, setup, &shares.forces_n, stream);
 }
 
-/// Sets the orders to the azimuth units of a tug that assists.
+/// Sets the orders to the azimuth units of a tug that assists. `shares` is memory.
 pub(crate) fn assist(
     vessel: &mut VesselState,
+    shares: &mut ThrustShares,
     (setup, abilities, stream): (&VesselSetup, &Abilities, &Stream),
     forces: &VesselForces,
     states: &[BodyState],
@@ -101,44 +102,44 @@ pub(crate) fn assist(
     let steady_nm =
         bounded(pilot.steady_nm + rate * lesser(step_s / INTEGRAL_S, 1.0), -most_nm, most_nm);
     pilot.steady_nm = steady_nm;
-    let mut devices = azimuth_devices(setup);
+    azimuths_alone(setup, &mut shares.devices);
     let own = setup.thrusters.iter().map(|thruster| ThrustDevice {
         at_m: vec2(thruster.tunnel.along_m - ship.centre_of_gravity_m, 0.0),
         reach: Reach::Across([-thruster.tunnel.bollard_n, thruster.tunnel.bollard_n]),
     });
-    devices.extend(own);
-    let mut forces_n = vec![Vec2::ZERO; devices.len()];
-    allocate_thrust(&devices, &demand, sway, &mut forces_n);
+    shares.devices.extend(own);
+    shares.meet(&demand, sway);
     if sway == Sway::Held {
-        bias_pairs(&devices, &mut forces_n);
+        shares.bias_pairs();
     }
-    let (units_n, thrusters_n) = forces_n.split_at(setup.azimuths.len());
+    let (units_n, thrusters_n) = shares.forces_n.split_at(setup.azimuths.len());
     order_azimuths(vessel, setup, units_n, stream);
     for (index, (thruster, force_n)) in setup.thrusters.iter().zip(thrusters_n).enumerate() {
         vessel.orders.thrusters[index] = force_n.y / thruster.tunnel.bollard_n;
     }
 }
 
-/// Shares a demand among the engine, lateral devices and azimuth units. Returns the force of the engine (N).
+/// Shares a demand among the engine, lateral devices and azimuth units. Returns the force of the engine (N). `shares` is memory.
 pub(crate) fn share_with_azimuths(
     vessel: &mut VesselState,
+    shares: &mut ThrustShares,
     (setup, abilities, stream): (&VesselSetup, &Abilities, &Stream),
     demand: &Demand,
     across: &[LateralDevice],
     across_n: &mut [f64],
 ) -> f64 {
-    let mut devices = azimuth_devices(setup);
-    devices.extend(across.iter().map(|device| ThrustDevice {
+    azimuths_alone(setup, &mut shares.devices);
+    shares.devices.extend(across.iter().map(|device| ThrustDevice {
         at_m: vec2(device.forward_m, 0.0),
         reach: Reach::Across(device.limits_n),
     }));
     if setup.ship.propulsion.is_some() {
-        devices.push(ThrustDevice { at_m: Vec2::ZERO, reach: Reach::Ahead(abilities.bollard_n) });
+        let reach = Reach::Ahead(abilities.bollard_n);
+        shares.devices.push(ThrustDevice { at_m: Vec2::ZERO, reach });
     }
-    let mut forces_n = vec![Vec2::ZERO; devices.len()];
-    allocate_thrust(&devices, demand, Sway::Held, &mut forces_n);
-    bias_pairs(&devices, &mut forces_n);
-    let own = setup.azimuths.len();
+    shares.meet(demand, Sway::Held);
+    shares.bias_pairs();
+    let (own, forces_n) = (setup.azimuths.len(), &shares.forces_n);
     order_azimuths(vessel, setup, &forces_n[..own], stream);
     for (given_n, force_n) in across_n.iter_mut().zip(&forces_n[own..]) {
         *given_n = force_n.y;
@@ -146,12 +147,14 @@ pub(crate) fn share_with_azimuths(
     forces_n.get(own + across.len()).map_or(0.0, |force_n| force_n.x)
 }
 
-fn azimuth_devices(setup: &VesselSetup) -> Vec<ThrustDevice> {
+/// Replaces devices by the azimuth units.
+fn azimuths_alone(setup: &VesselSetup, devices: &mut Vec<ThrustDevice>) {
     let device = |azimuth| ThrustDevice {
         at_m: azimuth_place(setup, azimuth),
         reach: Reach::Round(azimuth.bollard_n),
     };
-    setup.azimuths.iter().map(device).collect()
+    devices.clear();
+    devices.extend(setup.azimuths.iter().map(device));
 }
 
 /// Position of a unit from the centre of gravity (m).

@@ -23,7 +23,7 @@ use fenderline_contact::{BodyState, Contact, Rotation, Wrench};
 
 use self::azimuth_pilot::Stream;
 pub(crate) use self::backup::WorldBackup;
-use self::pilot::Abilities;
+use self::pilot::{Abilities, PilotWork};
 pub(crate) use self::shore::Shore;
 use crate::fender::FenderSetup;
 use crate::fixed_order::SumOrder;
@@ -58,7 +58,7 @@ pub(crate) struct World {
     taken: usize,
     /// Vessels with an order beyond a stop in the last step, so that the event is reported once.
     clamped: Vec<bool>,
-    helpers_n: Vec<f64>,
+    pilots: PilotWork,
     pub(crate) order: SumOrder,
     /// For each body, whether it is fixed: the tide rises and falls around it.
     fixed: Vec<bool>,
@@ -80,7 +80,7 @@ impl World {
             orders,
             taken: 0,
             clamped: vec![false; setup.vessels.len()],
-            helpers_n: Vec::new(),
+            pilots: PilotWork::default(),
             order: SumOrder::new(setup, bodies),
             fixed: bodies.iter().map(BodySetup::is_fixed).collect(),
         }
@@ -102,7 +102,6 @@ impl World {
         self.orders.sort_by(|one, other| one.at_s.total_cmp(&other.at_s));
         self.taken = 0;
         self.clamped.fill(false);
-        self.helpers_n.clear();
     }
 
     /// Adds the forces on each vessel in the step from `states` to the load of her body. The velocities belong to
@@ -121,21 +120,22 @@ impl World {
             let (state, own) = (&states[vessel.body], &mut self.vessels[index]);
             let abilities = &self.abilities[index];
             let serves = |tug: &&usize| setup.tugs[**tug].vessel == index;
+            let work = &mut self.pilots;
             let helpers = self.order.tugs.iter().filter(serves);
-            let helpers: Vec<_> = helpers.map(|&tug| setup.tugs[tug].device(vessel)).collect();
-            let helpers_n = &mut self.helpers_n;
+            work.helpers.clear();
+            work.helpers.extend(helpers.map(|&tug| setup.tugs[tug].device(vessel)));
             let stream = Stream {
                 velocity: vessel.velocity(state, &setup.environment, velocity_time_s),
                 water: setup.environment.density(),
             };
             let here = (state, &stream);
-            pilot::pilot(own, vessel, abilities, here, &helpers, helpers_n, step_s);
+            pilot::pilot(own, vessel, abilities, here, work, step_s);
             let (of, last) = ((vessel, abilities, &stream), &self.forces[index]);
-            azimuth_pilot::under_way(own, of, last, state, step_s);
+            azimuth_pilot::under_way(own, &mut work.shares, of, last, state, step_s);
             let lines = (&*setup.lines, &*self.lines);
-            azimuth_pilot::assist(own, of, last, states, lines, step_s);
+            azimuth_pilot::assist(own, &mut work.shares, of, last, states, lines, step_s);
             let tugs = self.order.tugs.iter().filter(serves);
-            for (&tug, &starboard_n) in tugs.zip(&*helpers_n) {
+            for (&tug, &starboard_n) in tugs.zip(&work.helpers_n) {
                 self.tugs[tug].push_or_pull(&setup.tugs[tug], t_s, starboard_n);
             }
             let clamped = own.act(step_s);
@@ -155,11 +155,10 @@ impl World {
                 self.events.push(WorldEvent { who: index, kind: WorldEventKind::Aground });
             }
             own.aground = aground;
-            let velocity = vessel.velocity(state, &setup.environment, velocity_time_s);
-            let times = (t_s, velocity_time_s, step_s);
-            let forces = vessel.forces(own, (state, &velocity), &setup.environment, times);
+            let (times, here) = ((t_s, velocity_time_s, step_s), (state, &stream.velocity));
+            let forces = vessel.forces(own, here, &setup.environment, times);
             let water_inertia =
-                vessel.water_inertia(state, &setup.environment, (velocity_time_s, step_s));
+                vessel.water_inertia(here, &setup.environment, (velocity_time_s, step_s));
             let wrench = vessel.wrench(&forces, &water_inertia, state);
             loads[vessel.body].force_n += wrench.force_n;
             loads[vessel.body].moment_nm += wrench.moment_nm;

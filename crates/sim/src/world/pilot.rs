@@ -9,7 +9,7 @@ use super::azimuth::AzimuthSetup;
 use super::azimuth_pilot::{Stream, largest_of_azimuths, share_with_azimuths};
 use super::vessel::{VesselSetup, VesselState, mass_matrix};
 use crate::control::{
-    CoursePilot, Demand, Gains, LateralDevice, SpeedPilot, StationPilot, allocate,
+    CoursePilot, Demand, Gains, LateralDevice, SpeedPilot, StationPilot, ThrustShares, allocate,
 };
 use crate::hydro::{Controls, Velocity, Water};
 use crate::order::{Station, VesselAction};
@@ -170,30 +170,41 @@ fn station_pilot(
     }
 }
 
-/// Sets the orders of this step. `helpers` are other lateral devices (tugs); their forces are written to `helpers_n`.
+/// Memory of the pilots, reused from step to step.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct PilotWork {
+    /// Other lateral devices that serve the vessel: tugs.
+    pub(crate) helpers: Vec<LateralDevice>,
+    /// Their forces, if a pilot uses them (N).
+    pub(crate) helpers_n: Vec<f64>,
+    /// Thrusters and helpers, and their forces (N).
+    across: Vec<LateralDevice>,
+    across_n: Vec<f64>,
+    /// Azimuth units with all others.
+    pub(crate) shares: ThrustShares,
+}
+
+/// Sets the orders of this step. `helpers` of `work` are other lateral devices; their forces are written to its `helpers_n`.
 pub(crate) fn pilot(
     vessel: &mut VesselState,
     setup: &VesselSetup,
     abilities: &Abilities,
     (state, water): (&BodyState, &Stream),
-    helpers: &[LateralDevice],
-    helpers_n: &mut Vec<f64>,
+    work: &mut PilotWork,
     step_s: f64,
 ) {
+    let PilotWork { helpers, helpers_n, across: devices, across_n: forces_n, shares } = work;
     helpers_n.clear();
     if !setup.steers_with_azimuths() {
         under_way(vessel, state, step_s);
     }
     let Some(station) = &mut vessel.pilots.station else { return };
     let ahead_m = setup.ship.particulars.centre_of_gravity_m;
-    let mut devices: Vec<LateralDevice> = setup
-        .thrusters
-        .iter()
-        .map(|thruster| LateralDevice {
-            forward_m: thruster.tunnel.along_m - ahead_m,
-            limits_n: [-thruster.tunnel.bollard_n, thruster.tunnel.bollard_n],
-        })
-        .collect();
+    devices.clear();
+    devices.extend(setup.thrusters.iter().map(|thruster| LateralDevice {
+        forward_m: thruster.tunnel.along_m - ahead_m,
+        limits_n: [-thruster.tunnel.bollard_n, thruster.tunnel.bollard_n],
+    }));
     devices.extend_from_slice(helpers);
     let [astern_n, forward_n] = abilities.bollard_n;
     let reach = |device: &LateralDevice| greater(device.limits_n[1], -device.limits_n[0]);
@@ -208,13 +219,14 @@ pub(crate) fn pilot(
     largest.yaw_nm += units.yaw_nm;
     let demand = station.demand(state, &largest, step_s);
     vessel.orders.rudder_rad = 0.0;
-    let mut forces_n = vec![0.0; devices.len()];
+    forces_n.clear();
+    forces_n.resize(devices.len(), 0.0);
     if setup.azimuths.is_empty() {
         vessel.orders.shaft = abilities.revolutions(demand.surge_n);
-        allocate(&devices, demand.sway_n, demand.yaw_nm, &mut forces_n);
+        allocate(devices, demand.sway_n, demand.yaw_nm, forces_n);
     } else {
         let ships = (setup, abilities, water);
-        let engine_n = share_with_azimuths(vessel, ships, &demand, &devices, &mut forces_n);
+        let engine_n = share_with_azimuths(vessel, shares, ships, &demand, devices, forces_n);
         vessel.orders.shaft = abilities.revolutions(engine_n);
     }
     let own = setup.thrusters.len();

@@ -487,12 +487,11 @@ impl VesselSetup {
     /// scale of the current). So M·DU/Dt is added; it is zero in a steady uniform current.
     pub(crate) fn water_inertia(
         &self,
-        state: &BodyState,
+        (state, velocity): (&BodyState, &Velocity),
         environment: &Environment,
         (t_s, step_s): (f64, f64),
     ) -> WaterInertia {
-        let Velocity { surge_mps: u, sway_mps: v, yaw_radps: r } =
-            self.velocity(state, environment, t_s);
+        let &Velocity { surge_mps: u, sway_mps: v, yaw_radps: r } = velocity;
         let density = environment.density().density_kgpm3;
         let added = &self.ship.added_mass;
         let (surge_kg, sway_kg) = (density * added.surge_m3, density * added.sway_m3);

@@ -29,25 +29,23 @@ pub(crate) struct Value {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Values(BTreeMap<String, Value>);
 
-impl Values {
-    /// Computes all of them.
-    pub(crate) fn all() -> Values {
-        let mut values = Values::default();
-        manoeuvres::compute(&mut values);
-        estimates::compute(&mut values);
-        hull::compute(&mut values);
-        shallow::compute(&mut values);
-        propeller::compute(&mut values);
-        wind::compute(&mut values);
-        sea::compute(&mut values);
-        float::compute(&mut values);
-        berth::compute(&mut values);
-        dolphin::compute(&mut values);
-        worked::compute(&mut values);
-        finite_elements::compute(&mut values);
-        values
-    }
+/// What computes them, a subject each.
+pub(crate) const SUBJECTS: [fn(&mut Values); 12] = [
+    manoeuvres::compute,
+    estimates::compute,
+    hull::compute,
+    shallow::compute,
+    propeller::compute,
+    wind::compute,
+    sea::compute,
+    float::compute,
+    berth::compute,
+    dolphin::compute,
+    worked::compute,
+    finite_elements::compute,
+];
 
+impl Values {
     pub(crate) fn put(&mut self, name: impl Into<String>, value: f64, unit: &'static str) {
         let name = name.into();
         let before = self.0.insert(name.clone(), Value { value, unit });

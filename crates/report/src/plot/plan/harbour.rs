@@ -4,7 +4,7 @@ use fenderline_contact::Vec2;
 use fenderline_contact::number::greater;
 use maud::{Markup, html};
 
-use super::box2::Box2;
+use super::box2::{Box2, HALF_LINE};
 use super::map::Map;
 
 /// Everything besides hulls and fenders; nothing by default.
@@ -97,9 +97,11 @@ struct TugPlace {
     hull: [(f64, f64); 5],
     /// Her line from the ship; `None` if she pushes.
     line: Option<[(f64, f64); 2]>,
-    /// Where her text begins, or ends if it is to the left.
+    /// Beside the middle of her hull on the preferred side: where her text begins, or ends if it is to the left.
     text: (f64, f64),
     is_left: bool,
+    /// From the middle of her hull to that text (px).
+    aside: f64,
 }
 
 fn tug_place(tug: &TugDrawn, map: &Map) -> TugPlace {
@@ -131,11 +133,23 @@ fn tug_place(tug: &TugDrawn, map: &Map) -> TugPlace {
         (false, greater(half, 0.5 * length) + 6.0)
     };
     let line = tug.on_line.then_some([(x, y), (x + dx * gap, y + dy * gap)]);
-    TugPlace { hull, line, text: (text_x + aside, text_y), is_left }
+    TugPlace { hull, line, text: (text_x + aside, text_y), is_left, aside }
 }
 
+/// Places for the middle of a tug's text (px), the best first: beside her hull, shifted along it, then on her other side.
+pub(super) fn tug_texts(tug: &TugDrawn, map: &Map) -> Vec<(f64, f64)> {
+    let place = tug_place(tug, map);
+    let near = Box2::of_text_from(&tug.label, place.text, place.is_left).x;
+    let hull_x = place.text.0 - place.aside;
+    let other = 2.0 * hull_x - near;
+    let down = [0.0, -1.0, 1.0, -2.0, 2.0, -3.0, 3.0].map(|lines| lines * 2.0 * HALF_LINE);
+    let beside = |x: f64| down.map(|down| (x, place.text.1 + down));
+    [near, other].into_iter().flat_map(beside).collect()
+}
+
+/// A tug without her text.
 pub(super) fn tug(tug: &TugDrawn, map: &Map) -> Markup {
-    let TugPlace { hull, line, text: (text_x, text_y), is_left } = tug_place(tug, map);
+    let TugPlace { hull, line, .. } = tug_place(tug, map);
     let hull: Vec<String> = hull.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
     html! {
         @if let Some([(x0, y0), (x1, y1)]) = line {
@@ -144,18 +158,15 @@ pub(super) fn tug(tug: &TugDrawn, map: &Map) -> Markup {
         }
         path d=(format!("M{}Z", hull.join("L"))) fill=(if tug.direction == Vec2::ZERO { "#fff" } else { "#f6d34a" })
             stroke="#222" stroke-width="1.2" {}
-        text class="halo name" x=(format!("{text_x:.1}")) y=(format!("{:.1}", text_y + 4.0))
-            text-anchor=(if is_left { "end" } else { "start" }) { (tug.label) }
     }
 }
 
-/// What names must not cover: tugs with their texts, and the corner with the weather.
+/// What texts must not cover: tugs with their lines, and the corner with the weather.
 pub(super) fn boxes(harbour: &Harbour, map: &Map) -> Vec<Box2> {
     let tugs = harbour.tugs.iter().flat_map(|tug| {
         let place = tug_place(tug, map);
         let line = place.line.map(|ends| Box2::around(&ends, 1.0));
-        let text = Box2::of_text_from(&tug.label, place.text, place.is_left);
-        [Box2::around(&place.hull, 1.0), text].into_iter().chain(line)
+        std::iter::once(Box2::around(&place.hull, 1.0)).chain(line)
     });
     let (width, height) = corner_size(&harbour.weather);
     let corner = Box2::between((6.0, 6.0), (6.0 + width, 6.0 + height));

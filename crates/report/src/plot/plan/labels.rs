@@ -1,40 +1,47 @@
-//! Where the names stand in a plan view: none covers another text, a fender, an arrow or a tug.
+//! Where the texts stand in a plan view: none covers another text, a fender, an arrow or a tug.
 
 use fenderline_contact::Vec2;
 
+use super::Plan;
 use super::box2::{Box2, HALF_LINE};
-use super::map::{ARROW, Arrow, Label, Map, Place, arrow_text};
+use super::harbour::tug_texts;
+use super::map::{ARROW, Arrow, Map, Place, arrow_text};
 
 /// Distances from the thing that a name belongs to, and between two tries (px).
 const GAP: f64 = 5.0;
 const SHIFT: f64 = 9.0;
 /// Places along a body, as shares of half its length from the middle.
 const ALONG: [f64; 9] = [0.0, 0.2, -0.2, 0.4, -0.4, 0.6, -0.6, 0.8, -0.8];
+/// Places beside those, as shares of half the text.
+const ASIDE: [f64; 5] = [0.0, -0.5, 0.5, -1.0, 1.0];
 
-/// The middle of each label (px), on nothing that is `taken`. The first labels choose first; `None`: there is no free
-/// place.
-pub(super) fn label_places(
-    labels: &[Label],
-    mut taken: Vec<Box2>,
-    map: &Map,
-) -> Vec<Option<(f64, f64)>> {
-    let things: Vec<(f64, f64)> =
-        labels.iter().filter_map(|label| thing(&label.place, map)).collect();
-    let places = labels.iter().map(|label| {
-        let own = thing(&label.place, map);
-        let free = candidates(&label.text, &label.place, map).into_iter().find_map(|(x, y)| {
-            let text = Box2::of_text(&label.text, x, y);
-            let is_free = text.lies_within(map.width, map.height)
-                && !taken.iter().any(|other| other.overlaps(&text));
-            let is_nearest = own.is_none_or(|own| {
-                things.iter().all(|other| text.distance(own) <= text.distance(*other))
-            });
-            (is_free && is_nearest).then_some(text)
+/// The middle of each text (px), of the tugs first and then of the labels, on nothing that is `taken`. The first choose first;
+/// `None`: there is no free place.
+pub(super) fn text_places(plan: &Plan, map: &Map) -> Vec<Option<(f64, f64)>> {
+    let mut taken = plan.obstacles(map);
+    let mut free = |text: &str, places: Vec<(f64, f64)>, is_good: &dyn Fn(&Box2) -> bool| {
+        let free = places.into_iter().map(|(x, y)| Box2::of_text(text, x, y)).find(|text| {
+            text.lies_within(map.width, map.height)
+                && !taken.iter().any(|other| other.overlaps(text))
+                && is_good(text)
         })?;
         taken.push(free);
         Some((free.x, free.y))
-    });
-    places.collect()
+    };
+    let of_tugs = plan.harbour.tugs.iter().map(|tug| (&tug.label, tug_texts(tug, map)));
+    let mut all: Vec<_> = of_tugs.map(|(text, places)| free(text, places, &|_| true)).collect();
+    let things: Vec<(f64, f64)> =
+        plan.labels.iter().filter_map(|label| thing(&label.place, map)).collect();
+    all.extend(plan.labels.iter().map(|label| {
+        let own = thing(&label.place, map);
+        let is_nearest = |text: &Box2| {
+            own.is_none_or(|own| {
+                things.iter().all(|other| text.distance(own) <= text.distance(*other))
+            })
+        };
+        free(&label.text, candidates(&label.text, &label.place, map), &is_nearest)
+    }));
+    all
 }
 
 /// The small thing that a name stands beside (px). No other such thing may be nearer to the name.
@@ -74,7 +81,14 @@ fn candidates(text: &str, place: &Place, map: &Map) -> Vec<(f64, f64)> {
                 return around(map.px(*middle_m), reach, half_width, map);
             }
             let spots = ALONG.map(|share| map.px(*middle_m + *half_length_m * share));
-            spots.into_iter().flat_map(above_and_below).collect()
+            // To the side where fenders or tugs stand along a body that is narrower than the text.
+            let aside = ASIDE.into_iter().flat_map(|share| {
+                spots
+                    .map(|(x, y)| (x + share * half_width, y))
+                    .into_iter()
+                    .flat_map(above_and_below)
+            });
+            aside.collect()
         }
     }
 }
@@ -124,7 +138,9 @@ fn around((x, y): (f64, f64), reach: f64, half_width: f64, map: &Map) -> Vec<(f6
 mod tests {
     use fenderline_contact::vec2;
 
-    use super::super::{FenderBox, Frame, Harbour, Plan, Use};
+    use super::super::{
+        FenderBox, Frame, Harbour, Label, LineDrawn, Outlined, Stage, TugDrawn, Use, Weather,
+    };
     use super::*;
 
     /// A quay 20 m wide along the view with eight fenders, whose names stand on it.
@@ -156,19 +172,121 @@ mod tests {
             note: String::new(),
         };
         let map = Map::of(plan.frame);
-        let placed = label_places(&plan.labels, plan.obstacles(&map), &map);
-        let boxes: Vec<Box2> = placed
-            .iter()
-            .zip(&plan.labels)
-            .map(|(at, label)| {
-                let (x, y) = at.unwrap_or_else(|| panic!("no place for {}", label.text));
-                Box2::of_text(&label.text, x, y)
-            })
-            .chain(plan.obstacles(&map))
-            .collect();
+        let boxes = boxes(&plan, &map);
+        assert_eq!(
+            boxes.len(),
+            plan.labels.len() + plan.obstacles(&map).len(),
+            "a name is missing"
+        );
         for (k, one) in boxes.iter().enumerate().take(plan.labels.len()) {
             let clear = boxes[k + 1..].iter().all(|other| !one.overlaps(other));
             assert!(clear, "{one:?} among {boxes:?}");
         }
+    }
+    /// The texts that have a place, then all that they must not cover.
+    fn boxes(plan: &Plan, map: &Map) -> Vec<Box2> {
+        let placed = text_places(plan, map).into_iter().zip(plan.texts());
+        let placed = placed.filter_map(|(at, text)| Some(Box2::of_text(text, at?.0, at?.1)));
+        placed.chain(plan.obstacles(map)).collect()
+    }
+
+    /// A ship of 300 m at a quay with 40 fenders and 24 bollards, three pairs of tugs that work side by side, wind and current: the
+    /// texts that are drawn, read from the picture itself, cover neither each other nor a fender or a tug.
+    #[test]
+    fn no_text_covers_another_where_fenders_bollards_and_tugs_are_many() {
+        let along = |k: u32, of: u32| 300.0 * (f64::from(k) + 0.5) / f64::from(of) - 150.0;
+        let fenders: Vec<FenderBox> = (0..40)
+            .map(|k| FenderBox {
+                mount_m: vec2(along(k, 40), 0.0),
+                out_m: vec2(0.0, -2.0),
+                half_width_m: vec2(1.5, 0.0),
+                used: Use::Untouched,
+            })
+            .collect();
+        let beside = |text: String, point_m| Label {
+            text,
+            place: Place::Beside { point_m, side: vec2(0.0, 1.0) },
+        };
+        let on = |text: &str, east_m: f64| Label {
+            text: text.to_owned(),
+            place: Place::On { middle_m: vec2(0.0, east_m), half_length_m: vec2(150.0, 0.0) },
+        };
+        let bollard_m = |k: u32| vec2(along(k, 24), 12.0);
+        let fender_names = fenders.clone().into_iter().enumerate();
+        let labels = [on("bulk carrier", -24.0), on("berth 7 north", 8.0)].into_iter();
+        let labels =
+            labels.chain(fender_names.map(|(k, of)| beside(format!("cone_{k}"), of.mount_m)));
+        let labels =
+            labels.chain((0..24).map(|k| beside(format!("breast_line_{k} 37 %"), bollard_m(k))));
+        let tug = |k: u32| TugDrawn {
+            at_m: vec2(along(k / 2, 3) + 25.0 * f64::from(k % 2), -46.0),
+            direction: vec2(0.0, 1.0),
+            on_line: false,
+            label: format!("Tug number {k} pushes 550 kN"),
+        };
+        let line = |k: u32| LineDrawn {
+            ends_m: [vec2(along(k, 24), -4.0), bollard_m(k)],
+            share: 0.37,
+            has_parted: false,
+        };
+        let weather =
+            |text: &str| Weather { towards: vec2(0.0, 1.0), text: text.to_owned(), colour: "#000" };
+        let outline = vec![vec2(-150.0, -4.0), vec2(150.0, -4.0), vec2(150.0, -46.0)];
+        let plan = Plan {
+            title: String::new(),
+            frame: Frame { low: vec2(-160.0, -90.0), high: vec2(160.0, 40.0) },
+            outlines: vec![Outlined { vertices_m: outline, stage: Stage::Peak, style: 0 }],
+            fenders,
+            harbour: Harbour {
+                lines: (0..24).map(line).collect(),
+                tugs: (0..6).map(tug).collect(),
+                banks: Vec::new(),
+                weather: vec![weather("wind 12 m/s (23.3 kn) from west"), weather("current")],
+            },
+            tracks: Vec::new(),
+            arrows: vec![Arrow {
+                from_m: vec2(0.0, -2.0),
+                direction: vec2(0.0, -1.0),
+                label: "N = 1234 kN".to_owned(),
+            }],
+            labels: labels.collect(),
+            note: String::new(),
+        };
+        let map = Map::of(plan.frame);
+        let drawn = drawn_texts(&plan.render().into_string());
+        assert!(drawn.iter().any(|(text, _)| text == "bulk carrier"), "{drawn:?}");
+        let of_tugs = drawn.iter().filter(|(text, _)| text.starts_with("Tug")).count();
+        assert_eq!(of_tugs, 6, "each tug has her text: {drawn:?}");
+        let arrow = arrow_boxes(&plan.arrows[0], &map);
+        // The arrow's text and the N of the north arrow are among the obstacles.
+        let obstacles = plan.obstacles(&map).into_iter().map(|of| ("an obstacle".to_owned(), of));
+        let texts: Vec<_> = drawn.into_iter().filter(|(text, _)| !text.starts_with('N')).collect();
+        assert!(arrow.len() == 3 && texts.len() > 10);
+        let all: Vec<_> = texts.iter().cloned().chain(obstacles).collect();
+        for (k, (text, one)) in texts.iter().enumerate() {
+            for (other_text, other) in &all[k + 1..] {
+                assert!(!one.overlaps(other), "{text} {one:?} covers {other_text} {other:?}");
+            }
+        }
+    }
+
+    /// The texts of class `name` in a picture, with the rectangles that they cover.
+    fn drawn_texts(svg: &str) -> Vec<(String, Box2)> {
+        let value = |text: &str, key: &str| {
+            let (_, rest) = text.split_once(&format!(" {key}=\"")).expect("the attribute");
+            rest.split_once('"').expect("its end").0.to_owned()
+        };
+        let texts = svg.split("<text class=\"halo name\"").skip(1).map(|rest| {
+            let (tag, rest) = rest.split_once('>').expect("a tag");
+            let text = rest.split_once('<').expect("a text").0.to_owned();
+            let number = |key| value(tag, key).parse::<f64>().expect("a number");
+            let (x, y) = (number("x"), number("y") - 4.0);
+            let covered = match value(tag, "text-anchor").as_str() {
+                "middle" => Box2::of_text(&text, x, y),
+                anchor => Box2::of_text_from(&text, (x, y), anchor == "end"),
+            };
+            (text, covered)
+        });
+        texts.collect()
     }
 }

@@ -1,0 +1,90 @@
+//! A warm step of the simulator allocates nothing: scenarios of the repository with tugs, pilots, azimuth units, lines, waves, gusts and
+//! dolphins, with a counting allocator.
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::path::Path;
+
+use fenderline_scenario::Scenario;
+use fenderline_sim::Simulation;
+
+thread_local! {
+    /// Allocator calls of this thread, as the test harness has other threads.
+    static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
+}
+
+struct Counting;
+
+fn count() {
+    // It fails only while the thread ends, after the test.
+    let _ = ALLOCATIONS.try_with(|n| n.set(n.get() + 1));
+}
+
+// SAFETY: every call goes to the system's allocator unchanged; counting allocates nothing.
+#[allow(unsafe_code, reason = "an allocator cannot be written without; tests only")]
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        count();
+        // SAFETY: as the caller promised.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        count();
+        // SAFETY: as the caller promised.
+        unsafe { System.alloc_zeroed(layout) }
+    }
+
+    unsafe fn realloc(&self, place: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        count();
+        // SAFETY: as the caller promised.
+        unsafe { System.realloc(place, layout, size) }
+    }
+
+    unsafe fn dealloc(&self, place: *mut u8, layout: Layout) {
+        // SAFETY: as the caller promised.
+        unsafe { System.dealloc(place, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// Allocator calls in the steps between two times (s).
+fn allocations(scenario: &str, from_s: f64, until_s: f64) -> u64 {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios").join(scenario);
+    let scenario = Scenario::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
+    let mut simulation = Simulation::new(scenario.setup).expect("a good set-up");
+    let mut before = 0;
+    let last = simulation.steps_until(until_s);
+    let first = simulation.steps_until(from_s);
+    assert!(first < last && last <= simulation.steps_total());
+    while simulation.steps_taken() < last {
+        if simulation.steps_taken() == first {
+            before = ALLOCATIONS.get();
+        }
+        simulation.step().expect("a good step");
+    }
+    assert!(before > 0, "the counter counts");
+    ALLOCATIONS.get() - before
+}
+
+#[test]
+fn a_warm_step_allocates_nothing() {
+    // Lists that grow with what happens for the first time are warm after it: the first touch, the first events.
+    for (scenario, from_s, until_s) in [
+        // A station pilot with thrusters and two tugs, then she rests on her fenders.
+        ("berth/alongside_with_two_tugs.toml", 100.0, 200.0),
+        ("berth/alongside_with_two_tugs.toml", 220.0, 300.0),
+        // Tugs with azimuth units push.
+        ("berth/asd_tugs_push_alongside.toml", 125.0, 200.0),
+        ("berth/flexible_dolphins.toml", 60.0, 100.0),
+        // Lines and gusts.
+        ("berth/moored_three_hours_in_gusts.toml", 60.0, 500.0),
+        ("berth/chains_hold_a_panel_that_turns.toml", 40.0, 60.0),
+        ("environment/rolling_in_a_beam_sea.toml", 10.0, 60.0),
+        ("environment/across_a_tidal_stream.toml", 10.0, 60.0),
+    ] {
+        assert_eq!(allocations(scenario, from_s, until_s), 0, "allocations in {scenario}");
+    }
+}

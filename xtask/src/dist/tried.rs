@@ -1,0 +1,187 @@
+//! The files of `target/dist` tried as a user would: check sums, then each archive unpacked into an empty folder and used there.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use super::platforms::Platform;
+use super::{c_package, folder, shell_files, version};
+use crate::command::run_quietly;
+use crate::step::Done;
+use crate::tools;
+use crate::wine;
+
+/// What each archive has beside its content.
+const BESIDE: [&str; 3] = ["LICENSE-MIT", "LICENSE-APACHE", "THIRD-PARTY-LICENSES.txt"];
+
+/// Prints the number of components of each bill of materials in a folder.
+const BILL: &str = "\
+import json, sys
+from pathlib import Path
+bills = sorted(Path(sys.argv[1]).glob('*.cdx.json'))
+assert bills, 'no bill of materials'
+for bill in bills:
+    content = json.loads(bill.read_text())
+    assert content['bomFormat'] == 'CycloneDX' and content['components'], bill
+    print(f\"{bill.name}: {len(content['components'])} components\")
+";
+
+/// A run from the package's own example, in a folder that has nothing of the project.
+const IMPORT: &str = "\
+import fenderline
+run = fenderline.run(fenderline.example('tug_4kn'))
+print(fenderline.__version__, run['contacts']['normal_force_n'].max())
+";
+
+/// A run under Node, of the scenario that the program has written.
+const NODE: &str = "\
+import { readFile } from 'node:fs/promises';
+import { Run, load, version } from 'fenderline';
+await load();
+const run = new Run({ text: await readFile(process.argv[1], 'utf8'), file: 'berth.toml' });
+await run.play({});
+console.log(version(), run.verdict().text);
+";
+
+/// The last step of `cargo xtask dist`, and `cargo xtask dist try`.
+pub(super) fn tried() -> Result<Done, String> {
+    let place = std::env::temp_dir().join(format!("fenderline-dist-{}", std::process::id()));
+    std::fs::create_dir(&place).map_err(|e| format!("{}: {e}", place.display()))?;
+    let tried = tried_in(&place);
+    let removed = std::fs::remove_dir_all(&place);
+    tried?;
+    removed.map_err(|e| format!("{}: {e}", place.display()))?;
+    Ok(Done::Good)
+}
+
+fn tried_in(place: &Path) -> Result<(), String> {
+    let mut sums = Command::new("sha256sum");
+    let sums = run_quietly(sums.args(["--check", "SHA256SUMS"]).current_dir(folder()))?;
+    println!("{} files as SHA256SUMS says", sums.lines().count());
+    for platform in Platform::ALL {
+        program(&platform, place)?;
+        let folder = unpacked("fenderline-c", &platform, place)?;
+        if platform.is_own() {
+            c_package::find(&folder)?;
+        }
+    }
+    wheel(place)?;
+    npm_package(place)
+}
+
+/// Unpacks an archive and returns its folder, with licences and a bill of materials in it.
+fn unpacked(name: &str, platform: &Platform, place: &Path) -> Result<PathBuf, String> {
+    let name = format!("{name}-{}-{}", version()?, platform.name);
+    let python = tools::python().map_err(|missing| format!("{} is missing", missing.tool))?;
+    if platform.is_windows() {
+        let archive = folder().join(format!("{name}.zip"));
+        run_quietly(Command::new(python).args(["-m", "zipfile", "-e"]).arg(archive).arg(place))?;
+    } else {
+        let archive = folder().join(format!("{name}.tar.gz"));
+        run_quietly(Command::new("tar").arg("-xzf").arg(archive).arg("-C").arg(place))?;
+    }
+    let folder = place.join(&name);
+    for file in BESIDE {
+        is_there(&folder.join(file))?;
+    }
+    let bill = run_quietly(Command::new(python).args(["-c", BILL]).arg(&folder))?;
+    println!("{name}: licences, {}", bill.trim());
+    Ok(folder)
+}
+
+/// The program says its version, runs an example and packs an FMU for all platforms, where it can run here.
+fn program(platform: &Platform, place: &Path) -> Result<(), String> {
+    let folder = unpacked("fenderline", platform, place)?;
+    let completions = shell_files::COMPLETIONS.map(|(_, name)| name);
+    for file in completions.iter().chain([&shell_files::PAGE]) {
+        is_there(&folder.join(file))?;
+    }
+    let program = folder.join(platform.program("fenderline"));
+    let call = |arguments: &[&str]| {
+        let Some(mut command) = emulated(platform, &program)? else { return Ok(None) };
+        run_quietly(command.args(arguments).current_dir(&folder)).map(Some)
+    };
+    let Some(said) = call(&["--version"])? else {
+        println!("{}: no emulator is here, not run", platform.name);
+        return Ok(());
+    };
+    if said.trim() != format!("fenderline {}", version()?) {
+        return Err(format!("{} says it is {said}", program.display()));
+    }
+    call(&["init", "-o", "berth.toml"])?;
+    call(&["run", "berth.toml", "--allow-failures"])?;
+    is_there(&folder.join("out/berth/report.html"))?;
+    // FMI 3.0 names the folders of libraries by platform tuples.
+    call(&["fmu", "berth.toml", "--kind", "engine", "--fmi", "3", "-o", "engine.fmu"])?;
+    let fmu = std::fs::read(folder.join("engine.fmu")).map_err(|e| format!("engine.fmu: {e}"))?;
+    for Platform { tuple, .. } in Platform::ALL {
+        let name = format!("binaries/{tuple}/");
+        if !fmu.windows(name.len()).any(|bytes| bytes == name.as_bytes()) {
+            return Err(format!("engine.fmu has no {name}"));
+        }
+    }
+    println!("{}: {}, runs an example, packs FMUs for all platforms", platform.name, said.trim());
+    Ok(())
+}
+
+/// The command that runs a program of a platform, with an emulator if it is needed; `None` if that is not installed.
+fn emulated(platform: &Platform, program: &Path) -> Result<Option<Command>, String> {
+    if platform.is_own() {
+        return Ok(Some(Command::new(program)));
+    }
+    if platform.is_windows() {
+        return match wine::find() {
+            Ok(_) => wine::command(program).map(Some),
+            Err(_) => Ok(None),
+        };
+    }
+    let there = run_quietly(Command::new("qemu-aarch64").arg("--version")).is_ok();
+    Ok(there.then(|| {
+        let mut command = Command::new("qemu-aarch64");
+        command.args(["-L", "/usr/aarch64-linux-gnu"]).arg(program);
+        command
+    }))
+}
+
+/// The wheel for this machine, in a new virtual environment, with nothing of the checkout.
+fn wheel(place: &Path) -> Result<(), String> {
+    let python = tools::python().map_err(|missing| format!("{} is missing", missing.tool))?;
+    let environment = place.join("python");
+    run_quietly(Command::new(python).args(["-m", "venv"]).arg(&environment))?;
+    let own = environment.join("bin").join("python");
+    let entries =
+        std::fs::read_dir(folder()).map_err(|e| format!("{}: {e}", folder().display()))?;
+    let wheel = entries
+        .flatten()
+        .map(|entry| entry.path())
+        .find(|path| {
+            let name = path.to_string_lossy();
+            name.ends_with(".whl") && name.contains("linux") && name.contains("x86_64")
+        })
+        .ok_or("there is no wheel for Linux on x86-64")?;
+    let mut pip = Command::new(&own);
+    pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"]).arg(&wheel);
+    run_quietly(&mut pip)?;
+    let said = run_quietly(Command::new(&own).args(["-I", "-c", IMPORT]).current_dir(place))?;
+    println!("{}: {}", wheel.file_name().unwrap_or_default().to_string_lossy(), said.trim());
+    Ok(())
+}
+
+/// The npm package, installed into an empty folder and imported.
+fn npm_package(place: &Path) -> Result<(), String> {
+    let folder_here = place.join("node");
+    std::fs::create_dir(&folder_here).map_err(|e| format!("{}: {e}", folder_here.display()))?;
+    let package = folder().join(format!("fenderline-{}.tgz", version()?));
+    let mut install = Command::new("npm");
+    install.args(["install", "--no-audit", "--no-fund"]).arg(&package);
+    run_quietly(install.current_dir(&folder_here))?;
+    let mut node = Command::new("node");
+    let name = format!("fenderline-{}-{}", version()?, Platform::ALL[0].name);
+    node.args(["--input-type=module", "-e", NODE]).arg(place.join(name).join("berth.toml"));
+    let said = run_quietly(node.current_dir(&folder_here))?;
+    println!("npm package: {}", said.trim());
+    Ok(())
+}
+
+fn is_there(file: &Path) -> Result<(), String> {
+    if file.is_file() { Ok(()) } else { Err(format!("{} is missing", file.display())) }
+}
