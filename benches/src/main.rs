@@ -10,6 +10,8 @@
 //! cargo run --release -p fenderline-bench -- fenders [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- islands [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- threads [--markdown] [--rounds N]
+//! cargo run --release -p fenderline-bench -- first [--markdown] [--rounds N]
+//! cargo run --release -p fenderline-bench -- outlines [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- many [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- runs METHOD anew|restart N
 //! cargo run --release -p fenderline-bench -- instructions SCENE METHOD N
@@ -25,10 +27,12 @@ mod callgrind;
 mod clip;
 mod engine;
 mod fenders;
+mod first;
 mod islands;
 mod many;
 mod mmg;
 mod ours;
+mod outlines;
 mod paths;
 mod peers;
 mod rapier;
@@ -60,13 +64,16 @@ usage: fenderline-bench clip [--markdown] [--rounds N]   the overlap of two conv
                                                          chains of tugs and rafts of barges
        fenderline-bench threads [--markdown] [--rounds N]
                                                          10,000 independent pairs on several threads
+       fenderline-bench first [--markdown] [--rounds N]  the first step of many tugs beside a warm one
+       fenderline-bench outlines [--markdown] [--rounds N]
+                                                         two outlines of up to 1,000 corners that are not convex
        fenderline-bench many [--markdown] [--rounds N]   many runs of one scenario with other numbers
        fenderline-bench runs METHOD SET_UP N             N such runs, to be counted by a profiler; SET_UP is
                                                          anew or restart
        fenderline-bench instructions SCENE METHOD N      N warm steps, to be counted by a profiler
        fenderline-bench callgrind                        instructions a warm step, by valgrind
 SCENE is tug, ship, faces, fenders-100, fenders-300, fenders-1000, blocks-100, blocks-1000, pairs-1000,
-pairs-10000, chain-N or raft-N; METHOD is coupled, paper, either
+pairs-10000, chain-N, raft-N, stars-N, coast-N or combs-N; METHOD is coupled, paper, either
 with -brief, or rapier2d; with the feature `peers` also Box2D and Chipmunk;
 --out writes the figures as JSON too";
 
@@ -119,6 +126,14 @@ fn run(arguments: &[&str]) -> Result<(), String> {
         ["islands", options @ ..] => {
             let (style, rounds) = options_of(options)?;
             println!("{}", islands::bench(rounds).printed(style));
+        }
+        ["first", options @ ..] => {
+            let (style, rounds) = options_of(options)?;
+            println!("{}", first::bench(rounds).printed(style));
+        }
+        ["outlines", options @ ..] => {
+            let (style, rounds) = options_of(options)?;
+            println!("{}", outlines::bench(rounds).printed(style));
         }
         ["fenders", options @ ..] => {
             let (style, rounds) = options_of(options)?;

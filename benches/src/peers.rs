@@ -132,10 +132,10 @@ pub(crate) struct Overlay {
 }
 
 impl Overlay {
-    pub(crate) fn new(first: &ours::ConvexPolygon, second: &ours::ConvexPolygon) -> Overlay {
+    pub(crate) fn new(first_m: &[Vec2], second_m: &[Vec2]) -> Overlay {
         Overlay {
-            first: first.vertices().iter().map(|v| [v.x, v.y]).collect(),
-            second: second.vertices().to_vec(),
+            first: first_m.iter().map(|v| [v.x, v.y]).collect(),
+            second: second_m.to_vec(),
             placed: Vec::with_capacity(256),
             overlay: FloatOverlay::new_empty(OverlayOptions::default(), Solver::default(), 256),
             overlap: FloatFlatContoursBuffer::default(),

@@ -1,8 +1,9 @@
 //! rapier2d-f64 playing a scene: as it comes, but for gravity and sleep, which are off.
 
-use fenderline_contact::{BodyState, Vec2, vec2};
+use fenderline_contact::{BodyState, ConvexPolygon, Outline, Vec2, vec2};
 use rapier2d_f64::prelude::{
-    ColliderBuilder, MassProperties, PhysicsWorld, Pose, RigidBodyBuilder, RigidBodyHandle, Vector,
+    ColliderBuilder, MassProperties, PhysicsWorld, Pose, RigidBodyBuilder, RigidBodyHandle,
+    SharedShape, Vector,
 };
 
 use crate::scenes::{Part, Plan};
@@ -23,8 +24,7 @@ impl Rapier {
         let mut handles = Vec::new();
         let mut floaters = Vec::new();
         for part in &plan.parts {
-            let collider = ColliderBuilder::convex_polyline(points(&part.outline_m))
-                .expect("the scenes' outlines are convex")
+            let collider = collider(&part.outline_m)
                 .density(0.0)
                 .friction(plan.material.friction_static)
                 .restitution(plan.material.restitution);
@@ -78,6 +78,23 @@ impl World for Rapier {
 
     fn peaks(&self) -> Option<(f64, f64)> {
         None
+    }
+}
+
+/// One convex shape, or for an outline that is not convex a compound of the pieces that our engine has.
+fn collider(outline_m: &[Vec2]) -> ColliderBuilder {
+    let outline = Outline::new(outline_m).expect("the scenes' outlines are sound").0;
+    let shape = |piece: &[Vec2]| {
+        SharedShape::convex_polyline_unmodified(points(piece)).expect("a convex piece")
+    };
+    match outline.pieces() {
+        [_] => ColliderBuilder::convex_polyline(points(outline_m)).expect("it is convex"),
+        pieces => ColliderBuilder::compound(
+            pieces
+                .iter()
+                .map(|piece| (Pose::IDENTITY, shape(ConvexPolygon::new(piece).vertices())))
+                .collect(),
+        ),
     }
 }
 

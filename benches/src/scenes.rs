@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use fenderline_contact::{BodyState, Material, Vec2, Wrench, vec2};
+use fenderline_contact::{BodyState, Material, Rotation, Vec2, Wrench, vec2};
 
 /// A fender of 500 kN/m² with friction, as in the paper's Table 1.
 pub(crate) const RUBBER: Material = Material {
@@ -39,6 +39,12 @@ pub(crate) enum Scene {
     Chain(usize),
     /// A square of barges, so many a side, pressed into the corner of two quays.
     Raft(usize),
+    /// Two stars of so many corners, one fixed, that touch with a few of their rays.
+    Stars(usize),
+    /// A star of so many corners on a coast of as many, a comb.
+    StarOnComb(usize),
+    /// Two combs of so many corners, one fixed, that touch with all of their teeth.
+    Combs(usize),
 }
 
 impl Scene {
@@ -57,6 +63,9 @@ impl Scene {
             _ => match name.split_once('-')? {
                 ("chain", count) => count.parse().ok().map(Scene::Chain),
                 ("raft", side) => side.parse().ok().map(Scene::Raft),
+                ("stars", corners) => corners.parse().ok().map(Scene::Stars),
+                ("coast", corners) => corners.parse().ok().map(Scene::StarOnComb),
+                ("combs", corners) => corners.parse().ok().map(Scene::Combs),
                 _ => None,
             },
         }
@@ -80,6 +89,9 @@ impl Scene {
             Scene::Pairs(count) => plan.square_of_tugs(count),
             Scene::Chain(count) => plan.chain_of_tugs(count),
             Scene::Raft(side) => plan.raft_of_barges(side),
+            Scene::Stars(corners) => plan.star_at(star(corners), corners, STAR_M),
+            Scene::StarOnComb(corners) => plan.star_at(comb(corners), corners, 0.0),
+            Scene::Combs(corners) => plan.combs(corners),
         }
         plan
     }
@@ -88,7 +100,7 @@ impl Scene {
 /// One body.
 #[derive(Clone, Debug)]
 pub(crate) struct Part {
-    /// Convex outline in the body's frame, in the positive sense (m).
+    /// Outline in the body's frame, in the positive sense (m).
     pub(crate) outline_m: Vec<Vec2>,
     /// `None` for what is fixed.
     pub(crate) mass: Option<Mass>,
@@ -209,6 +221,66 @@ impl Plan {
         self.fixed(block(of_raft_m, 10.0), east_m, 0.0);
         self.anyone = true;
     }
+}
+
+impl Plan {
+    /// A star slides along and is pressed on a fixed outline that reaches so far to the west of its centre.
+    fn star_at(&mut self, fixed_m: Vec<Vec2>, corners: usize, reach_m: f64) {
+        let mass = Mass { mass_kg: 8.0e6, yaw_inertia_kgm2: 1.0e10 };
+        let mut state = coming(vec2(0.0, 0.0), 0.003);
+        state.velocity_mps.x = 0.1;
+        self.floating(star(corners), mass, state, vec2(0.0, 2e6));
+        self.fixed(fixed_m, vec2(0.0, reach_m + STAR_M - 5.0 * DEPTH_M), 0.0);
+        self.anyone = true;
+    }
+
+    /// A comb, teeth to the east, on the teeth of another.
+    fn combs(&mut self, corners: usize) {
+        let mass = Mass { mass_kg: 2.0e7, yaw_inertia_kgm2: 1.5e11 };
+        let mut state = coming(vec2(0.3 * TOOTH_M, 0.0), 0.5 * TAU + 1e-6);
+        state.velocity_mps.x = 0.01;
+        self.floating(comb(corners), mass, state, vec2(0.0, 5e6));
+        self.fixed(comb(corners), vec2(0.0, -DEPTH_M), 0.0);
+        self.anyone = true;
+    }
+}
+
+/// Radius of a star's rays, and their length (m).
+const STAR_M: f64 = 50.0;
+const RAY_M: f64 = 0.3;
+
+/// Every other corner is the tip of a ray.
+fn star(corners: usize) -> Vec<Vec2> {
+    let corner = |k: usize| {
+        let radius_m = if k.is_multiple_of(2) { STAR_M } else { STAR_M - RAY_M };
+        Rotation::from_angle(TAU * (k as f64 + 0.2) / corners as f64).apply(vec2(radius_m, 0.0))
+    };
+    (0..corners).map(corner).collect()
+}
+
+/// Width of a comb's teeth and of the gaps between them, and their length (m).
+const TOOTH_M: f64 = 0.6;
+const TOOTH_LENGTH_M: f64 = 1.0;
+
+/// Four corners a tooth, on a back to the east; the tips are on the line y = 0.
+fn comb(corners: usize) -> Vec<Vec2> {
+    let teeth = corners / 4;
+    let half_m = TOOTH_M * (teeth as f64 - 0.5);
+    let from_m = |tooth: usize| 2.0 * TOOTH_M * tooth as f64 - half_m;
+    let tooth = |k: usize| {
+        let [from_m, to_m] = [from_m(k), from_m(k) + TOOTH_M];
+        let mut ring =
+            vec![(from_m, TOOTH_LENGTH_M), (from_m, 0.0), (to_m, 0.0), (to_m, TOOTH_LENGTH_M)];
+        // The back is as wide as its teeth.
+        if k == 0 {
+            ring[0].1 = 5.0;
+        }
+        if k + 1 == teeth {
+            ring[3].1 = 5.0;
+        }
+        ring
+    };
+    (0..teeth).flat_map(tooth).map(|(x, y)| vec2(x, y)).collect()
 }
 
 /// Length and width of a raft's barges (m).

@@ -6,12 +6,14 @@ use std::process::ExitCode;
 use crate::command::{cargo, run};
 use crate::tools;
 
-const BENCHES: [&str; 11] = [
+const BENCHES: [&str; 13] = [
     "clip",
     "step",
     "islands",
     "fenders",
     "threads",
+    "outlines",
+    "first",
     "border",
     "accuracy",
     "mmg",

@@ -4,11 +4,12 @@ use alloc::vec::Vec;
 
 use crate::fender::RankedFender;
 use crate::inherited::Inherited;
+use crate::matching::Heirs;
 use crate::material::FenderId;
-use crate::memory::{PatchMemory, PlaceMemory, place_of};
+use crate::memory::PatchMemory;
 use crate::model::Model;
 use crate::number::lesser;
-use crate::patch::{Patch, Place, continues};
+use crate::patch::Patch;
 use crate::report::{Event, EventKind};
 use crate::touch::Touch;
 
@@ -16,18 +17,11 @@ use crate::touch::Touch;
 pub(crate) fn report_ends_and_splits(
     model: &Model,
     events: &mut Vec<Event>,
-    patches: &[Patch],
-    places: &[Place],
-    own: &[PatchMemory],
-    old_places: &[PlaceMemory],
+    old: &[PatchMemory],
+    heirs: &[Heirs],
 ) {
-    if own.len() <= 1 && patches.len() == 1 {
-        return; // one patch that continues
-    }
-    for m in own {
-        let place = place_of(m, old_places);
-        let heirs = patches.iter().filter(|p| continues(place, p, places)).count();
-        match heirs {
+    for (m, heirs) in old.iter().zip(heirs) {
+        match heirs.count {
             0 => note(model, events, m.a, m.b, EventKind::ContactEnded),
             1 => {}
             _ => note(model, events, m.a, m.b, EventKind::PatchSplit),

@@ -10,10 +10,11 @@ use alloc::vec::Vec;
 use crate::candidates::Candidate;
 use crate::events::{note, report_ends_and_splits};
 use crate::inherited::Inherited;
-use crate::memory::{Past, PatchMemory, PlaceMemory, place_of};
+use crate::matching::{Heirs, Matching};
+use crate::memory::{Past, PatchMemory};
 use crate::model::Model;
 use crate::number::greater;
-use crate::patch::{Patch, Place, continues};
+use crate::patch::{Patch, Place};
 use crate::report::{Event, EventKind};
 
 /// What the patches of a (sub-)step inherit. Computed by [`Inheritance::find`].
@@ -23,6 +24,8 @@ pub(crate) struct Inheritance {
     pub(crate) inherited: Vec<Inherited>,
     /// Memories made from parts of old ones.
     pub(crate) shares: Vec<PatchMemory>,
+    /// Of the pair in hand.
+    matching: Matching,
 }
 
 impl Inheritance {
@@ -64,63 +67,70 @@ impl Inheritance {
                 own.iter().for_each(|_| note(model, events, a, b, EventKind::ContactEnded));
                 own = &[];
             }
-            report_ends_and_splits(model, events, of_pair, places, own, past.places);
-            for patch in of_pair {
-                let inherited = match own {
-                    [] => Inherited::Nothing,
-                    [_] if of_pair.len() == 1 => {
-                        Inherited::One((last.len() - old.len() - 1) as u32)
-                    }
-                    _ => self.inherit_of_several(own, past.places, of_pair, patch, places),
-                };
-                self.inherited.push(inherited);
+            match own {
+                [] => self.inherited.extend(of_pair.iter().map(|_| Inherited::Nothing)),
+                [_] if of_pair.len() == 1 => {
+                    self.inherited.push(Inherited::One((last.len() - old.len() - 1) as u32));
+                }
+                _ => {
+                    self.matching.find(of_pair, places, own, past.places);
+                    report_ends_and_splits(model, events, own, &self.matching.heirs);
+                    self.add_several(own, of_pair);
+                }
             }
         }
         old.iter().for_each(|m| note(model, events, m.a, m.b, EventKind::ContactEnded));
     }
 
-    /// What `patch`, one of `patches` of its pair, inherits from `old`.
-    fn inherit_of_several(
-        &mut self,
-        old: &[PatchMemory],
-        old_places: &[PlaceMemory],
-        patches: &[Patch],
-        patch: &Patch,
-        places: &[Place],
-    ) -> Inherited {
-        let mut parents = old
-            .iter()
-            .map(|m| (m, place_of(m, old_places)))
-            .filter(|&(_, place)| continues(place, patch, places))
-            .map(|(parent, place)| share_of(parent, place, patches, patch, places));
-        let Some(first) = parents.next() else { return Inherited::Nothing };
-        let mut merged = first;
-        let mut several = false;
-        for parent in parents {
-            several = true;
-            let whole = merged.area_m2 + parent.area_m2;
-            merged.shear_m =
-                (merged.shear_m * merged.area_m2 + parent.shear_m * parent.area_m2) / whole;
-            let share = parent.area_m2 / whole;
-            merged.point_in_a_m += (parent.point_in_a_m - merged.point_in_a_m) * share;
-            merged.point_in_b_m += (parent.point_in_b_m - merged.point_in_b_m) * share;
-            merged.area_m2 = whole;
-            merged.v_normal_0_mps = greater(merged.v_normal_0_mps, parent.v_normal_0_mps);
-            if parent.v_tangential_0_mps.abs() > merged.v_tangential_0_mps.abs() {
-                merged.v_tangential_0_mps = parent.v_tangential_0_mps;
-            }
-            merged.flags |= parent.flags;
-            merged.taken_j += parent.taken_j;
-            merged.sheared_j += parent.sheared_j;
-            merged.damped_m2 += parent.damped_m2;
-            for (top_j, more_j) in merged.tops_j.iter_mut().zip(parent.tops_j) {
-                *top_j += more_j;
-            }
+    /// Adds what the patches of a pair inherit from the old ones that they continue.
+    fn add_several(&mut self, old: &[PatchMemory], patches: &[Patch]) {
+        let Inheritance { inherited, shares, matching } = self;
+        let mut matches = matching.matches.as_slice();
+        for (number, patch) in (0..).zip(patches) {
+            let own = matches.iter().take_while(|&&(of, _)| of == number).count();
+            let (parents, rest) = matches.split_at(own);
+            matches = rest;
+            let parents = parents.iter().map(|&(_, parent)| {
+                share_of(&old[parent as usize], matching.heirs[parent as usize], patch)
+            });
+            let Some((merged, several)) = merge(parents) else {
+                inherited.push(Inherited::Nothing);
+                continue;
+            };
+            let place = shares.len() as u32;
+            shares.push(merged);
+            let kind = if several { Inherited::Merged } else { Inherited::Part };
+            inherited.push(kind(place));
         }
-        let place = self.shares.len() as u32;
-        self.shares.push(merged);
-        if several { Inherited::Merged(place) } else { Inherited::Part(place) }
     }
+}
+
+/// The memory of a patch that continues all of these, and whether these are several. `None` if there is none.
+fn merge(mut parents: impl Iterator<Item = PatchMemory>) -> Option<(PatchMemory, bool)> {
+    let mut merged = parents.next()?;
+    let mut several = false;
+    for parent in parents {
+        several = true;
+        let whole = merged.area_m2 + parent.area_m2;
+        merged.shear_m =
+            (merged.shear_m * merged.area_m2 + parent.shear_m * parent.area_m2) / whole;
+        let share = parent.area_m2 / whole;
+        merged.point_in_a_m += (parent.point_in_a_m - merged.point_in_a_m) * share;
+        merged.point_in_b_m += (parent.point_in_b_m - merged.point_in_b_m) * share;
+        merged.area_m2 = whole;
+        merged.v_normal_0_mps = greater(merged.v_normal_0_mps, parent.v_normal_0_mps);
+        if parent.v_tangential_0_mps.abs() > merged.v_tangential_0_mps.abs() {
+            merged.v_tangential_0_mps = parent.v_tangential_0_mps;
+        }
+        merged.flags |= parent.flags;
+        merged.taken_j += parent.taken_j;
+        merged.sheared_j += parent.sheared_j;
+        merged.damped_m2 += parent.damped_m2;
+        for (top_j, more_j) in merged.tops_j.iter_mut().zip(parent.tops_j) {
+            *top_j += more_j;
+        }
+    }
+    Some((merged, several))
 }
 
 /// Does patch number `index` continue the old patch of the same number, each being the only patch of its pair?
@@ -155,18 +165,10 @@ fn take_pair<'a>(
     (before, own)
 }
 
-/// The share of a parent's memory that falls to `patch`, one of those that continue its `place`. Area and energies are
-/// shared by area: a split is no loss of area to the damper.
-fn share_of(
-    parent: &PatchMemory,
-    place: Option<Place>,
-    patches: &[Patch],
-    patch: &Patch,
-    places: &[Place],
-) -> PatchMemory {
-    let heirs = patches.iter().filter(|p| continues(place, p, places));
-    let heirs_m2: f64 = heirs.map(|p| p.area_m2).sum();
-    let share = patch.area_m2 / heirs_m2;
+/// The share of a parent's memory that falls to `patch`, one of its heirs. Area and energies are shared by area: a split
+/// is no loss of area to the damper.
+fn share_of(parent: &PatchMemory, heirs: Heirs, patch: &Patch) -> PatchMemory {
+    let share = patch.area_m2 / heirs.area_m2;
     PatchMemory {
         area_m2: parent.area_m2 * share,
         taken_j: parent.taken_j * share,

@@ -1,13 +1,30 @@
 //! What a fender's face meets of a body: her outline, or her slice at its height.
 
+use core::slice;
+
+use crate::candidates::Candidate;
 use crate::fender::RankedFender;
 use crate::geometry::convex::ConvexPolygon;
+use crate::geometry::shapes::Shapes;
 use crate::model::Model;
 use crate::reaction::FenderLaw;
 use crate::slice::{SideMet, Slice};
 use crate::vec2::{Pose, Vec2};
 
 impl Model {
+    /// Both sides of a candidate: of each an outline, a slice, or the zone of a fender.
+    pub(crate) fn shapes_of<'m>(&'m self, candidate: &Candidate) -> [Shapes<'m>; 2] {
+        let face = candidate.fender(self);
+        [candidate.a, candidate.b].map(|rank| match face {
+            None => self.ranked.shapes(rank as usize),
+            Some(face) if face.host == rank => Shapes::few(slice::from_ref(&face.zone)),
+            Some(_) => match self.slices.place(candidate.face, rank) {
+                None => self.ranked.shapes(rank as usize),
+                Some(_) => Shapes::few(self.pieces_met(candidate.face, rank)),
+            },
+        })
+    }
+
     /// The convex pieces that a face (by its number, from 1) meets of a body.
     #[inline]
     pub(crate) fn pieces_met(&self, face: u32, rank: u32) -> &[ConvexPolygon] {

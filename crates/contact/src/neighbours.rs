@@ -7,8 +7,10 @@
 use alloc::vec::Vec;
 
 use crate::bodies::Bodies;
+use crate::geometry::extent::Extent;
 use crate::material::MaterialId;
 use crate::model::Model;
+use crate::number::greater;
 use crate::pair::{Bounds, RankedPair};
 use crate::vec2::Vec2;
 
@@ -18,6 +20,9 @@ const MARGIN: f64 = 0.1;
 
 /// The fraction of its margin that a body may use: less than 1, to cover rounding.
 const USABLE: f64 = 0.999;
+
+/// Strips are wider than the largest circle by this fraction: rounding puts no circle into the strip after the next.
+const ROUNDING: f64 = 1e-6;
 
 /// The list, and where the bodies were when it was made. Computed by [`NeighbourList::renew`].
 #[derive(Clone, Debug, Default)]
@@ -29,8 +34,20 @@ pub(crate) struct NeighbourList {
     /// In the order of their ranks.
     pairs: Vec<RankedPair>,
     bounds: Vec<Bounds>,
-    /// The bodies by the southern ends of their circles.
-    by_x: Vec<(f64, u32)>,
+    /// The bodies in the order of the sweep.
+    order: Vec<Swept>,
+}
+
+/// A body in the sweep. The plane is cut into strips from west to east, as wide as the largest circle: two circles that meet
+/// have their southern ends in the same strip or in neighbours. Within a strip the bodies are in the order of their
+/// western ends, in steps so small that hardly two share one.
+#[derive(Clone, Copy, Debug)]
+struct Swept {
+    strip: u32,
+    /// Western and eastern end, in steps.
+    west: u32,
+    east: u32,
+    rank: u32,
 }
 
 /// A body's enlarged circle.
@@ -92,31 +109,39 @@ impl NeighbourList {
         self.sweep(model, material);
     }
 
-    /// Sweep and prune, from south to north.
+    /// Sweep and prune, from west to east in strips.
     fn sweep(&mut self, model: &Model, material: MaterialId) {
-        let ends = (0..).zip(&self.circles);
-        self.by_x.clear();
-        self.by_x.extend(ends.map(|(rank, circle)| (circle.center_m.x - circle.radius_m, rank)));
-        self.by_x.sort_unstable_by(|p, q| p.0.total_cmp(&q.0).then(p.1.cmp(&q.1)));
-        self.pairs.clear();
-        for (i, &(_, one)) in self.by_x.iter().enumerate() {
-            let circle = self.circles[one as usize];
-            let north_m = circle.center_m.x + circle.radius_m;
-            for &(south_m, two) in &self.by_x[i + 1..] {
-                if south_m > north_m {
-                    break;
-                }
-                if circle.meets(&self.circles[two as usize]) {
-                    let (a, b) = (one.min(two), one.max(two));
-                    let [body_a, body_b] = [a, b].map(|rank| &model.ranked[rank as usize]);
-                    let both_stand = body_a.stands && body_b.stands;
-                    if !both_stand && !is_named(model, a, b) {
-                        self.pairs.push(RankedPair::new((a, body_a), (b, body_b), material));
-                    }
-                }
+        let NeighbourList { circles, order, pairs, .. } = self;
+        pairs.clear();
+        let widest_steps = arrange(circles, order);
+        let mut add = |one: &Swept, two: &Swept| {
+            let [circle, other] = [one, two].map(|swept| &circles[swept.rank as usize]);
+            if two.west > one.east || two.east < one.west || !circle.meets(other) {
+                return;
+            }
+            let (a, b) = (one.rank.min(two.rank), one.rank.max(two.rank));
+            let [body_a, body_b] = [a, b].map(|rank| &model.ranked[rank as usize]);
+            let both_stand = body_a.stands && body_b.stands;
+            if !both_stand && !is_named(model, a, b) {
+                pairs.push(RankedPair::new((a, body_a), (b, body_b), material));
+            }
+        };
+        let mut of_strips = order.chunk_by(|one, two| one.strip == two.strip).peekable();
+        while let Some(strip) = of_strips.next() {
+            let mut beside = match of_strips.peek() {
+                Some(&next) if next[0].strip - strip[0].strip == 1 => next,
+                _ => &[],
+            };
+            for (index, one) in strip.iter().enumerate() {
+                let reached = |two: &&Swept| two.west <= one.east;
+                strip[index + 1..].iter().take_while(reached).for_each(|two| add(one, two));
+                // Those of the next strip that end before here end before all that follow.
+                let passed = |two: &&Swept| two.west.saturating_add(widest_steps) < one.west;
+                beside = &beside[beside.iter().take_while(passed).count()..];
+                beside.iter().take_while(reached).for_each(|two| add(one, two));
             }
         }
-        self.pairs.sort_unstable_by_key(|pair| (pair.a, pair.b));
+        self.pairs.sort_unstable_by_key(|pair| (u64::from(pair.a) << 32) | u64::from(pair.b));
         self.bounds.clear();
         self.bounds.extend(
             self.pairs.iter().map(|pair| Bounds::of(&model.ranked, model.materials(), pair)),
@@ -124,6 +149,95 @@ impl NeighbourList {
     }
 }
 
+/// Arranges the bodies for the sweep. Returns the width of the largest circle in steps, or a little more.
+fn arrange(circles: &[Circle], order: &mut Vec<Swept>) -> u32 {
+    let all = circles.iter().fold(Extent::EMPTY, |all, circle| {
+        all.and(Extent::of_circle(circle.center_m, circle.radius_m))
+    });
+    let widest_m = 2.0 * circles.iter().fold(0.0, |most, circle| greater(circle.radius_m, most));
+    let strips_per_m = 1.0 / (widest_m * (1.0 + ROUNDING));
+    let steps_per_m = f64::from(u32::MAX) / (all.high_m.y - all.low_m.y);
+    // A cast keeps the order, and beyond the largest number gives that.
+    let step = |y_m: f64| ((y_m - all.low_m.y) * steps_per_m) as u32;
+    order.clear();
+    order.extend((0..).zip(circles).map(|(rank, circle)| {
+        let Circle { center_m, radius_m } = *circle;
+        Swept {
+            strip: ((center_m.x - radius_m - all.low_m.x) * strips_per_m) as u32,
+            west: step(center_m.y - radius_m),
+            east: step(center_m.y + radius_m),
+            rank,
+        }
+    }));
+    order.sort_unstable_by_key(|swept| (u64::from(swept.strip) << 32) | u64::from(swept.west));
+    ((widest_m * steps_per_m) as u32).saturating_add(2)
+}
+
 fn is_named(model: &Model, a: u32, b: u32) -> bool {
     model.pairs.binary_search_by_key(&(a, b), |p| (p.a, p.b)).is_ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use alloc::string::String;
+
+    use super::*;
+    use crate::body::{Body, Mobility};
+    use crate::material::Material;
+    use crate::outline::Outline;
+    use crate::vec2::{Pose, vec2};
+
+    fn model_of(count: u64) -> (Model, MaterialId) {
+        let mut builder = Model::builder();
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+        let outline = Outline::new(&corners.map(|(x, y)| vec2(x, y))).expect("a square").0;
+        for key in 0..count {
+            let (name, outline) = (String::new(), outline.clone());
+            let mobility = Mobility::Free { mass_kg: 1.0, yaw_inertia_kgm2: 1.0 };
+            builder.body(Body { name, key, outline, mobility });
+        }
+        let material = builder.material(Material {
+            stiffness_npm2: 1.0,
+            damping_nspm2: 0.0,
+            shear_stiffness_npm: 1.0,
+            friction_static: 0.0,
+            friction_dynamic: 0.0,
+            restitution: 0.0,
+        });
+        builder.all_other_pairs(material);
+        (builder.build().expect("a good model"), material)
+    }
+
+    /// Circles of very different sizes, near the origin and 1e7 m away, in a square, in a row and at one place.
+    #[test]
+    fn the_sweep_finds_what_a_comparison_of_all_finds() {
+        let (model, material) = model_of(200);
+        let mut state = 5_u64;
+        let mut number = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        for (from_m, north_m, east_m, power) in [
+            (0.0, 300.0, 300.0, 1.0),
+            (1e7, 3000.0, 3000.0, 3.0),
+            (-40.0, 5000.0, 0.0, 2.0),
+            (0.0, 0.0, 5000.0, 2.0),
+            (0.0, 0.0, 0.0, 1.0),
+            (0.0, 1e8, 1e8, 9.0),
+        ] {
+            let mut bodies = Bodies::with_capacity(200);
+            for _ in 0..200 {
+                let place_m = vec2(from_m + north_m * number(), from_m + east_m * number());
+                bodies.poses.push(Pose::new(place_m, 0.0));
+                bodies.reach_m.push(libm::pow(10.0, power * number()));
+            }
+            let mut list = NeighbourList::default();
+            list.renew(&model, material, &bodies);
+            let found: Vec<(u32, u32)> = list.pairs().iter().map(|pair| (pair.a, pair.b)).collect();
+            let all = (0..200).flat_map(|a| (a + 1..200).map(move |b| (a, b)));
+            let meet =
+                |&(a, b): &(u32, u32)| list.circles[a as usize].meets(&list.circles[b as usize]);
+            assert_eq!(found, all.filter(meet).collect::<Vec<_>>(), "{north_m} {east_m} {power}");
+        }
+    }
 }

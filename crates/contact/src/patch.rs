@@ -1,6 +1,7 @@
 //! A patch of contact, and where it lies.
 
 use crate::candidates::Candidate;
+use crate::geometry::extent::Extent;
 use crate::vec2::{Pose, Vec2};
 
 /// A connected part of the overlap of two bodies, in body A's frame (A: the lower rank).
@@ -67,27 +68,10 @@ pub(crate) struct Place {
     pub(crate) in_b: Extent,
 }
 
-/// Does the patch lie where the `old` one lay, in the frame of one of the two bodies? A sliding contact stays in place on
-/// at least one of them. Without places, which convex bodies do not need, the answer is yes.
-pub(crate) fn continues(old: Option<Place>, patch: &Patch, places: &[Place]) -> bool {
-    let (Some(old), Some(place)) = (old, patch.place()) else { return true };
-    let Place { in_a, in_b } = places[place as usize];
-    old.in_a.overlaps(&in_a) || old.in_b.overlaps(&in_b)
-}
-
-/// A box along the axes of a frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Extent {
-    pub(crate) low_m: Vec2,
-    pub(crate) high_m: Vec2,
-}
-
-impl Extent {
+impl Place {
+    /// Do the boxes meet in the frame of one of the two bodies?
     #[inline]
-    pub(crate) fn overlaps(&self, other: &Extent) -> bool {
-        self.low_m.x <= other.high_m.x
-            && other.low_m.x <= self.high_m.x
-            && self.low_m.y <= other.high_m.y
-            && other.low_m.y <= self.high_m.y
+    pub(crate) fn meets(&self, other: &Place) -> bool {
+        self.in_a.overlaps(&other.in_a) || self.in_b.overlaps(&other.in_b)
     }
 }

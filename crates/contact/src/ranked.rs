@@ -6,7 +6,9 @@ use core::ops::Index;
 
 use crate::body::{Body, Mobility};
 use crate::fender::RankedFender;
+use crate::geometry::box_tree::BoxTree;
 use crate::geometry::convex::ConvexPolygon;
+use crate::geometry::shapes::{LEAST_WITH_TREE, Shapes};
 use crate::kirchhoff::Kirchhoff;
 use crate::mass::InverseMatrix;
 use crate::number::{greater, lesser};
@@ -23,6 +25,8 @@ pub(crate) struct Ranked {
     smallest_m2: f64,
     /// The convex pieces of all outlines. Bodies with equal outlines share theirs.
     pieces: Vec<ConvexPolygon>,
+    /// Trees over the pieces of outlines that have many.
+    trees: Vec<BoxTree>,
 }
 
 /// What steps often read of a body: one line of the processor's cache.
@@ -59,6 +63,8 @@ pub(crate) struct Rest {
     pub(crate) kirchhoff: Option<Kirchhoff>,
     /// The first of its fenders in `Model::faces`, and the one after the last.
     faces: (u32, u32),
+    /// In `Ranked::trees`.
+    tree: Option<u32>,
 }
 
 impl Ranked {
@@ -73,14 +79,19 @@ impl Ranked {
             let from = fenders.partition_point(|face| (face.host as usize) < rank);
             let to = fenders.partition_point(|face| face.host as usize <= rank);
             let corners = body.outline.vertices().iter().map(|v| (v.x.to_bits(), v.y.to_bits()));
-            let pieces = *shared.entry(corners.collect::<Vec<_>>()).or_insert_with(|| {
+            let (pieces, tree) = *shared.entry(corners.collect::<Vec<_>>()).or_insert_with(|| {
                 let first = ranked.pieces.len() as u32;
                 ranked.pieces.extend(body.outline.pieces().iter().map(|p| ConvexPolygon::new(p)));
-                [first, ranked.pieces.len() as u32]
+                let own = &ranked.pieces[first as usize..];
+                let tree = (own.len() >= LEAST_WITH_TREE).then(|| {
+                    ranked.trees.push(BoxTree::new(own));
+                    ranked.trees.len() as u32 - 1
+                });
+                ([first, ranked.pieces.len() as u32], tree)
             });
             let reach_m = fenders[from..to].iter().map(RankedFender::reach_m).fold(0.0, greater);
             let (often, mut seldom) = describe(body, reach_m);
-            seldom.faces = (from as u32, to as u32);
+            (seldom.faces, seldom.tree) = ((from as u32, to as u32), tree);
             ranked.smallest_m2 = lesser(ranked.smallest_m2, seldom.area_m2);
             ranked.bodies.push(often);
             ranked.piece_ranges.push(pieces);
@@ -119,6 +130,13 @@ impl Ranked {
     pub(crate) fn pieces(&self, rank: usize) -> &[ConvexPolygon] {
         let [from, to] = self.piece_ranges[rank];
         &self.pieces[from as usize..to as usize]
+    }
+
+    /// The same with the tree over them, if there is one.
+    #[inline]
+    pub(crate) fn shapes(&self, rank: usize) -> Shapes<'_> {
+        let tree = self.rests[rank].tree.map(|index| &self.trees[index as usize]);
+        Shapes { pieces: self.pieces(rank), tree }
     }
 
     /// The outline of a body, if it is one convex piece.
@@ -193,5 +211,5 @@ fn describe(body: &Body, fenders_reach_m: f64) -> (RankedBody, Rest) {
         }
         _ => None,
     };
-    (often, Rest { inverse, area_m2, half_width_m, kirchhoff, faces: (0, 0) })
+    (often, Rest { inverse, area_m2, half_width_m, kirchhoff, faces: (0, 0), tree: None })
 }

@@ -25,12 +25,13 @@ use crate::admit::{LONGEST_STEP_S, SHORTEST_STEP_S};
 use crate::bytes::{Codec, Reader, Record, Writer, check_sum, records};
 use crate::error::RestoreError;
 use crate::geometry::clip::Hint;
+use crate::geometry::extent::Extent;
 use crate::memory::{
     ContactMemory, HintMemory, Memory, NOT_BEHIND, PatchMemory, PlaceMemory, place_of,
 };
 use crate::model::Model;
 use crate::panel::chains::is_chain;
-use crate::patch::{Extent, Place};
+use crate::patch::Place;
 use crate::state::{BodyState, FURTHEST_M};
 use crate::vec2::Vec2;
 

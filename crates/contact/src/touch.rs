@@ -2,11 +2,12 @@
 
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
+use crate::lenses::Overlap;
 use crate::levers::Levers;
 use crate::material::BodyId;
 use crate::memory::PatchMemory;
 use crate::model::Model;
-use crate::overlap::{self, Overlap};
+use crate::overlap;
 use crate::patch::Patch;
 use crate::report::{Contact, ContactImpulse, ContactWork, EnergyParts, ForceParts, Friction};
 use crate::state::{BodyState, Velocity};

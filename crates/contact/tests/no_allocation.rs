@@ -8,8 +8,8 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use fenderline_contact::{
-    BodyState, CoSimHost, EventKind, Friction, HostIntegration, HostSettings, HostWorkspace,
-    Memory, Model, Vec2, Workspace, Wrench, advance, step, vec2,
+    Body, BodyState, CoSimHost, EventKind, Friction, HostIntegration, HostSettings, HostWorkspace,
+    Material, Memory, Mobility, Model, Outline, Vec2, Workspace, Wrench, advance, step, vec2,
 };
 
 const STEP_S: f64 = 0.1;
@@ -147,6 +147,52 @@ fn allocates_nothing(method: Method) {
     assert_eq!((seen.most_touching, seen.fewest_touching), (scene::FENDERS, 0), "{seen:?}");
     assert!(seen.began >= 400 && seen.ended >= 400, "{seen:?}");
     assert!(seen.sticking > 1_000 && seen.slipping > 10_000, "{seen:?}");
+}
+
+/// A star of 200 corners, every other one the tip of a ray.
+fn star() -> Outline {
+    let corner = |k: u32| {
+        let (sin, cos) = libm::sincos(core::f64::consts::TAU * f64::from(k) / 200.0);
+        vec2(cos, sin) * if k.is_multiple_of(2) { 20.0 } else { 19.0 }
+    };
+    Outline::new(&(0..200).map(corner).collect::<Vec<_>>()).expect("a good outline").0
+}
+
+/// Two stars with many pieces: their rays meet, part, and merge into other patches, as one rolls to and fro on the other.
+#[test]
+fn warm_steps_of_outlines_of_many_pieces_allocate_nothing() {
+    let mut builder = Model::builder();
+    let free = Mobility::Free { mass_kg: 1e6, yaw_inertia_kgm2: 1e8 };
+    for (key, mobility) in [(0, free), (1, Mobility::Fixed)] {
+        builder.body(Body { name: format!("star {key}"), key, outline: star(), mobility });
+    }
+    let material = builder.material(Material {
+        stiffness_npm2: 500e3,
+        damping_nspm2: 0.0,
+        shear_stiffness_npm: 3e6,
+        friction_static: 0.5,
+        friction_dynamic: 0.5,
+        restitution: 0.1,
+    });
+    builder.all_other_pairs(material);
+    let model = builder.build().expect("a good model");
+    let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
+    let mut states = [BodyState::default(); 2];
+    let (mut allocations_before, mut most, mut splits) = (0, 0, 0);
+    const PERIOD: usize = 1_000;
+    for index in 0..6 * PERIOD {
+        if index == 3 * PERIOD {
+            allocations_before = ALLOCATIONS.get();
+        }
+        let turn = core::f64::consts::TAU * (index % PERIOD) as f64 / PERIOD as f64;
+        let place_m = vec2(2.0 * libm::sin(turn), 39.5 + libm::cos(2.0 * turn));
+        states[0] = BodyState { position_m: place_m, heading_rad: 0.1 * turn, ..states[0] };
+        step(&model, &mut memory, &mut work, &states, STEP_S).expect("good states");
+        most = most.max(work.contacts().len());
+        splits += work.events().iter().filter(|e| e.kind == EventKind::PatchSplit).count();
+    }
+    assert_eq!(ALLOCATIONS.get() - allocations_before, 0, "allocations in warm steps");
+    assert!(most >= 4 && splits > 10, "{most} {splits}");
 }
 
 /// A ship that a load pushes against the fenders and pulls off again, moved by forward Euler, with states two steps

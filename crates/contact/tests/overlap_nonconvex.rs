@@ -38,6 +38,15 @@ fn saw(depth_m: f64) -> Vec<Vec2> {
     ring
 }
 
+/// A star, every other corner the tip of a ray: it has so many pieces that they are found by a tree.
+fn star(rays: usize, ray_m: f64) -> Vec<Vec2> {
+    let corner = |k: usize| {
+        let (sin, cos) = libm::sincos(core::f64::consts::PI * k as f64 / rays as f64);
+        vec2(cos, sin) * if k.is_multiple_of(2) { 30.0 } else { 30.0 - ray_m }
+    };
+    (0..2 * rays).map(corner).collect()
+}
+
 fn placed(ring: &[Vec2], pose: Pose) -> Vec<Vec2> {
     ring.iter().map(|&v| pose.apply(v)).collect()
 }
@@ -60,6 +69,7 @@ fn shape() -> impl Strategy<Value = Vec<Vec2>> {
         Just(basin()),
         Just(stepped_ship()),
         (1.0..9.0f64).prop_map(saw),
+        (9usize..60, 0.5..15.0f64).prop_map(|(rays, ray_m)| star(rays, ray_m)),
         (6usize..40).prop_map(|count| hull(120.0, 24.0, count)),
         (1.0..40.0f64, 1.0..9.0f64).prop_map(|(l, w)| rectangle(l, w)),
     ]

@@ -9,10 +9,10 @@ use crate::coupled::island::Island;
 use crate::fender::{FenderBounds, RankedFender};
 use crate::geometry::clip::Hint;
 use crate::geometry::gap::gap_m;
+use crate::geometry::shapes::near_pairs;
 use crate::memory::HintMemory;
 use crate::model::Model;
 use crate::number::{bounded, greater, lesser};
-use crate::overlap::pieces_of;
 use crate::pair::{Bounds, InverseMassBound};
 use crate::panel::press::deepest_m;
 use crate::patch::Patch;
@@ -368,16 +368,14 @@ impl Bounded<'_> {
         let (a, b) = (candidate.a as usize, candidate.b as usize);
         let b_in_a = self.bodies.poses[a].to(self.bodies.poses[b]);
         let reach_m = self.closing_mps(candidate) * self.step_s;
-        let (pieces_a, pieces_b) = pieces_of(self.model, candidate);
-        (0u32..).zip(pieces_a).any(|(piece_a, shape_a)| {
-            (0u32..).zip(pieces_b).any(|(piece_b, shape_b)| {
-                let key = (candidate.a, candidate.b, candidate.face, piece_a, piece_b);
-                let hint = match hints.binary_search_by_key(&key, HintMemory::key) {
-                    Ok(index) => hints[index].hint,
-                    Err(_) => Hint::None,
-                };
-                gap_m(shape_a, shape_b, b_in_a, hint) <= reach_m
-            })
+        let [of_a, of_b] = self.model.shapes_of(candidate);
+        near_pairs(of_a, of_b, b_in_a, reach_m).any(|[(piece_a, shape_a), (piece_b, shape_b)]| {
+            let key = (candidate.a, candidate.b, candidate.face, piece_a, piece_b);
+            let hint = match hints.binary_search_by_key(&key, HintMemory::key) {
+                Ok(index) => hints[index].hint,
+                Err(_) => Hint::None,
+            };
+            gap_m(shape_a, shape_b, b_in_a, hint) <= reach_m
         })
     }
 

@@ -2,6 +2,7 @@
 
 use alloc::vec::Vec;
 
+use super::apart;
 use super::axis::{BestAxis, best_axis};
 use super::convex::{ConvexPolygon, Placed, signed_area};
 use super::halfplanes::{self, Buffers, Found};
@@ -238,6 +239,9 @@ fn cold(
     buffers: &mut Buffers,
     outline_m: &mut Vec<Vec2>,
 ) -> (Option<Clip>, Hint) {
+    if let Some(BestAxis { on_a, edge, support, .. }) = apart::find(a, b) {
+        return (None, Hint::Apart { on_a, edge, support });
+    }
     place(b, &mut buffers.b_m);
     let mut hint = Hint::None;
     let start = outline_m.len();

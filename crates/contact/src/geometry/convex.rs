@@ -23,6 +23,8 @@ pub struct ConvexPolygon {
     edges: Vec<Edge>,
     /// The first edge by the angle of its direction in [0, 2π).
     first_by_angle: u32,
+    /// Number of edges whose direction has an angle in [0, π).
+    upper: u32,
     /// Centre of the bounding box and radius about it (m).
     center_m: Vec2,
     radius_m: f64,
@@ -52,8 +54,9 @@ impl ConvexPolygon {
                 upper_half(directions(i)) && !upper_half(before)
             })
             .unwrap_or(0) as u32;
+        let upper = (0..count).filter(|&i| upper_half(directions(i))).count() as u32;
         let (area_m2, edges) = (signed_area(&corners), Edge::of_all(&corners));
-        ConvexPolygon { closed, ends, edges, first_by_angle, center_m, radius_m, area_m2 }
+        ConvexPolygon { closed, ends, edges, first_by_angle, upper, center_m, radius_m, area_m2 }
     }
 
     /// Number of corners.
@@ -107,6 +110,29 @@ impl ConvexPolygon {
     #[inline]
     pub(crate) fn first_by_angle(&self) -> usize {
         self.first_by_angle as usize
+    }
+
+    /// The corner farthest in a direction: the edges before it turn by less than a quarter from there, those after it by
+    /// more.
+    #[inline]
+    pub(crate) fn farthest(&self, direction: Vec2) -> usize {
+        let along = direction.quarter_turn();
+        let (count, upper) = (self.count(), self.upper as usize);
+        let edge = |by_angle: usize| {
+            let index = self.first_by_angle as usize + by_angle;
+            if index >= count { index - count } else { index }
+        };
+        let (mut from, mut to) = if upper_half(along) { (0, upper) } else { (upper, count) };
+        while from < to {
+            let middle = (from + to) / 2;
+            let [start, end] = self.ends[edge(middle)];
+            if (end - start).cross(along) >= 0.0 {
+                from = middle + 1;
+            } else {
+                to = middle;
+            }
+        }
+        edge(from)
     }
 
     /// Centre of the bounding circle (m).

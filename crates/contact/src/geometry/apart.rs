@@ -1,0 +1,280 @@
+//! The edge that separates two convex polygons best, found from nothing: for the first step of a pair, and where the
+//! edge of the last step separates them no more.
+//!
+//! The search is that of Gilbert, Johnson and Keerthi (1988): the point nearest to the origin of the difference of the two
+//! polygons (all points of B less all of A), by its corners in the directions of better and better guesses. A corner in a
+//! direction is found by bisection, as the edges of a convex polygon are sorted by angle.
+//!
+//! The gap along a direction is at most the distance of the polygons, which it has along the line between their nearest
+//! points, and it falls off to both sides of that. So the best edge is one that meets the nearest corners.
+
+use super::axis::BestAxis;
+use super::convex::{ConvexPolygon, Placed};
+use super::ring::{after, before};
+use crate::vec2::Vec2;
+
+/// Polygons that are nearer to each other, or overlap, are left to the cold path (m).
+const LEAST_GAP_M: f64 = 1e-9;
+
+/// Most guesses; each halves the error at least, so that more are needed only where rounding decides.
+const MOST_GUESSES: usize = 24;
+
+/// The search ends where the next guess would be this little nearer, as a fraction of the squared distance.
+const NEAR_ENOUGH: f64 = 1e-12;
+
+/// A corner of the difference of two polygons.
+#[derive(Clone, Copy)]
+struct Corner {
+    at_m: Vec2,
+    of_a: usize,
+    of_b: usize,
+}
+
+impl Corner {
+    /// The corner least far in a direction.
+    #[inline]
+    fn least(a: &ConvexPolygon, b: &Placed<'_>, direction: Vec2) -> Corner {
+        let of_a = a.farthest(direction);
+        let of_b = b.polygon.farthest(-b.pose.rotation.apply_inverse(direction));
+        Corner { at_m: b.vertex(of_b) - a.corner(of_a), of_a, of_b }
+    }
+}
+
+/// The axis of greatest separation; `None` if the polygons overlap, or nearly so.
+pub(crate) fn find(a: &ConvexPolygon, b: &Placed<'_>) -> Option<BestAxis> {
+    let corner = nearest_corner(a, b)?;
+    let (n, m) = (a.count(), b.count());
+    let (of_a, of_b) = (|k| a.corner(k), |k| b.vertex(k));
+    let mut best: Option<BestAxis> = None;
+    // Of equal gaps the one of the first polygon, and of its edges the first, as in `best_axis`.
+    for edge in in_order(before(corner.of_a, n), corner.of_a) {
+        let gap = EdgeGap::new(a.corner(edge), a.corner(edge + 1), of_b, m, corner.of_b);
+        if best.is_none_or(|best| gap.gap_m > best.gap_m) {
+            best = Some(gap.axis(true, edge));
+        }
+    }
+    for edge in in_order(before(corner.of_b, m), corner.of_b) {
+        let gap = EdgeGap::new(b.vertex(edge), b.vertex(edge + 1), of_a, n, corner.of_a);
+        if best.is_none_or(|best| gap.gap_m > best.gap_m) {
+            best = Some(gap.axis(false, edge));
+        }
+    }
+    best.filter(|best| best.gap_m > LEAST_GAP_M)
+}
+
+fn in_order(i: usize, j: usize) -> [usize; 2] {
+    if i < j { [i, j] } else { [j, i] }
+}
+
+/// A corner of the difference's edge that is nearest to the origin; `None` if the origin is in the difference.
+fn nearest_corner(a: &ConvexPolygon, b: &Placed<'_>) -> Option<Corner> {
+    let mut one = Corner::least(a, b, b.pose.apply(b.polygon.center_m()) - a.center_m());
+    let mut two = one;
+    let mut nearest_m = one.at_m;
+    for _ in 0..MOST_GUESSES {
+        let new = Corner::least(a, b, nearest_m);
+        let squared_m2 = nearest_m.length_squared();
+        if squared_m2 - nearest_m.dot(new.at_m) <= NEAR_ENOUGH * squared_m2 {
+            return (squared_m2 > 0.0).then_some(one);
+        }
+        if is_within([one.at_m, two.at_m, new.at_m]) {
+            return None;
+        }
+        let (share, at_m) = nearest_of_line(one.at_m, new.at_m);
+        let (other_share, other_m) = nearest_of_line(two.at_m, new.at_m);
+        let nearer = at_m.length_squared() <= other_m.length_squared();
+        let (from, share, at_m) =
+            if nearer { (one, share, at_m) } else { (two, other_share, other_m) };
+        // No nearer than before: what is left is rounding.
+        if at_m.length_squared() >= squared_m2 {
+            return Some(one);
+        }
+        (one, two) = if share > 0.5 { (new, from) } else { (from, new) };
+        if share >= 1.0 {
+            two = new;
+        }
+        nearest_m = at_m;
+    }
+    None
+}
+
+/// Is the origin in a triangle? A triangle without area holds nothing.
+#[inline]
+fn is_within([p, q, r]: [Vec2; 3]) -> bool {
+    let sides = [p.cross(q), q.cross(r), r.cross(p)];
+    sides.iter().all(|&side| side > 0.0) || sides.iter().all(|&side| side < 0.0)
+}
+
+/// The point of a line nearest to the origin, and how far along the line it is: 0 at its start, 1 at its end.
+#[inline]
+fn nearest_of_line(start: Vec2, end: Vec2) -> (f64, Vec2) {
+    let along = end - start;
+    let (way, whole) = (-start.dot(along), along.length_squared());
+    if way <= 0.0 {
+        (0.0, start)
+    } else if way >= whole {
+        (1.0, end)
+    } else {
+        let share = way / whole;
+        (share, start + along * share)
+    }
+}
+
+/// The gap between a polygon's edge and another polygon, along the edge's normal.
+struct EdgeGap {
+    gap_m: f64,
+    support: usize,
+    outward: Vec2,
+}
+
+impl EdgeGap {
+    /// Climbs from corner `from` of the other polygon, of `count` corners, to the one deepest behind the edge.
+    #[inline]
+    fn new(
+        start: Vec2,
+        end: Vec2,
+        corner: impl Fn(usize) -> Vec2,
+        count: usize,
+        from: usize,
+    ) -> EdgeGap {
+        let along = end - start;
+        let depth = |j: usize| along.cross(corner(j) - start);
+        let (mut support, mut deepest) = (from, depth(from));
+        for _ in 0..count {
+            let (next, previous) = (after(support, count), before(support, count));
+            let (of_next, of_previous) = (depth(next), depth(previous));
+            if of_next > deepest {
+                (support, deepest) = (next, of_next);
+            } else if of_previous > deepest {
+                (support, deepest) = (previous, of_previous);
+            } else {
+                break;
+            }
+        }
+        let outward = along.quarter_turn_back() * (1.0 / along.length());
+        EdgeGap { gap_m: outward.dot(corner(support) - start), support, outward }
+    }
+
+    fn axis(&self, on_a: bool, edge: usize) -> BestAxis {
+        let normal = if on_a { self.outward } else { -self.outward };
+        let (edge, support) = (edge as u32, self.support as u32);
+        BestAxis { gap_m: self.gap_m, on_a, edge, support, normal }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use alloc::vec::Vec;
+
+    use super::*;
+    use crate::geometry::axis::best_axis;
+    use crate::number::greater;
+    use crate::vec2::{Pose, Rotation, vec2};
+
+    /// Numbers from 0 to 1 in a fixed order (Knuth's multiplicative congruential generator).
+    struct Numbers(u64);
+
+    impl Numbers {
+        fn next(&mut self) -> f64 {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (self.0 >> 11) as f64 / (1u64 << 53) as f64
+        }
+
+        fn between(&mut self, low: f64, high: f64) -> f64 {
+            low + (high - low) * self.next()
+        }
+
+        /// Corners on an ellipse, from slender to round.
+        fn polygon(&mut self, count: usize) -> ConvexPolygon {
+            let (length_m, aspect) = (self.between(1.0, 150.0), self.between(0.05, 1.0));
+            let turn = Rotation::from_angle(self.between(0.0, 6.0));
+            let corners: Vec<Vec2> = (0..count)
+                .map(|k| {
+                    let at = (k as f64 + 0.6 * self.next()) * core::f64::consts::TAU / count as f64;
+                    let on_circle = Rotation::from_angle(at).apply(vec2(1.0, 0.0));
+                    turn.apply(vec2(length_m * on_circle.x, length_m * aspect * on_circle.y))
+                })
+                .collect();
+            ConvexPolygon::new(&corners)
+        }
+    }
+
+    #[test]
+    fn the_farthest_corner_is_that_of_a_search_of_all() {
+        let mut numbers = Numbers(7);
+        for round in 0..4_000 {
+            let polygon = numbers.polygon(3 + round % 97);
+            let direction = Rotation::from_angle(numbers.between(0.0, 6.3)).apply(vec2(1.0, 0.0));
+            let most = polygon.vertices().iter().map(|v| v.dot(direction)).fold(f64::MIN, greater);
+            let found = polygon.corner(polygon.farthest(direction)).dot(direction);
+            assert!(most - found <= 1e-13 * polygon.radius_m(), "{found} is not {most}");
+        }
+    }
+
+    #[test]
+    fn directions_along_the_axes_and_along_edges_find_a_farthest_corner() {
+        let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+        let polygon = ConvexPolygon::new(&square.map(|(x, y)| vec2(x, y)));
+        for (x, y) in [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
+            let found = polygon.corner(polygon.farthest(vec2(x, y)));
+            assert_eq!(found.dot(vec2(x, y)), greater(vec2(x, y).dot(vec2(x, y)), 1.0));
+        }
+    }
+
+    /// Polygons apart by 1 µm to 100 m, and overlapping ones.
+    #[test]
+    fn the_axis_is_that_of_a_search_of_all_edges() {
+        let mut numbers = Numbers(11);
+        let (mut apart, mut overlapping) = (0, 0);
+        for round in 0..20_000 {
+            let (a, b) = (numbers.polygon(3 + round % 61), numbers.polygon(3 + round % 47));
+            let heading_rad = numbers.between(0.0, 6.3);
+            let bearing = Rotation::from_angle(numbers.between(0.0, 6.3)).apply(vec2(1.0, 0.0));
+            let turned = Pose::new(vec2(0.0, 0.0), heading_rad);
+            let reach_m = |p: &ConvexPolygon, pose: Pose, d: Vec2| {
+                p.vertices().iter().map(|&v| pose.apply(v).dot(d)).fold(f64::MIN, greater)
+            };
+            // Tangent along the bearing, aside, and this far apart along it.
+            let touching_m = reach_m(&a, Pose::IDENTITY, bearing) + reach_m(&b, turned, -bearing);
+            let gap_m = numbers.between(-1.0, 1.0) * libm::pow(10.0, numbers.between(-6.0, 2.0));
+            let aside_m = bearing.quarter_turn() * numbers.between(-50.0, 50.0);
+            let place_m = bearing * (touching_m + gap_m) + aside_m;
+            let placed = Placed { polygon: &b, pose: Pose::new(place_m, heading_rad) };
+            let closed: Vec<Vec2> = (0..=b.count()).map(|k| placed.vertex(k)).collect();
+            let all = best_axis(&a, &closed);
+            match find(&a, &placed) {
+                None => assert!(all.gap_m < 2.0 * LEAST_GAP_M, "missed {all:?} in round {round}"),
+                Some(found) => {
+                    let rounding_m = 1e-12 * (a.radius_m() + b.radius_m());
+                    let short_m = all.gap_m - found.gap_m;
+                    assert!(short_m.abs() <= rounding_m, "{found:?} is not {all:?}");
+                }
+            }
+            apart += u32::from(all.gap_m > 0.0);
+            overlapping += u32::from(all.gap_m < 0.0);
+        }
+        assert!(apart > 10_000 && overlapping > 1_000, "{apart} {overlapping}");
+    }
+
+    /// Parallel sides, sides in line, and corners opposite corners.
+    #[test]
+    fn boxes_side_by_side_have_the_axis_of_a_search_of_all_edges() {
+        let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+        let polygon = ConvexPolygon::new(&square.map(|(x, y)| vec2(x, y)));
+        for heading in 0..8 {
+            for (x, y) in (-12..=12).flat_map(|x| (-12..=12).map(move |y| (x, y))) {
+                let place_m = vec2(0.25 * f64::from(x), 0.25 * f64::from(y));
+                let pose = Pose::new(place_m, f64::from(heading) * core::f64::consts::FRAC_PI_4);
+                let placed = Placed { polygon: &polygon, pose };
+                let closed: Vec<Vec2> = (0..=4).map(|k| placed.vertex(k)).collect();
+                let all = best_axis(&polygon, &closed);
+                match find(&polygon, &placed) {
+                    None => assert!(all.gap_m < 2.0 * LEAST_GAP_M, "missed {all:?} at {pose:?}"),
+                    Some(found) => {
+                        assert!((all.gap_m - found.gap_m).abs() <= 1e-14, "{found:?}, {all:?}");
+                    }
+                }
+            }
+        }
+    }
+}

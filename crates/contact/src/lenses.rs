@@ -1,0 +1,64 @@
+//! The overlaps of a (sub-)step: lenses of convex pieces, and the patches that they make up.
+
+use alloc::vec::Vec;
+
+use crate::geometry::extent::Extent;
+use crate::geometry::lens::Lens;
+use crate::patch::{Parts, Patch, Place};
+use crate::vec2::Vec2;
+
+/// The overlap of one piece of A with one piece of B.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PieceLens {
+    pub(crate) lens: Lens,
+    pub(crate) contained: bool,
+    pub(crate) piece_a: u32,
+    pub(crate) piece_b: u32,
+    /// Vertices in [`Overlap::outline_m`].
+    pub(crate) vertices: (u32, u32),
+    /// The box about them, in A's frame.
+    pub(crate) extent: Extent,
+    /// Number of the connected patch, within the pair.
+    pub(crate) patch: u32,
+}
+
+/// The overlaps of a (sub-)step. Computed by `overlap::overlap`.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Overlap {
+    pub(crate) patches: Vec<Patch>,
+    /// Where the patches of non-convex bodies lie.
+    pub(crate) places: Vec<Place>,
+    pub(crate) lenses: Vec<PieceLens>,
+    pub(crate) outline_m: Vec<Vec2>,
+    /// Lenses of one pair by their low ends, while those that share a seam are sought.
+    pub(crate) by_low_end: Vec<(f64, u32)>,
+}
+
+impl Overlap {
+    pub(crate) fn clear(&mut self) {
+        self.patches.clear();
+        self.places.clear();
+        self.lenses.clear();
+        self.outline_m.clear();
+    }
+}
+
+/// The corners of a lens (m).
+pub(crate) fn outline<'a>(found: &'a Overlap, lens: &PieceLens) -> &'a [Vec2] {
+    &found.outline_m[lens.vertices.0 as usize..lens.vertices.1 as usize]
+}
+
+/// The outlines of all lenses of a patch.
+#[inline]
+pub(crate) fn outlines<'a>(
+    found: &'a Overlap,
+    patch: &Patch,
+) -> impl Iterator<Item = &'a [Vec2]> + Clone {
+    let (one, lenses) = match patch.parts() {
+        Parts::One { from, to } => {
+            (Some(&found.outline_m[from as usize..to as usize]), [].as_slice())
+        }
+        Parts::Lenses { from, to } => (None, &found.lenses[from as usize..to as usize]),
+    };
+    one.into_iter().chain(lenses.iter().map(|lens| outline(found, lens)))
+}
