@@ -19,7 +19,7 @@ pub(crate) fn bench() -> Result<Table, String> {
     let mut table =
         Table::new(&["scene", "method", "contacts", "instructions a step", "a contact"]);
     for (scene, contacts, few, many) in SCENES {
-        for engine in Engine::TIMED.into_iter().filter(|engine| *engine != Engine::Rapier) {
+        for engine in Engine::OURS {
             let method = engine.name();
             let counted = |steps| instructions(scene, method, steps);
             let step = (counted(many)? - counted(few)?) / (many - few);

@@ -59,6 +59,11 @@ impl Ours {
         self
     }
 
+    /// The present states of all bodies.
+    pub(crate) fn states(&self) -> &[BodyState] {
+        &self.states
+    }
+
     fn euler(&mut self) {
         let wrenches = self.work.wrenches();
         for (index, state) in self.states.iter_mut().enumerate() {

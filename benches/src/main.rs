@@ -3,12 +3,13 @@
 //!
 //! ```text
 //! cargo run --release -p fenderline-bench -- clip [--markdown] [--rounds N]
-//! cargo run --release -p fenderline-bench -- step [--markdown] [--rounds N]
+//! cargo run --release -p fenderline-bench -- step [--scene SCENE] [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- accuracy [--markdown] [--out FILE]
 //! cargo run --release -p fenderline-bench -- mmg [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- berth [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- fenders [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- islands [--markdown] [--rounds N]
+//! cargo run --release -p fenderline-bench -- threads [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- first [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- outlines [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- many [--markdown] [--rounds N]
@@ -20,6 +21,8 @@
 
 mod accuracy;
 mod berth;
+#[cfg(feature = "peers")]
+mod c_engines;
 mod callgrind;
 mod clip;
 mod engine;
@@ -38,6 +41,7 @@ mod scenes;
 mod shapes;
 mod step;
 mod table;
+mod threads;
 mod world;
 
 use std::process::ExitCode;
@@ -48,7 +52,8 @@ use world::Engine;
 
 const USAGE: &str = "\
 usage: fenderline-bench clip [--markdown] [--rounds N]   the overlap of two convex polygons
-       fenderline-bench step [--markdown] [--rounds N]   a whole step of the engine
+       fenderline-bench step [--scene SCENE] [--markdown] [--rounds N]
+                                                         a whole step of the engine, in all scenes or in one
        fenderline-bench accuracy [--markdown] [--out FILE]
                                                          forces, depths and speeds at five time steps
        fenderline-bench mmg [--markdown] [--rounds N]    steps a second of a ship in three degrees of freedom
@@ -57,6 +62,8 @@ usage: fenderline-bench clip [--markdown] [--rounds N]   the overlap of two conv
                                                          one ship along 100, 300 and 1,000 fenders
        fenderline-bench islands [--markdown] [--rounds N]
                                                          chains of tugs and rafts of barges
+       fenderline-bench threads [--markdown] [--rounds N]
+                                                         10,000 independent pairs on several threads
        fenderline-bench first [--markdown] [--rounds N]  the first step of many tugs beside a warm one
        fenderline-bench outlines [--markdown] [--rounds N]
                                                          two outlines of up to 1,000 corners that are not convex
@@ -67,7 +74,7 @@ usage: fenderline-bench clip [--markdown] [--rounds N]   the overlap of two conv
        fenderline-bench callgrind                        instructions a warm step, by valgrind
 SCENE is tug, ship, faces, fenders-100, fenders-300, fenders-1000, blocks-100, blocks-1000, pairs-1000,
 pairs-10000, chain-N, raft-N, stars-N, coast-N or combs-N; METHOD is coupled, paper, either
-with -brief, or rapier2d;
+with -brief, or rapier2d; with the feature `peers` also Box2D and Chipmunk;
 --out writes the figures as JSON too";
 
 /// Rounds of a bench where the caller does not say: enough that the medians of two runs agree to a
@@ -91,9 +98,14 @@ fn run(arguments: &[&str]) -> Result<(), String> {
             let (style, rounds) = options_of(options)?;
             println!("{}", clip::bench(rounds).printed(style));
         }
+        ["step", "--scene", scene, options @ ..] => {
+            let scene = scene_of(scene)?;
+            let (style, rounds) = options_of(options)?;
+            println!("{}", step::bench(rounds, Some(scene)).printed(style));
+        }
         ["step", options @ ..] => {
             let (style, rounds) = options_of(options)?;
-            println!("{}", step::bench(rounds).printed(style));
+            println!("{}", step::bench(rounds, None).printed(style));
         }
         ["mmg", options @ ..] => {
             let (style, rounds) = options_of(options)?;
@@ -106,6 +118,10 @@ fn run(arguments: &[&str]) -> Result<(), String> {
         ["many", options @ ..] => {
             let (style, rounds) = options_of(options)?;
             println!("{}", many::bench(rounds).printed(style));
+        }
+        ["threads", options @ ..] => {
+            let (style, rounds) = options_of(options)?;
+            println!("{}", threads::bench(rounds).printed(style));
         }
         ["islands", options @ ..] => {
             let (style, rounds) = options_of(options)?;
@@ -126,11 +142,11 @@ fn run(arguments: &[&str]) -> Result<(), String> {
         ["runs", method, set_up, count] => many::runs(method, set_up, count_of(count)?)?,
         ["accuracy", options @ ..] => accuracy_table(options)?,
         ["instructions", scene, method, steps] => {
-            let scene =
-                Scene::named(scene).ok_or_else(|| format!("no scene `{scene}`\n{USAGE}"))?;
-            let engine = Engine::TIMED.into_iter().find(|engine| engine.name() == *method);
+            let scene = scene_of(scene)?;
+            let mut engines = Engine::OURS.iter().chain(Engine::PEERS);
+            let engine = engines.find(|engine| engine.name() == *method);
             let engine = engine.ok_or_else(|| format!("no method `{method}`\n{USAGE}"))?;
-            step::steps(scene, engine, count_of(steps)?);
+            step::steps(scene, *engine, count_of(steps)?);
         }
         ["callgrind"] => println!("{}", callgrind::bench()?.printed(Style::Plain)),
         _ => return Err(USAGE.to_owned()),
@@ -155,6 +171,10 @@ fn accuracy_table(options: &[&str]) -> Result<(), String> {
         Some(file) => std::fs::write(file, accuracy::json(&figures))
             .map_err(|error| format!("could not write `{file}`: {error}")),
     }
+}
+
+fn scene_of(name: &str) -> Result<Scene, String> {
+    Scene::named(name).ok_or_else(|| format!("no scene `{name}`\n{USAGE}"))
 }
 
 fn options_of(options: &[&str]) -> Result<(Style, usize), String> {

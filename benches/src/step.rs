@@ -1,4 +1,5 @@
-//! A whole step of the engine, by both methods, against rapier2d-f64.
+//! A whole step of the engine, by both methods, against rapier2d-f64, and with the feature `peers` against Box2D and
+//! Chipmunk.
 
 use std::time::{Duration, Instant};
 
@@ -13,10 +14,35 @@ pub(crate) const STEP_S: f64 = 0.1;
 /// lives through all of them.
 pub(crate) const BURST: usize = 16;
 
+/// Steps of a steady scene before the clock.
+const SETTLING: usize = 200;
+
+/// Whether a scene begins anew all the time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Play {
+    /// It begins anew every 17 steps.
+    Anew,
+    /// It goes on, from [`SETTLING`] steps after its start.
+    Steady,
+}
+
+impl Play {
+    const ALL: [Play; 2] = [Play::Anew, Play::Steady];
+
+    fn name(self) -> &'static str {
+        match self {
+            Play::Anew => "anew",
+            Play::Steady => "steady",
+        }
+    }
+}
+
 /// A scene and what to reach in it.
 struct Case {
     name: &'static str,
     scene: Scene,
+    /// Does the paper's method play it? Not islands of many bodies, which it does not solve together.
+    paper: bool,
     /// Restarts a round.
     bursts: usize,
     /// Most microseconds a step, most of rapier2d's time: either will do.
@@ -24,10 +50,11 @@ struct Case {
     most_of_rapier: Option<f64>,
 }
 
-const CASES: [Case; 5] = [
+const CASES: [Case; 9] = [
     Case {
         name: "1 tug, 1 fender",
         scene: Scene::Tug,
+        paper: true,
         bursts: 64,
         most_us: Some(0.2),
         most_of_rapier: None,
@@ -35,6 +62,7 @@ const CASES: [Case; 5] = [
     Case {
         name: "1 ship, 8 fenders",
         scene: Scene::Ship,
+        paper: true,
         bursts: 16,
         most_us: Some(1.0),
         most_of_rapier: Some(0.1),
@@ -42,13 +70,31 @@ const CASES: [Case; 5] = [
     Case {
         name: "1 ship, 8 faces",
         scene: Scene::Faces,
+        paper: true,
         bursts: 16,
         most_us: Some(1.0),
         most_of_rapier: Some(0.1),
     },
     Case {
+        name: "1 ship, 100 fenders",
+        scene: Scene::Blocks(100),
+        paper: true,
+        bursts: 4,
+        most_us: None,
+        most_of_rapier: None,
+    },
+    Case {
+        name: "1 ship, 1,000 fenders",
+        scene: Scene::Blocks(1_000),
+        paper: true,
+        bursts: 1,
+        most_us: None,
+        most_of_rapier: None,
+    },
+    Case {
         name: "1,000 tugs on fenders",
         scene: Scene::Pairs(1_000),
+        paper: true,
         bursts: 1,
         most_us: None,
         most_of_rapier: Some(0.3),
@@ -56,73 +102,116 @@ const CASES: [Case; 5] = [
     Case {
         name: "10,000 tugs on fenders",
         scene: Scene::Pairs(10_000),
+        paper: true,
         bursts: 1,
         most_us: None,
         most_of_rapier: Some(0.2),
     },
+    Case {
+        name: "chain of 100 tugs",
+        scene: Scene::Chain(100),
+        paper: false,
+        bursts: 1,
+        most_us: None,
+        most_of_rapier: None,
+    },
+    Case {
+        name: "raft of 10 × 10 barges",
+        scene: Scene::Raft(10),
+        paper: false,
+        bursts: 1,
+        most_us: None,
+        most_of_rapier: None,
+    },
 ];
 
-pub(crate) fn bench(rounds: usize) -> Table {
-    let mut table = Table::new(&[
+/// All scenes, or the one.
+pub(crate) fn bench(rounds: usize, only: Option<Scene>) -> Table {
+    let mut head = vec![
         "scene",
+        "plays",
         "engine",
         "contacts",
         "a step [µs]",
         "a contact [ns]",
         "of rapier2d",
-        "to reach",
-        "",
-    ]);
-    for case in &CASES {
-        for row in rows(case, rounds) {
-            table.row(row);
+    ];
+    head.extend(Engine::PEERS[1..].iter().map(|peer| of(*peer)));
+    head.extend(["to reach", ""]);
+    let mut table = Table::new(&head);
+    for case in CASES.iter().filter(|case| only.is_none_or(|scene| scene == case.scene)) {
+        for play in Play::ALL {
+            for row in rows(case, play, rounds) {
+                table.row(row);
+            }
         }
     }
     table.note("medians; ratios are taken round by round. Δt 0.1 s; moving the bodies and the broad phase included.");
-    table.note("Each engine starts anew every 17 steps from the same state, pressed by the same steady load; the first of");
-    table.note("the 17 is off the clock. contacts: pairs in the last step's solve. faces: of one quay; to rapier2d, blocks.");
-    table.note(
-        "brief: without a report of each contact; wrenches, motions and events are the same.",
-    );
+    table.note("anew: each engine begins anew every 17 steps from the same state, pressed by the same steady load; the first");
+    table.note("of the 17 is off the clock. steady: without restarts, from 200 steps after the start. contacts: pairs in the");
+    table.note("last step's solve. faces: of one quay; to the peers, blocks. brief: without a report of each contact; wrenches,");
+    table.note("motions and events are the same. Above 1 the peer is faster. Peers stop after a fixed number of sweeps.");
     table
 }
 
-fn rows(case: &Case, rounds: usize) -> Vec<Vec<String>> {
+/// The head of the column of ratios to a peer.
+fn of(peer: Engine) -> &'static str {
+    match peer {
+        #[cfg(feature = "peers")]
+        Engine::Box2d => "of Box2D",
+        #[cfg(feature = "peers")]
+        Engine::Chipmunk => "of Chipmunk",
+        _ => "of rapier2d",
+    }
+}
+
+fn rows(case: &Case, play: Play, rounds: usize) -> Vec<Vec<String>> {
     let plan = case.scene.plan();
-    let mut worlds = Engine::TIMED.map(|engine| engine.world(&plan, STEP_S));
-    let contacts = worlds.each_mut().map(|world| {
-        burst(world.as_mut());
-        world.touching()
-    });
-    let calls = case.bursts * BURST;
-    let mut contenders = worlds.map(|mut world| {
-        let round = move || (0..case.bursts).map(|_| burst(world.as_mut())).sum();
-        Contender { round: Box::new(round), calls }
-    });
-    let times = nanoseconds_a_call(&mut contenders, rounds);
-    let by_engine = Engine::TIMED.iter().zip(&times);
-    let rapier = by_engine.clone().find(|(engine, _)| **engine == Engine::Rapier);
-    let (_, rapier) = rapier.expect("rapier2d is timed");
-    by_engine
-        .zip(contacts)
-        .map(|((&engine, taken_ns), contacts)| {
-            let (step_ns, ratio) = (median(taken_ns), median_ratio(taken_ns, rapier));
-            let (aim, reached) = match engine {
-                Engine::Rapier => (String::new(), ""),
-                _ => case.judged(step_ns, ratio),
-            };
-            vec![
-                case.name.to_owned(),
-                engine.name().to_owned(),
-                contacts.to_string(),
-                format!("{:.3}", step_ns / 1e3),
-                format!("{:.0}", step_ns / contacts as f64),
-                format!("{ratio:.3}"),
-                aim,
-                reached.to_owned(),
-            ]
+    let own = Engine::OURS.iter().filter(|engine| case.paper || !engine.is_paper());
+    let engines: Vec<Engine> = own.chain(Engine::PEERS).copied().collect();
+    let mut worlds: Vec<_> = engines.iter().map(|engine| engine.world(&plan, STEP_S)).collect();
+    let contacts: Vec<usize> = worlds
+        .iter_mut()
+        .map(|world| {
+            burst(world.as_mut());
+            if play == Play::Steady {
+                (BURST..SETTLING).for_each(|_| world.step());
+            }
+            world.touching()
         })
-        .collect()
+        .collect();
+    let calls = case.bursts * BURST;
+    let contender = |mut world: Box<dyn World>| {
+        let round = move || match play {
+            Play::Anew => (0..case.bursts).map(|_| burst(world.as_mut())).sum(),
+            Play::Steady => on_clock(world.as_mut(), calls),
+        };
+        Contender { round: Box::new(round), calls }
+    };
+    let mut contenders: Vec<Contender<'_>> = worlds.into_iter().map(contender).collect();
+    let times = nanoseconds_a_call(&mut contenders, rounds);
+    let of_peers =
+        || engines.iter().zip(&times).filter(|(engine, _)| Engine::PEERS.contains(engine));
+    let row = |((&engine, taken_ns), contacts): ((&Engine, &Vec<f64>), usize)| {
+        let step_ns = median(taken_ns);
+        let ratios: Vec<f64> =
+            of_peers().map(|(_, peer_ns)| median_ratio(taken_ns, peer_ns)).collect();
+        let judged = !Engine::PEERS.contains(&engine) && play == Play::Anew;
+        let (aim, reached) =
+            if judged { case.judged(step_ns, ratios[0]) } else { (String::new(), "") };
+        let mut row = vec![
+            case.name.to_owned(),
+            play.name().to_owned(),
+            engine.name().to_owned(),
+            contacts.to_string(),
+            format!("{:.3}", step_ns / 1e3),
+            format!("{:.0}", step_ns / contacts as f64),
+        ];
+        row.extend(ratios.iter().map(|ratio| format!("{ratio:.3}")));
+        row.extend([aim, reached.to_owned()]);
+        row
+    };
+    engines.iter().zip(&times).zip(contacts).map(row).collect()
 }
 
 impl Case {
@@ -132,6 +221,9 @@ impl Case {
             self.most_of_rapier.map(|most| (format!("≤ {most}"), ratio <= most)),
         ];
         let aims: Vec<(String, bool)> = aims.into_iter().flatten().collect();
+        if aims.is_empty() {
+            return (String::new(), "");
+        }
         let reached = aims.iter().any(|&(_, reached)| reached);
         let text = aims.into_iter().map(|(text, _)| text).collect::<Vec<_>>().join(" or ");
         (text, if reached { "✓" } else { "✗" })
@@ -141,8 +233,13 @@ impl Case {
 /// One restart, off the clock, and the steps on it.
 pub(crate) fn burst(world: &mut dyn World) -> Duration {
     world.restart();
+    on_clock(world, BURST)
+}
+
+/// So many steps.
+fn on_clock(world: &mut dyn World, steps: usize) -> Duration {
     let start = Instant::now();
-    for _ in 0..BURST {
+    for _ in 0..steps {
         world.step();
     }
     start.elapsed()

@@ -1,7 +1,11 @@
 //! What a bench asks of an engine that plays a scene.
 
+#[cfg(feature = "peers")]
+use fenderline_bench_peers::{Box2d, Chipmunk};
 use fenderline_contact::{BodyState, Vec2};
 
+#[cfg(feature = "peers")]
+use crate::c_engines;
 use crate::engine::{Method, Ours};
 use crate::rapier::Rapier;
 use crate::scenes::Plan;
@@ -40,15 +44,32 @@ pub(crate) enum Engine {
     PaperBrief,
     /// rapier2d-f64.
     Rapier,
+    /// Box2D 3.2, in single precision.
+    #[cfg(feature = "peers")]
+    Box2d,
+    /// Chipmunk 7.
+    #[cfg(feature = "peers")]
+    Chipmunk,
 }
 
 impl Engine {
     /// Those that differ in what they answer.
     pub(crate) const ALL: [Engine; 3] = [Engine::Coupled, Engine::Paper, Engine::Rapier];
 
-    /// Those that differ in the time they take.
-    pub(crate) const TIMED: [Engine; 5] =
-        [Engine::Coupled, Engine::CoupledBrief, Engine::Paper, Engine::PaperBrief, Engine::Rapier];
+    /// Ours, that differ in the time they take.
+    pub(crate) const OURS: &[Engine] =
+        &[Engine::Coupled, Engine::CoupledBrief, Engine::Paper, Engine::PaperBrief];
+
+    /// Is it ours by the paper's method?
+    pub(crate) fn is_paper(self) -> bool {
+        matches!(self, Engine::Paper | Engine::PaperBrief)
+    }
+
+    /// The peers in this build; rapier2d is the first.
+    #[cfg(feature = "peers")]
+    pub(crate) const PEERS: &[Engine] = &[Engine::Rapier, Engine::Box2d, Engine::Chipmunk];
+    #[cfg(not(feature = "peers"))]
+    pub(crate) const PEERS: &[Engine] = &[Engine::Rapier];
 
     pub(crate) fn name(self) -> &'static str {
         match self {
@@ -57,6 +78,10 @@ impl Engine {
             Engine::Paper => "paper",
             Engine::PaperBrief => "paper-brief",
             Engine::Rapier => "rapier2d",
+            #[cfg(feature = "peers")]
+            Engine::Box2d => "Box2D",
+            #[cfg(feature = "peers")]
+            Engine::Chipmunk => "Chipmunk",
         }
     }
 
@@ -67,6 +92,10 @@ impl Engine {
             Engine::Paper => Box::new(Ours::new(plan, Method::Paper, step_s)),
             Engine::PaperBrief => Box::new(Ours::new(plan, Method::Paper, step_s).brief()),
             Engine::Rapier => Box::new(Rapier::new(plan, step_s)),
+            #[cfg(feature = "peers")]
+            Engine::Box2d => c_engines::world::<Box2d>(plan, step_s),
+            #[cfg(feature = "peers")]
+            Engine::Chipmunk => c_engines::world::<Chipmunk>(plan, step_s),
         }
     }
 }

@@ -6,11 +6,12 @@ use std::process::ExitCode;
 use crate::command::{cargo, run};
 use crate::tools;
 
-const BENCHES: [&str; 12] = [
+const BENCHES: [&str; 13] = [
     "clip",
     "step",
     "islands",
     "fenders",
+    "threads",
     "outlines",
     "first",
     "border",
@@ -40,6 +41,16 @@ pub(crate) fn bench(names: &[&str]) -> ExitCode {
         let bench: &[&str] = match name {
             // An example of the crate that it measures.
             "border" => &["--package", "fenderline-capi", "--example", "cost"],
+            "step" => match tools::c_peers() {
+                Ok(()) => &["--package", "fenderline-bench", "--features", "peers", "--", name],
+                Err(missing) => {
+                    println!(
+                        "without Box2D and Chipmunk: {} is missing; install: {}",
+                        missing.tool, missing.install
+                    );
+                    &["--package", "fenderline-bench", "--", name]
+                }
+            },
             _ => &["--package", "fenderline-bench", "--", name],
         };
         let mut cargo = cargo(["run", "--quiet", "--release"]);

@@ -91,6 +91,13 @@ pub(crate) fn valgrind() -> Result<(), Missing> {
         .ok_or(Missing { tool: "valgrind", install: "from your distribution" })
 }
 
+/// A C compiler, which builds Box2D for the benches, and the library Chipmunk.
+pub(crate) fn c_peers() -> Result<(), Missing> {
+    answers(Command::new("cc").args(["-shared", "-o", "/dev/null", "-lchipmunk"]))
+        .then_some(())
+        .ok_or(Missing { tool: "Chipmunk or a C compiler", install: "libchipmunk-dev and gcc" })
+}
+
 /// Node and npm, new enough for the pages' tools.
 pub(crate) fn node() -> Result<(), Missing> {
     let asks = "const [a, b] = process.versions.node.split('.').map(Number); \

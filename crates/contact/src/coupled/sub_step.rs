@@ -14,6 +14,11 @@ pub(crate) struct SubStep {
 }
 
 impl SubStep {
+    /// The only sub-step of a step.
+    pub(crate) fn whole(step_s: f64) -> SubStep {
+        SubStep { number: 0, count: 1, h: step_s, share: 1.0 }
+    }
+
     /// All `count` sub-steps of a step.
     pub(crate) fn all(count: u32, step_s: f64) -> impl Iterator<Item = SubStep> {
         let (h, share) = (step_s / f64::from(count), 1.0 / f64::from(count));

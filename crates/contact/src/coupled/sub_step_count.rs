@@ -55,14 +55,16 @@ struct Demand {
 pub(crate) type Sums = Vec<f64>;
 
 impl Demand {
-    /// Adds what one candidate demands. `sums` is given if its island may have several floating bodies.
+    /// Adds what one candidate of an island with one floating body demands.
     #[inline(always)]
-    fn add(&mut self, one: Demand, candidate: &Candidate, model: &Model, sums: Option<&mut Sums>) {
+    fn add(&mut self, one: Demand) {
         self.travel = greater(self.travel, one.travel);
-        let Some(sums) = sums else {
-            self.rate_squared += one.rate_squared;
-            return;
-        };
+        self.rate_squared += one.rate_squared;
+    }
+
+    /// As [`Demand::add`], if the island may have several floating bodies.
+    fn add_joined(&mut self, one: Demand, candidate: &Candidate, model: &Model, sums: &mut Sums) {
+        self.travel = greater(self.travel, one.travel);
         for rank in [candidate.a, candidate.b] {
             if !model.ranked[rank as usize].is_fixed() {
                 let sum = &mut sums[rank as usize];
@@ -176,22 +178,34 @@ impl Bounded<'_> {
         island: &Island,
         left: &mut &[Patch],
         turn: f64,
-        mut sums: Option<&mut Sums>,
+        sums: Option<&mut Sums>,
     ) -> u32 {
         let pairings = &self.candidates.pairings[island.candidates()];
         // Each candidate's share of ω² that needs no further sub-step.
         let share = 1.0 / (turn * turn * f64::from(pairings.len() as u32));
+        let candidates = (island.candidates().start..).zip(pairings);
         let mut demand = Demand::default();
-        for (index, pairing) in (island.candidates().start..).zip(pairings) {
-            let one = self.demand_of(pairing, patches_of(left, index), share);
-            demand.add(one, &pairing.candidate, self.model, sums.as_deref_mut());
-        }
-        if let Some(sums) = sums {
-            for Pairing { candidate, .. } in pairings {
-                (sums[candidate.a as usize], sums[candidate.b as usize]) = (0.0, 0.0);
+        // Two loops, so that a ship on fenders does not ask of each for what only islands of several floating bodies need.
+        let Some(sums) = sums else {
+            for (index, pairing) in candidates {
+                demand.add(self.demand_of(pairing, patches_of(left, index), share));
             }
+            return demand.sub_steps(turn);
+        };
+        for (index, pairing) in candidates {
+            let one = self.demand_of_joined(pairing, patches_of(left, index), share);
+            demand.add_joined(one, &pairing.candidate, self.model, sums);
+        }
+        for Pairing { candidate, .. } in pairings {
+            (sums[candidate.a as usize], sums[candidate.b as usize]) = (0.0, 0.0);
         }
         demand.sub_steps(turn)
+    }
+
+    /// As [`Bounded::demand_of`]; not inlined.
+    #[inline(never)]
+    fn demand_of_joined(&self, pairing: &Pairing, own: &[Patch], share: f64) -> Demand {
+        self.demand_of(pairing, own, share)
     }
 
     /// What a candidate with these patches demands.
@@ -395,8 +409,13 @@ fn existing_rate_squared(bounds: &Bounds, only: &Patch, share: f64) -> f64 {
 }
 
 /// Takes the patches of candidate number `index` off the front of `patches`.
+#[inline(always)]
 fn patches_of<'p>(patches: &mut &'p [Patch], index: usize) -> &'p [Patch] {
-    let count = patches.iter().take_while(|patch| patch.of as usize == index).count();
+    let is_own = |patch: &&Patch| patch.of as usize == index;
+    let count = match patches {
+        [first, others @ ..] if is_own(&first) => 1 + others.iter().take_while(is_own).count(),
+        _ => 0,
+    };
     let (own, rest) = patches.split_at(count);
     *patches = rest;
     own

@@ -106,7 +106,7 @@ impl SubSteps<'_> {
             if group[0].sub_steps > 1 {
                 self.several(past, group, first, later, step_s);
             } else {
-                SubStep::all(1, step_s).for_each(|whole| self.sub_step(past, first, group, whole));
+                self.sub_step(past, first, group, SubStep::whole(step_s));
                 self.next_memory.hints.extend_from_slice(past.hints);
             }
             self.dynamics.mark_moved_fixed();
@@ -117,7 +117,12 @@ impl SubSteps<'_> {
     /// Begins a group of islands.
     fn enter(&mut self, islands: &[Island]) {
         let pairings = self.candidates.pairings.as_slice();
-        self.group.enter(islands, pairings, &mut self.dynamics.roles);
+        let Dynamics { roles, moving_fixed, .. } = &mut *self.dynamics;
+        if self.joined || !moving_fixed.is_empty() {
+            self.group.enter(islands, pairings, roles);
+        } else {
+            self.group.enter_alone(islands, pairings, roles);
+        }
         self.group.first = self.next_memory.lengths();
         self.group.first_contact = self.results.contacts.len();
         let own = &pairings[self.group.candidates.clone()];

@@ -1,0 +1,72 @@
+//! Thousands of independent pairs on several threads: a model, a memory and a workspace for each thread.
+
+use std::thread;
+use std::time::{Duration, Instant};
+
+use fenderline_contact::BodyState;
+
+use crate::engine::{Method, Ours};
+use crate::rounds::{Contender, least, nanoseconds_a_call};
+use crate::scenes::{Plan, Scene};
+use crate::step::{BURST, STEP_S};
+use crate::table::Table;
+use crate::world::World;
+
+const PAIRS: usize = 10_000;
+const THREADS: [usize; 4] = [1, 2, 4, 8];
+
+pub(crate) fn bench(rounds: usize) -> Table {
+    let plan = Scene::Pairs(PAIRS).plan();
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    let mut teams: Vec<Vec<Ours>> = THREADS.iter().map(|&count| team(&plan, count)).collect();
+    let states: Vec<Vec<BodyState>> = teams
+        .iter_mut()
+        .map(|team| {
+            burst(team);
+            team.iter().flat_map(Ours::states).copied().collect()
+        })
+        .collect();
+    let contender =
+        |mut team: Vec<Ours>| Contender { round: Box::new(move || burst(&mut team)), calls: BURST };
+    let mut contenders: Vec<Contender<'_>> = teams.into_iter().map(contender).collect();
+    let times = nanoseconds_a_call(&mut contenders, rounds);
+    let mut table = Table::new(&["threads", "a step [µs]", "times as fast", "same bits"]);
+    for ((count, taken_ns), own) in THREADS.iter().zip(&times).zip(&states) {
+        table.row(vec![
+            count.to_string(),
+            format!("{:.0}", least(taken_ns) / 1e3),
+            format!("{:.2}", least(&times[0]) / least(taken_ns)),
+            if *own == states[0] { "✓" } else { "✗" }.to_owned(),
+        ]);
+    }
+    table.note(&format!("{PAIRS} tugs on fenders, coupled-brief, on {cores} cores. Each thread has a model of its own of its tugs and"));
+    table.note("fenders, and is started for each step. Least of the rounds: beside other work all of them are slower with more threads.");
+    table
+}
+
+/// The scene in so many models.
+fn team(plan: &Plan, count: usize) -> Vec<Ours> {
+    // A tug and its fender are neighbours in the list.
+    let each = (plan.parts.len() / 2).div_ceil(count) * 2;
+    let part = |parts: &[_]| Plan { parts: parts.to_vec(), ..plan.clone() };
+    plan.parts
+        .chunks(each)
+        .map(|parts| Ours::new(&part(parts), Method::Coupled, STEP_S).brief())
+        .collect()
+}
+
+/// One restart, off the clock, and the steps on it.
+fn burst(team: &mut [Ours]) -> Duration {
+    team.iter_mut().for_each(Ours::restart);
+    let start = Instant::now();
+    for _ in 0..BURST {
+        let Some((first, others)) = team.split_first_mut() else { continue };
+        thread::scope(|scope| {
+            for other in others {
+                scope.spawn(move || other.step());
+            }
+            first.step();
+        });
+    }
+    start.elapsed()
+}
