@@ -1,6 +1,6 @@
 //! The maximum of a smooth function by Newton's method with differences, and the covariance that its curvature gives.
 
-use super::FitFault;
+use super::error::FitFault;
 
 /// A maximum.
 pub(super) struct Maximum {
