@@ -14,6 +14,6 @@ mod work;
 pub use draw::{Drawn, Draws, Formula};
 pub use error::CampaignError;
 pub use row::{Cell, Head, Row};
-pub use run::{Runner, Runs};
+pub use run::{Runner, Runs, Seen};
 pub use stop::StopRule;
 pub use work::make;

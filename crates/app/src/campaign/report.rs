@@ -9,7 +9,7 @@ use fenderline_campaign::statistics::fit::Law;
 use fenderline_campaign::statistics::return_value::Traffic;
 use fenderline_campaign::store::{Shard, TABLE_PARQUET};
 use fenderline_campaign::table::Table;
-use fenderline_campaign::{Formula, Head, Runs};
+use fenderline_campaign::{Formula, Head, Runner, Runs, Seen};
 use fenderline_scenario::{Campaign, Draw, Variable};
 
 use super::default_folder;
@@ -24,6 +24,10 @@ pub(super) const REPORT: &str = "report.html";
 /// Numbers of every campaign that the report shows, the most important first.
 const SHOWN: [&str; 6] =
     ["energy", "reaction", "deflection", "governing_share", "hull_pressure", "line_share"];
+
+/// Runs whose paths are drawn at most, and the time steps that may be made again for it: some seconds.
+const SEEN_RUNS: u64 = 200;
+const SEEN_STEPS: f64 = 2e6;
 
 /// Laws that are fitted.
 const LAWS: [Law; 4] = [Law::LogNormal, Law::Weibull, Law::Gumbel, Law::Gev];
@@ -73,6 +77,7 @@ pub(super) fn write(runs: &Runs, file: &Path, folder: &Path) -> Result<(), Failu
         outputs: &outputs,
         weights: None,
         success: campaign.success.as_deref(),
+        seen: &seen(runs),
         asked: &asked,
         replay: &replay,
     });
@@ -103,6 +108,15 @@ fn outputs(runs: &Runs, table: &Table) -> Vec<String> {
         .filter(|name| Some(name.as_str()) != campaign.success.as_deref())
         .filter(is_known)
         .collect()
+}
+
+/// The paths of the first runs, as many as few steps allow: they are made again for it.
+fn seen(runs: &Runs) -> Vec<Seen> {
+    let setup = &runs.base().setup;
+    let affordable = (SEEN_STEPS * setup.step_s / setup.duration_s) as u64;
+    let count = affordable.clamp(1, SEEN_RUNS).min(runs.count());
+    let mut runner = Runner::new(runs);
+    (0..count).filter_map(|run| runner.see(run)).collect()
 }
 
 /// The numbers of a formula.

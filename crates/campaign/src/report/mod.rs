@@ -7,6 +7,7 @@ mod column;
 mod convergence;
 mod inputs;
 mod operability;
+mod plan;
 mod scatter;
 mod sensitivity;
 mod verdicts;
@@ -51,6 +52,8 @@ pub struct Campaign<'a> {
     pub weights: Option<&'a str>,
     /// Column that is 1 where a run succeeds and 0 where not; without it the verdict decides.
     pub success: Option<&'a str>,
+    /// Runs whose paths are drawn; none for a table of unknown runs.
+    pub seen: &'a [crate::run::Seen],
     /// Berthings a year, return periods, laws.
     pub asked: &'a Asked,
     /// The command that runs a row (from 0) again, with its report.
@@ -88,6 +91,7 @@ pub fn render(campaign: &Campaign<'_>) -> Result<String, ReportError> {
         p class="subtitle" { (verdicts.runs) " runs of " (campaign.scenario) "." }
         h2 { "Verdicts" }
         (verdicts.section(campaign.asked.confidence))
+        (plan::section(campaign.seen))
         @for output in &outputs { (section(output)) }
         (scatter::section(campaign.table)?)
         (worst::section(campaign, &outputs, &verdicts))

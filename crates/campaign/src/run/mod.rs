@@ -6,5 +6,7 @@ mod named;
 mod numbers;
 mod outputs;
 mod runner;
+mod seen;
 
 pub use self::runner::{Runner, Runs};
+pub use self::seen::Seen;

@@ -281,6 +281,14 @@ impl<'r> Runner<'r> {
         Some(outputs.cells(drawn.values, simulation, &world, &motions, &numbers))
     }
 
+    /// The simulation of a run before its first step; `None` for one that cannot be made or has too many steps.
+    pub(super) fn started(&mut self, run: u64) -> Option<&mut Simulation> {
+        let drawn = self.runs.draws.of_run(run);
+        self.begin(&drawn).ok()?;
+        let most = self.runs.campaign.most_steps;
+        self.own.as_mut().filter(|own| own.steps_total() <= most)
+    }
+
     /// Puts the simulation of a run before its first step into `own`; the number of the scenario's notices.
     fn begin(&mut self, drawn: &Drawn) -> Result<usize, String> {
         let overrides = drawn.overrides()?;

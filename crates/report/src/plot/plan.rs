@@ -39,7 +39,8 @@ impl Plan {
                         @for fender in &self.fenders { (fenders::fender(fender, &map)) }
                         @for track in &self.tracks {
                             path d=(map.path(&track.points_m)) fill="none" stroke=(colour(track.style))
-                                stroke-width="1" stroke-dasharray=(dash(2)) {}
+                                stroke-width="1" stroke-dasharray=[(!track.is_one_of_many).then(|| dash(2))]
+                                stroke-opacity=[track.is_one_of_many.then_some("0.35")] {}
                         }
                         @for ends_m in &self.harbour.banks { (harbour::bank(*ends_m, &map)) }
                         @for line in &self.harbour.lines { (harbour::line(line, &map)) }
@@ -205,7 +206,11 @@ mod tests {
                     colour: "#000",
                 }],
             },
-            tracks: vec![Track { points_m: vec![frame.low, frame.high], style: 1 }],
+            tracks: vec![Track {
+                points_m: vec![frame.low, frame.high],
+                style: 1,
+                is_one_of_many: false,
+            }],
             arrows: vec![Arrow {
                 from_m: frame.low,
                 direction: vec2(1.0, 0.0),

@@ -62,6 +62,8 @@ pub struct Track {
     pub points_m: Vec<Vec2>,
     /// Number of the body's colour.
     pub style: usize,
+    /// Drawn thin and faint: where many lie, it is dark.
+    pub is_one_of_many: bool,
 }
 
 impl Plan {

@@ -113,6 +113,7 @@ fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Ma
     let tracks = tracks.map(|trace| Track {
         points_m: trace.track_to(&outcome.states[trace.body]),
         style: styles[trace.body],
+        is_one_of_many: false,
     });
     let contact_point = recorder.peak.iter().map(|peak| Arrow {
         from_m: peak.contact.point_m,
