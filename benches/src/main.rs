@@ -24,6 +24,7 @@ mod berth;
 #[cfg(feature = "peers")]
 mod c_engines;
 mod callgrind;
+mod campaign;
 mod clip;
 mod engine;
 mod fenders;
@@ -67,6 +68,7 @@ usage: fenderline-bench clip [--markdown] [--rounds N]   the overlap of two conv
        fenderline-bench first [--markdown] [--rounds N]  the first step of many tugs beside a warm one
        fenderline-bench outlines [--markdown] [--rounds N]
                                                          two outlines of up to 1,000 corners that are not convex
+       fenderline-bench campaign [--markdown] [--rounds N]  a campaign beside its bare steps
        fenderline-bench many [--markdown] [--rounds N]   many runs of one scenario with other numbers
        fenderline-bench runs METHOD SET_UP N             N such runs, to be counted by a profiler; SET_UP is
                                                          anew or restart
@@ -118,6 +120,10 @@ fn run(arguments: &[&str]) -> Result<(), String> {
         ["many", options @ ..] => {
             let (style, rounds) = options_of(options)?;
             println!("{}", many::bench(rounds).printed(style));
+        }
+        ["campaign", options @ ..] => {
+            let (style, rounds) = options_of(options)?;
+            println!("{}", campaign::bench(rounds)?.printed(style));
         }
         ["threads", options @ ..] => {
             let (style, rounds) = options_of(options)?;

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use crate::command::{cargo, run};
 use crate::tools;
 
-const BENCHES: [&str; 13] = [
+const BENCHES: [&str; 14] = [
     "clip",
     "step",
     "islands",
@@ -19,6 +19,7 @@ const BENCHES: [&str; 13] = [
     "mmg",
     "berth",
     "many",
+    "campaign",
     "callgrind",
 ];
 

@@ -48,7 +48,7 @@ usage: cargo xtask test                   everything that a change must pass
                                           all hostile checks, or the named ones: one after the other in SECONDS
                                           (default: 600), or together, each for SECONDS
        cargo xtask fuzz [SECONDS]         each fuzz target for SECONDS (default: 20)
-       cargo xtask bench [clip|step|islands|fenders|threads|border|accuracy|mmg|berth|many|callgrind]...
+       cargo xtask bench [clip|step|islands|fenders|threads|border|accuracy|mmg|berth|many|campaign|callgrind]...
                                           times and results compared with peers, and
                                           instructions per step (default: all)
        cargo xtask book                   the book of docs/, into target/book

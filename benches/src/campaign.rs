@@ -1,0 +1,117 @@
+//! A campaign on one core: berthings of a ship at eight fenders, 60 s at 0.1 s. Processor time of a run in a campaign, with its draw and its
+//! row, beside that of the bare steps.
+
+use std::hint::black_box;
+use std::path::PathBuf;
+
+use fenderline_campaign::{Runner, Runs};
+use fenderline_scenario::Campaign;
+use fenderline_sim::Simulation;
+
+use crate::rounds::{Contender, least, nanoseconds_a_call};
+use crate::table::Table;
+
+const SCENARIO: &str = include_str!("../../scenarios/berth/eight_cones_at_5_deg.toml");
+
+const CAMPAIGN: &str = r#"
+scenario = "eight.toml"
+number = 1000000
+set = ["time.duration=60 s"]
+[variable.sway]
+key = "body.ship.velocity.sway"
+distribution = "lognormal"
+mean = "10 cm/s"
+standard_deviation = "4.47 cm/s"
+at_most = "30 cm/s"
+[variable.heading]
+key = "body.ship.heading"
+distribution = "normal"
+mean = "0 deg"
+standard_deviation = "1.5 deg"
+at_least = "-4 deg"
+at_most = "4 deg"
+"#;
+
+/// Runs in a round: few, so that some rounds are not interrupted on a machine with other work.
+const RUNS: u64 = 40;
+
+/// Minutes that 10⁶ runs may take on two cores.
+const AIM_MIN: f64 = 10.0;
+
+fn runs() -> Result<(Runs, PathBuf), String> {
+    let folder =
+        std::env::temp_dir().join(format!("fenderline-bench-campaign-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).map_err(|e| e.to_string())?;
+    // Without the study of the berthing, which is not part of a step.
+    let scenario = SCENARIO.split("[berthing]").next().unwrap_or(SCENARIO);
+    std::fs::write(folder.join("eight.toml"), scenario).map_err(|e| e.to_string())?;
+    let file = folder.join("campaign.toml");
+    std::fs::write(&file, CAMPAIGN).map_err(|e| e.to_string())?;
+    let campaign = Campaign::load(&file).map_err(|e| e.to_string())?;
+    Ok((Runs::new(campaign).map_err(|e| e.to_string())?, folder))
+}
+
+/// The bare steps of the same runs: one simulation, started again.
+fn steps(runs: &Runs, simulation: &mut Simulation) {
+    let base = runs.base();
+    let mut start = base.setup.start();
+    for run in 0..RUNS {
+        let own = runs.draws().of_run(run).overrides().expect("good values");
+        assert!(base.start_with(&own, &mut start), "the start alone differs");
+        simulation.restart(&start).expect("a restart in place");
+        while !simulation.is_done() {
+            black_box(simulation.step().expect("a good step"));
+        }
+    }
+}
+
+/// Times a campaign and its bare steps.
+///
+/// # Errors
+/// The scenario or the folder for temporary files.
+pub(crate) fn bench(rounds: usize) -> Result<Table, String> {
+    let (runs, folder) = runs()?;
+    let mut runner = Runner::new(&runs);
+    let mut simulation = Simulation::new(runs.base().setup.clone()).map_err(|e| e.to_string())?;
+    let campaign = || {
+        for run in 0..RUNS {
+            black_box(runner.run(run, &|| false));
+        }
+    };
+    let mut contenders = [
+        Contender::clocked(campaign, RUNS as usize),
+        Contender::clocked(|| steps(&runs, &mut simulation), RUNS as usize),
+    ];
+    let times = nanoseconds_a_call(&mut contenders, rounds);
+    let [run_ns, steps_ns] = [0, 1].map(|way| least(&times[way]));
+    let mut table = Table::new(&[
+        "",
+        "a run [µs]",
+        "over the bare steps",
+        "10⁶ runs on two cores [min]",
+        "to reach",
+        "",
+    ]);
+    let minutes = run_ns * 1e6 / 2.0 / 60e9;
+    let verdict = |good: bool| if good { "✓" } else { "✗" }.to_owned();
+    table.row(vec![
+        "a campaign".to_owned(),
+        format!("{:.1}", 1e-3 * run_ns),
+        format!("{:.3}", run_ns / steps_ns),
+        format!("{minutes:.1}"),
+        format!("≤ 1.1, ≤ {AIM_MIN}"),
+        verdict(run_ns <= 1.1 * steps_ns && minutes <= AIM_MIN),
+    ]);
+    table.row(vec![
+        "bare steps".to_owned(),
+        format!("{:.1}", 1e-3 * steps_ns),
+        "1".to_owned(),
+        String::new(),
+        String::new(),
+        String::new(),
+    ]);
+    table.note("least of the rounds by processor time, one core: a ship of 300 m at eight cone fenders, 600 steps a run; two cores by halving.");
+    // An error is ignored: it is a folder for temporary files.
+    let _ = std::fs::remove_dir_all(folder);
+    Ok(table)
+}
