@@ -1,6 +1,8 @@
 //! Plan views: bodies seen from above, north up, one scale both ways.
 
+mod arrows;
 mod box2;
+mod contents;
 mod fenders;
 mod furniture;
 mod harbour;
@@ -11,86 +13,15 @@ use fenderline_contact::Vec2;
 use maud::{Markup, html};
 
 use super::{colour, dash};
-use box2::Box2;
+pub use contents::{Outlined, Plan, Stage, Track};
 pub use fenders::{FenderBox, Use, fenders_legend};
 use furniture::{grid, north_arrow, scale_bar};
 pub use harbour::{Harbour, LineDrawn, TugDrawn, Weather, harbour_legend};
-use labels::{arrow_boxes, text_places};
+use labels::text_places;
 use map::{ARROW, BOTTOM, Map, TOP, WIDTH, arrow_text};
 pub use map::{Arrow, Frame, Label, Place};
 
-/// A plan view to draw.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Plan {
-    /// Printed above the view.
-    pub title: String,
-    /// What part of the plane it shows.
-    pub frame: Frame,
-    /// Outlines, drawn first to last.
-    pub outlines: Vec<Outlined>,
-    /// Fenders, drawn over the outlines.
-    pub fenders: Vec<FenderBox>,
-    /// Lines, tugs, wind and current.
-    pub harbour: Harbour,
-    /// Paths of bodies.
-    pub tracks: Vec<Track>,
-    /// Forces, and points where they act.
-    pub arrows: Vec<Arrow>,
-    /// Names.
-    pub labels: Vec<Label>,
-    /// The note below the view; empty for none.
-    pub note: String,
-}
-
-/// When an outline is shown, which sets how it is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stage {
-    /// Does not move.
-    Fixed,
-    /// At the start of the run.
-    Start,
-    /// At the peak force.
-    Peak,
-    /// At the end of the run.
-    End,
-}
-
-/// The outline of a body, earth-fixed (m).
-#[derive(Clone, Debug, PartialEq)]
-pub struct Outlined {
-    /// Its corners (m).
-    pub vertices_m: Vec<Vec2>,
-    /// When in the run.
-    pub stage: Stage,
-    /// Number of the colour; fixed bodies are grey.
-    pub style: usize,
-}
-
-/// The path of a body's centre of gravity, earth-fixed (m).
-#[derive(Clone, Debug, PartialEq)]
-pub struct Track {
-    /// Its points (m).
-    pub points_m: Vec<Vec2>,
-    /// Number of the body's colour.
-    pub style: usize,
-}
-
 impl Plan {
-    /// What no text may cover.
-    fn obstacles(&self, map: &Map) -> Vec<Box2> {
-        let mut all = furniture::boxes(map);
-        all.extend(harbour::boxes(&self.harbour, map));
-        all.extend(self.arrows.iter().flat_map(|arrow| arrow_boxes(arrow, map)));
-        all.extend(self.fenders.iter().map(|fender| Box2::around(&fender.corners(map), 0.0)));
-        all
-    }
-
-    /// The texts that have to find a place: those of the tugs, then the names.
-    fn texts(&self) -> impl Iterator<Item = &str> {
-        let tugs = self.harbour.tugs.iter().map(|tug| tug.label.as_str());
-        tugs.chain(self.labels.iter().map(|label| label.text.as_str()))
-    }
-
     /// The view as a `figure` with its title and note.
     pub fn render(&self) -> Markup {
         let map = Map::of(self.frame);

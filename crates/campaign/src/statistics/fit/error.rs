@@ -1,17 +1,6 @@
-//! Why a fit fails.
+//! Reasons why a fit fails.
 
 use core::fmt;
-
-use super::Law;
-
-/// A fit that failed.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FitError {
-    /// The law.
-    pub law: Law,
-    /// The reason.
-    pub fault: FitFault,
-}
 
 /// The reason why a fit failed.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,12 +39,6 @@ pub enum FitFault {
     },
 }
 
-impl fmt::Display for FitError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.law.title(), self.fault)
-    }
-}
-
 impl fmt::Display for FitFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -81,5 +64,3 @@ impl fmt::Display for FitFault {
         }
     }
 }
-
-impl std::error::Error for FitError {}

@@ -7,6 +7,7 @@
 
 mod distribution;
 mod error;
+mod failed;
 mod goodness;
 mod laws;
 mod newton;
@@ -15,7 +16,8 @@ mod start;
 use super::{Confidence, Estimate, Interval, Sample};
 
 pub use distribution::Distribution;
-pub use error::{FitError, FitFault};
+pub use error::FitFault;
+pub use failed::FitError;
 pub use laws::Law;
 use newton::Maximum;
 

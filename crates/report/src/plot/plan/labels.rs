@@ -2,10 +2,10 @@
 
 use fenderline_contact::Vec2;
 
-use super::Plan;
 use super::box2::{Box2, HALF_LINE};
+use super::contents::Plan;
 use super::harbour::tug_texts;
-use super::map::{ARROW, Arrow, Map, Place, arrow_text};
+use super::map::{Map, Place};
 
 /// Distances from the thing that a name belongs to, and between two tries (px).
 const GAP: f64 = 5.0;
@@ -50,21 +50,6 @@ fn thing(place: &Place, map: &Map) -> Option<(f64, f64)> {
         Place::Beside { point_m, .. } => Some(map.px(*point_m)),
         Place::At(_) | Place::On { .. } => None,
     }
-}
-
-/// The ring at an arrow's beginning, its shaft and its text.
-pub(super) fn arrow_boxes(arrow: &Arrow, map: &Map) -> Vec<Box2> {
-    let (x, y) = map.px(arrow.from_m);
-    let mut all = vec![Box2::around(&[(x, y)], 8.0)];
-    if arrow.direction != Vec2::ZERO {
-        let tip = (x + arrow.direction.y * ARROW, y - arrow.direction.x * ARROW);
-        all.push(Box2::around(&[(x, y), tip], 5.0));
-    }
-    if !arrow.label.is_empty() {
-        let (text_x, text_y, is_left) = arrow_text(arrow, map);
-        all.push(Box2::of_text_from(&arrow.label, (text_x, text_y), is_left));
-    }
-    all
 }
 
 /// Places for the middle of a text (px), the best first.
@@ -138,6 +123,7 @@ fn around((x, y): (f64, f64), reach: f64, half_width: f64, map: &Map) -> Vec<(f6
 mod tests {
     use fenderline_contact::vec2;
 
+    use super::super::map::Arrow;
     use super::super::{
         FenderBox, Frame, Harbour, Label, LineDrawn, Outlined, Stage, TugDrawn, Use, Weather,
     };
@@ -257,7 +243,7 @@ mod tests {
         assert!(drawn.iter().any(|(text, _)| text == "bulk carrier"), "{drawn:?}");
         let of_tugs = drawn.iter().filter(|(text, _)| text.starts_with("Tug")).count();
         assert_eq!(of_tugs, 6, "each tug has her text: {drawn:?}");
-        let arrow = arrow_boxes(&plan.arrows[0], &map);
+        let arrow = super::super::arrows::boxes(&plan.arrows[0], &map);
         // The arrow's text and the N of the north arrow are among the obstacles.
         let obstacles = plan.obstacles(&map).into_iter().map(|of| ("an obstacle".to_owned(), of));
         let texts: Vec<_> = drawn.into_iter().filter(|(text, _)| !text.starts_with('N')).collect();
