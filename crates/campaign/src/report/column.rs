@@ -87,15 +87,15 @@ fn chart(head: &Head, findings: &Findings, asked: &Asked) -> Chart {
     let rarest = findings.rows.iter().map(|row| row.exceedance);
     let rarest =
         rarest.fold(1.0 / findings.sample.count() as f64, fenderline_contact::number::lesser);
-    let mut series = vec![
-        Series::band(&format!("{per_cent} % band of the data"), lower, upper).styled(6),
-        Series::dots("data", data).styled(6),
-    ];
+    let mut series =
+        vec![Series::band(&format!("{per_cent} % band of the data"), lower, upper).styled(6)];
     for (style, fit) in findings.fits.iter().enumerate() {
         if let Ok(fit) = fit {
             series.push(Series::line(fit.law.title(), line(fit, findings, rarest)).styled(style));
         }
     }
+    // On top of the lines.
+    series.push(Series::dots("data", data).styled(6));
     // Those of a lifetime lie too close to those of periods.
     let drawn = findings.rows.iter().filter(|row| !matches!(row.rarity, Rarity::Life { .. }));
     let references =
@@ -181,7 +181,7 @@ fn design(findings: &Findings, asked: &Asked) -> Markup {
                 }
                 None => "The number of berthings a year is not given, so the levels are those of one berthing. ",
             }
-            "In brackets the " (per_cent) " % band: of the data by order statistics, of a fit by the delta method. The band of a fit \
+            "Below each value the " (per_cent) " % band: of the data by order statistics, of a fit by the delta method. The band of a fit \
              holds if its law is the true one. A question mark: the data do not reach there."
         }
     }
