@@ -72,7 +72,7 @@ impl Peer for Box2d {
         };
         PeerState {
             position_m: [place.x.into(), place.y.into()],
-            heading_rad: f64::from(rotation.s).atan2(rotation.c.into()),
+            heading_rad: libm::atan2(rotation.s.into(), rotation.c.into()),
             velocity_mps: [velocity.x.into(), velocity.y.into()],
             yaw_rate_radps: yaw_rate.into(),
         }
@@ -123,7 +123,7 @@ fn touching(id: b2BodyId) -> usize {
 
 /// Puts a body into a state.
 fn put(id: b2BodyId, state: PeerState) {
-    let rotation = b2Rot { c: state.heading_rad.cos() as f32, s: state.heading_rad.sin() as f32 };
+    let rotation = b2Rot { c: libm::cos(state.heading_rad) as f32, s: libm::sin(state.heading_rad) as f32 };
     // SAFETY: bodies live as long as their world, and are made and used by it alone.
     unsafe {
         b2Body_SetTransform(id, vector(state.position_m), rotation);
