@@ -123,7 +123,8 @@ fn touching(id: b2BodyId) -> usize {
 
 /// Puts a body into a state.
 fn put(id: b2BodyId, state: PeerState) {
-    let rotation = b2Rot { c: libm::cos(state.heading_rad) as f32, s: libm::sin(state.heading_rad) as f32 };
+    let rotation =
+        b2Rot { c: libm::cos(state.heading_rad) as f32, s: libm::sin(state.heading_rad) as f32 };
     // SAFETY: bodies live as long as their world, and are made and used by it alone.
     unsafe {
         b2Body_SetTransform(id, vector(state.position_m), rotation);
