@@ -2,7 +2,7 @@
 doctests, the guide's snippets and the example, stubtest, and mypy on tests and examples.
 
     python3 crates/python/test.py            # what continuous integration runs
-    python3 crates/python/test.py --heavy    # with Ray and Stable-Baselines3 (PyTorch, 5 GB): their tests run too
+    python3 crates/python/test.py --heavy    # with Stable-Baselines3 (PyTorch, 5 GB): its tests run too
     python3 crates/python/test.py --wheel WHEEL PYTHON...   # a wheel, in a clean environment of each interpreter
 
 Standard library only. `cargo xtask test` calls it; it needs Rust, Python 3.11 or later, and PyPI.

@@ -1,6 +1,8 @@
 """Paths of the repository, for the tests."""
 
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -15,3 +17,20 @@ def root() -> Path:
 @pytest.fixture(scope="session")
 def scenarios() -> Path:
     return ROOT / "scenarios"
+
+
+@pytest.fixture(scope="session")
+def ray() -> Iterator[Any]:
+    """Ray on this machine. It waits for its own services for half a minute, which a busy machine may need."""
+    library = pytest.importorskip("ray")
+    for _ in range(3):
+        try:
+            library.init(num_cpus=2, include_dashboard=False, log_to_driver=False)
+        except Exception as error:
+            print(error)
+            library.shutdown()
+        else:
+            yield library
+            library.shutdown()
+            return
+    pytest.skip("Ray's own services did not start in three tries")

@@ -122,7 +122,9 @@ def test_a_dask_cluster_of_two_workers_gives_the_same_table(
     speeds: campaign.Campaign, whole: tuple[bytes, bytes], tmp_path: Path
 ) -> None:
     distributed = pytest.importorskip("distributed")
+    dask = pytest.importorskip("dask")
     with (
+        dask.config.set({"distributed.comm.timeouts.connect": "120s"}),
         distributed.LocalCluster(
             n_workers=2, threads_per_worker=1, processes=True, host="127.0.0.1", dashboard_address=None
         ) as cluster,
@@ -132,18 +134,14 @@ def test_a_dask_cluster_of_two_workers_gives_the_same_table(
     assert tables(tmp_path / "out") == whole
 
 
-def test_ray_gives_the_same_table(speeds: campaign.Campaign, whole: tuple[bytes, bytes], tmp_path: Path) -> None:
-    ray = pytest.importorskip("ray")
-    ray.init(num_cpus=2, include_dashboard=False, logging_level="error")
-    try:
+def test_ray_gives_the_same_table(
+    ray: Any, speeds: campaign.Campaign, whole: tuple[bytes, bytes], tmp_path: Path
+) -> None:
+    def mapped(work: Callable[[Any], bytes], parts: list[Any]) -> list[bytes]:
+        remote = ray.remote(work)
+        return list(ray.get([remote.remote(part) for part in parts]))
 
-        def mapped(work: Callable[[Any], bytes], parts: list[Any]) -> list[bytes]:
-            remote = ray.remote(work)
-            return list(ray.get([remote.remote(part) for part in parts]))
-
-        campaign.run(speeds, tmp_path / "out", executor=mapped, chunk=10)
-    finally:
-        ray.shutdown()
+    campaign.run(speeds, tmp_path / "out", executor=mapped, chunk=10)
     assert tables(tmp_path / "out") == whole
 
 

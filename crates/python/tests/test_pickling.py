@@ -183,21 +183,13 @@ def test_dask() -> None:
 
 
 @pytest.mark.filterwarnings("ignore")
-def test_ray() -> None:
-    ray = pytest.importorskip(
-        "ray", reason="Ray is not installed: python3 crates/python/test.py --heavy"
-    )
-    ray.init(num_cpus=2, include_dashboard=False, log_to_driver=False)
-
+def test_ray(ray: Any) -> None:
     def states(scenario: Scenario, speed: float) -> Any:
         # Not `last_states`: Ray's workers cannot import this file.
         simulation = Simulation(scenario.with_set({"body.tug.velocity.surge": speed}))
         simulation.run()
         return simulation.states.tolist()
 
-    try:
-        remote = ray.remote(states)
-        scenario = ray.put(TUG)
-        assert ray.get([remote.remote(scenario, speed) for speed in SPEEDS]) == expected()
-    finally:
-        ray.shutdown()
+    remote = ray.remote(states)
+    scenario = ray.put(TUG)
+    assert ray.get([remote.remote(scenario, speed) for speed in SPEEDS]) == expected()
