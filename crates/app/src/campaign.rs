@@ -12,7 +12,7 @@ use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::thread;
 
-use fenderline_campaign::store::{Opened, Shard, Store};
+use fenderline_campaign::store::{Opened, Shard, Store, is_finished};
 use fenderline_campaign::{CampaignError, Row, Runs, StopRule, make};
 use fenderline_scenario::{Campaign, Plan};
 
@@ -70,6 +70,15 @@ fn run(args: &CampaignRunArgs) -> Result<(), Failure> {
         (_, true) => Opened::Replaced,
         _ => Opened::New,
     };
+    if args.resume && is_finished(&folder, &runs, shard).map_err(Failure::input)? {
+        // It may have been killed between its table and its report.
+        report::write(&runs, path, &folder)?;
+        let title = &runs.campaign().title;
+        return say(&format!(
+            "{title}: finished already\nreport: {}\n",
+            folder.join(report::REPORT).display()
+        ));
+    }
     let interrupt = Interrupt::listen();
     let mut rule = StopRule::of(&runs).map_err(Failure::input)?;
     let mut visit = |row: &Row| {

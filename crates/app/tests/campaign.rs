@@ -302,8 +302,12 @@ fn a_killed_campaign_goes_on_and_loses_nothing() {
     }
     assert!(kills > 0);
     assert_eq!(bytes(&place, "killed"), whole);
+    // Killed between its table and its report, it makes the report.
+    std::fs::remove_file(place.path("killed/report.html")).expect("removed");
     let again = place.run(&["campaign", "study.toml", "--out", "killed", "--resume"]);
-    contains_all(&again.stderr, &["is finished", "--replace"]);
+    assert_eq!(again.code, 0, "{}", again.stderr);
+    contains_all(&again.stdout, &["finished already"]);
+    assert_eq!(place.text("killed/report.html"), place.text("out/study/report.html"));
 }
 
 #[test]

@@ -116,8 +116,7 @@ impl<'r> Store<'r> {
             }
         }
         let columns = runs.heads().len();
-        let is_finished = folder.join(TABLE_PARQUET).exists() && !folder.join(JOURNAL).exists();
-        if is_finished {
+        if has_finished(folder) {
             let why = "its campaign is finished; use --replace to make it again";
             return Err(CampaignError::folder(folder, why));
         }
@@ -184,6 +183,24 @@ impl<'r> Store<'r> {
             self.journal.each(u64::MAX, use_row)
         })
     }
+}
+
+/// Whether a folder holds the whole table of this campaign, with nothing left to make.
+///
+/// # Errors
+/// It holds another campaign.
+pub fn is_finished(folder: &Path, runs: &Runs, shard: Shard) -> Result<bool, CampaignError> {
+    match read_manifest(&folder.join(MANIFEST))? {
+        Some(manifest) if has_finished(folder) => {
+            manifest.check(runs, shard, folder).map(|()| true)
+        }
+        _ => Ok(false),
+    }
+}
+
+/// The journal is removed last.
+fn has_finished(folder: &Path) -> bool {
+    folder.join(TABLE_PARQUET).exists() && !folder.join(JOURNAL).exists()
 }
 
 /// Takes the lock of a folder. The lock ends with the program, however it ends; the file stays.
