@@ -1,6 +1,8 @@
 //! Success by wind speed and direction, and the wind up to which it holds.
 
-use fenderline_report::plot::{Axis, Chart, Point, Reference, Ring, Rose, Series, fixed, plain};
+use fenderline_report::plot::{
+    Axis, Chart, Point, Reference, Ring, Rose, Series, counted, fixed, plain,
+};
 use maud::{Markup, html};
 
 use super::verdicts::Verdicts;
@@ -105,7 +107,8 @@ fn rose(runs: &[(f64, f64, bool)], edges: &Edges, unit: &str) -> Rose {
         0..=20 => {
             let interval = binomial(fewest, fewest.max(1), Confidence::USUAL).interval;
             format!(
-                "Some sectors have {fewest} runs only: even where all of those succeed, the probability may be {} %.",
+                "Some sectors have {} only: even where all of those succeed, the probability may be {} %.",
+                counted(fewest as u64, "run", "runs"),
                 fixed(100.0 * interval.low, 0)
             )
         }

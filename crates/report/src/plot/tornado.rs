@@ -47,7 +47,7 @@ const LETTER: f64 = 6.6;
 impl Tornado {
     /// The bars as a `figure`.
     pub fn render(&self) -> Markup {
-        let axis = Fitted::new(-1.0, 1.0, 0.25);
+        let axis = Fitted::new(-1.0, 1.0, 0.2);
         let names = self.bars.iter().map(|bar| bar.name.chars().count().min(NAME)).max();
         let left = 14.0 + LETTER * names.and_then(|n| u32::try_from(n).ok()).map_or(8.0, f64::from);
         let base = TOP + PITCH * self.bars.len() as f64;
