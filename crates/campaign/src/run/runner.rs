@@ -78,7 +78,7 @@ impl Runs {
     ///
     /// # Errors
     /// [`CampaignError`]: what is wrong with the campaign, its files, or the scenario with the changes of all runs; a scenario that
-    /// no run of the first [`TRIED`] can be made of.
+    /// none of the first thousand runs can be made of.
     pub fn new(campaign: Campaign) -> Result<Runs, CampaignError> {
         let draws = Draws::new(&campaign)?;
         let changes: Vec<Override> =

@@ -156,7 +156,7 @@ impl<'r> Store<'r> {
         self.journal.each(most, use_row)
     }
 
-    /// Writes the tables of the runs below `most`, and removes the journal. A share keeps its journal for [`super::merge`] and gets no
+    /// Writes the tables of the runs below `most`, and removes the journal. A share keeps its journal for [`super::merge()`] and gets no
     /// tables.
     ///
     /// # Errors
