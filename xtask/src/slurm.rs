@@ -13,8 +13,7 @@ use crate::step::{Done, Step, run_all};
 use crate::tools::Missing;
 
 /// The step of `cargo xtask test`.
-pub(crate) const STEP: Step =
-    Step { name: "a campaign as an array of Slurm", run: || slurm("dev") };
+pub(crate) const STEP: Step = Step { name: "a campaign as an array of Slurm", run: slurm };
 
 /// `cargo xtask slurm`.
 pub(crate) fn slurm_command() -> ExitCode {
@@ -44,7 +43,7 @@ lower = "-3 deg"
 upper = "5 deg"
 "#;
 
-fn slurm(profile: &str) -> Result<Done, String> {
+fn slurm() -> Result<Done, String> {
     let missing =
         Missing { tool: "Slurm with munge", install: "slurm-wlm and munge of your distribution" };
     // Some of them fail without a configuration; here it counts that they start.
@@ -60,7 +59,7 @@ fn slurm(profile: &str) -> Result<Done, String> {
         println!("not run: Slurm's daemons start as root alone");
         return Ok(Done::Good);
     }
-    let program = program(profile)?;
+    let program = program("dev")?;
     let place = Place::new()?;
     std::fs::write(place.path("study.toml"), CAMPAIGN).map_err(|e| format!("study.toml: {e}"))?;
     std::fs::copy("campaigns/quay.toml", place.path("quay.toml"))

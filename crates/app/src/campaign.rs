@@ -27,6 +27,9 @@ use crate::output::write_whole;
 use crate::progress::Progress;
 use crate::terminal::{answer, say};
 
+/// Name of the figure of a full factorial.
+const FIGURE: &str = "figure.html";
+
 /// Makes all runs and writes their tables, or does what the subcommand says. A run that cannot be made is a row with its error.
 ///
 /// # Errors
@@ -57,6 +60,12 @@ fn run(args: &CampaignRunArgs) -> Result<(), Failure> {
     };
     let runs = Runs::new(campaign).map_err(Failure::input)?;
     report::check_success(&runs).map_err(|why| Failure::input(format_args!("error: {why}")))?;
+    if args.xlsx.is_some() && runs.count() > gathered::MOST_IN_A_WORKBOOK {
+        let (count, most) = (runs.count(), gathered::MOST_IN_A_WORKBOOK);
+        return Err(Failure::input(format_args!(
+            "error: --xlsx: a workbook has at most {most} rows, and there are {count} runs"
+        )));
+    }
     if let Some(number) = args.command {
         return answer(&replay::command(&runs, number)?);
     }
@@ -88,12 +97,16 @@ fn run(args: &CampaignRunArgs) -> Result<(), Failure> {
     };
     let mut store =
         Store::open(&folder, &runs, shard, opened, &mut visit).map_err(Failure::input)?;
+    if args.replace {
+        remove_documents(&folder)?;
+    }
     make_missing(&runs, &mut store, &mut rule, threads(args.threads), &|| interrupt.is_asked())
         .map_err(Failure::case)?;
     let ended = rule.as_ref().and_then(StopRule::ended);
     let wanted = ended.unwrap_or(shard.count(runs.count()));
     let is_whole = ended.is_some() || store.done() == wanted;
-    let gathered = Gathered::of(&runs, &store, ended).map_err(Failure::case)?;
+    let is_held = args.xlsx.is_some() || layout.is_some();
+    let gathered = Gathered::of(&runs, &store, ended, is_held).map_err(Failure::case)?;
     if shard == Shard::WHOLE {
         write_documents(args, &folder, &runs, &gathered, layout)?;
     }
@@ -170,6 +183,23 @@ fn refusal_of_shard(args: &CampaignRunArgs, runs: &Runs, shard: Shard) -> Option
         .then(|| format!("there are {} shards for {} runs", shard.of, runs.count()))
 }
 
+/// Removes the documents of the campaign that is replaced: they would stand beside the rows of another.
+fn remove_documents(folder: &Path) -> Result<(), Failure> {
+    for name in [report::REPORT, FIGURE] {
+        let path = folder.join(name);
+        match std::fs::remove_file(&path) {
+            Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
+                return Err(Failure::input(format_args!(
+                    "error: cannot remove {}: {error}",
+                    path.display()
+                )));
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
 fn write_documents(
     args: &CampaignRunArgs,
     folder: &Path,
@@ -179,10 +209,10 @@ fn write_documents(
 ) -> Result<(), Failure> {
     if let Some(layout) = layout {
         let figure = page::render(runs.campaign(), gathered, layout);
-        write_whole(&folder.join("figure.html"), figure.as_bytes())?;
+        write_whole(&folder.join(FIGURE), figure.as_bytes())?;
     }
     if let Some(path) = &args.xlsx {
-        let book = cases_workbook(&runs.campaign().title, gathered.table()?).map_err(|error| {
+        let book = cases_workbook(&runs.campaign().title, gathered.table()).map_err(|error| {
             Failure::case(format_args!("error: cannot make {}: {error}", path.display()))
         })?;
         write_whole(path, &book)?;

@@ -417,7 +417,7 @@ pub(crate) struct CampaignRunArgs {
     /// Make one share of the runs, as 2/8 for the second of eight; `campaign merge` puts them together
     #[arg(long, value_name = "I/N", value_parser = shard)]
     pub(crate) shard: Option<Shard>,
-    /// Write the table of a full factorial plan as an Excel workbook too
+    /// Write the table as an Excel workbook too
     #[arg(long, value_name = "FILE.xlsx", value_parser = output_file())]
     pub(crate) xlsx: Option<PathBuf>,
     /// Variable on the horizontal axis of the figure [default: the first one whose values are numbers]

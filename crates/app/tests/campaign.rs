@@ -227,6 +227,11 @@ fn shares_and_threads_give_the_same_bytes() {
     );
     assert!(!report.contains("<link") && !report.contains("src="), "nothing is loaded");
     assert_eq!(place.text("three/report.html"), report);
+    let book = place.run(&["campaign", "study.toml", "--replace", "--xlsx", "cases.xlsx"]);
+    assert_eq!(book.code, 0, "{}", book.stderr);
+    let mut workbook: Xlsx<_> = open_workbook(place.path("cases.xlsx")).expect("a workbook");
+    assert_eq!(workbook.worksheet_range("Cases").expect("the sheet").height(), 2 + 60);
+    assert_eq!(bytes(&place, "out/study"), whole);
     for share in ["1/3", "3/3", "2/3"] {
         let run = place.run(&["campaign", "study.toml", "--shard", share]);
         assert_eq!(run.code, 0, "{}", run.stderr);
@@ -462,6 +467,16 @@ column = "where"
     let csv = place.text("out/study/cases.csv");
     assert_eq!(column(&csv, "speed [cm/s]"), ["5", "7.5", "10"]);
     assert_eq!(column(&csv, "side")[0], "quarter point");
+    // Another value in the middle is another campaign.
+    let share = ["campaign", "study.toml", "--shard", "1/2", "--out", "share"];
+    assert!(place.run(&share).code <= 1);
+    let again = [&share[..], &["--resume"]].concat();
+    assert!(place.run(&again).code <= 1);
+    place.write(
+        "runs.csv",
+        "speed [cm/s],where\n5,quarter point\n7.6,quarter point\n10,midship\n".as_bytes(),
+    );
+    contains_all(&place.run(&again).stderr, &["differs from this one"]);
     place.write("runs.csv", b"speed [cm/s],where\n5,\n");
     let run = place.run(&["campaign", "study.toml", "--out", "gap"]);
     assert_eq!(run.code, 2, "{}", run.stdout);

@@ -26,7 +26,7 @@ pub enum CampaignError {
     },
     /// None of the first runs can be made: why not the first.
     Hopeless(Box<CampaignError>),
-    /// A file or folder that cannot be written or read: why.
+    /// A file or folder that cannot be written: why.
     Disk {
         /// The file or folder.
         path: PathBuf,

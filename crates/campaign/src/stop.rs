@@ -3,11 +3,12 @@
 
 use std::collections::BTreeMap;
 
-use fenderline_scenario::{Law, Statistic, Stop};
+use fenderline_scenario::{Statistic, Stop};
 
 use crate::error::CampaignError;
 use crate::row::Row;
 use crate::run::Runs;
+use crate::statistics::{Confidence, Moments, Sample, quantile};
 
 /// A stop rule at work.
 pub struct StopRule {
@@ -66,29 +67,17 @@ impl StopRule {
 }
 
 /// Half of the confidence interval over the estimate; `None` where there are too few values.
-fn half_width(rule: &Stop, mut values: Vec<f64>) -> Option<f64> {
-    let n = values.len() as f64;
-    let score = Law::normal(0.0, 1.0)
-        .expect("the standard normal law")
-        .quantile(0.5 + 0.5 * rule.confidence);
+fn half_width(rule: &Stop, values: Vec<f64>) -> Option<f64> {
+    let confidence = Confidence::new(rule.confidence).expect("the key has its bounds");
+    let sample = Sample::new(values).ok()?;
     match rule.statistic {
         Statistic::Mean => {
-            let mean = values.iter().sum::<f64>() / n;
-            let squares: f64 = values.iter().map(|value| (value - mean) * (value - mean)).sum();
-            (values.len() >= 2).then(|| score * libm::sqrt(squares / (n - 1.0) / n) / mean.abs())
+            let mean = Moments::of(&sample).mean;
+            Some(confidence.normal_quantile() * mean.error / mean.value.abs())
         }
         Statistic::Quantile => {
-            // Ranks by the normal approximation of the binomial law: https://en.wikipedia.org/wiki/Binomial_proportion_confidence_interval
-            values.sort_by(f64::total_cmp);
-            let p = rule.probability;
-            let spread = score * libm::sqrt(n * p * (1.0 - p));
-            let (low, high) = (libm::floor(n * p - spread), libm::ceil(n * p + spread));
-            if low < 1.0 || high > n {
-                return None;
-            }
-            let at = |rank: f64| values[rank as usize - 1];
-            let estimate = at(libm::ceil(n * p));
-            Some(0.5 * (at(high) - at(low)) / estimate.abs())
+            let found = quantile(&sample, rule.probability, confidence);
+            Some(0.5 * (found.high? - found.low?) / found.value?.abs())
         }
     }
 }
@@ -115,8 +104,8 @@ mod tests {
         let mean = half_width(&rule(Statistic::Mean), all.clone()).expect("a width");
         let wanted = 1.959_963_985 * (10_100.0_f64 / 12.0 / 100.0).sqrt() / 50.5;
         assert!((mean - wanted).abs() < 1e-9, "{mean} for {wanted}");
-        // Ranks 50 ± 9.8: 40 and 60.
-        assert_eq!(half_width(&rule(Statistic::Quantile), all), Some(0.2));
+        // Ranks 40 and 61 (David and Nagaraja, Order Statistics) about 50.5.
+        assert_eq!(half_width(&rule(Statistic::Quantile), all), Some(10.5 / 50.5));
         assert_eq!(half_width(&rule(Statistic::Quantile), vec![1.0; 3]), None);
     }
 }

@@ -7,38 +7,7 @@ use fenderline_scenario::{Campaign, Law};
 
 /// A barge of 1000 t onto one fender of 2500 kN/m. Her speed becomes a reaction of v √(k m) and an energy of m v²/2. Steps of
 /// ω Δt = 0.032 find the peak of a cosine to (ω Δt)²/8 = 1.3e-4.
-const BARGE: &str = r#"
-title = "A barge onto one linear fender"
-[time]
-step = "0.02 s"
-duration = "14 s"
-[material.facing]
-stiffness = 0
-shear_stiffness = "3000 kN/m"
-friction_static = 0.2
-friction_dynamic = 0.2
-[body.barge]
-outline = [[-20, -5], [20, -5], [20, 5], [-20, 5]]
-mass = "1000 t"
-gyradius = "12 m"
-position = [0, 0]
-velocity = { sway = "0.1 m/s" }
-[body.quay]
-fixed = true
-outline = [[-30, 0], [30, 0], [30, 5], [-30, 5]]
-position = [0, 6.5]
-[fender.a]
-on = "quay"
-position = [0, 0]
-facing = "-90 deg"
-width = "2 m"
-projection = "1.49 m"
-curve = [[0, 0], ["1 m", "2500 kN"]]
-material = "facing"
-[[pair]]
-bodies = ["barge", "quay"]
-material = "facing"
-"#;
+const BARGE: &str = include_str!("barge.toml");
 
 const SPEED: &str = r#"
 scenario = "barge.toml"

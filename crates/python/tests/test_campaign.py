@@ -15,38 +15,7 @@ import pytest
 import fenderline
 from fenderline import campaign
 
-BARGE = """
-title = "A barge onto one linear fender"
-[time]
-step = "0.02 s"
-duration = "10 s"
-[material.facing]
-stiffness = 0
-shear_stiffness = "3000 kN/m"
-friction_static = 0.2
-friction_dynamic = 0.2
-[body.barge]
-outline = [[-20, -5], [20, -5], [20, 5], [-20, 5]]
-mass = "1000 t"
-gyradius = "12 m"
-position = [0, 0]
-velocity = { sway = "0.1 m/s" }
-[body.quay]
-fixed = true
-outline = [[-30, 0], [30, 0], [30, 5], [-30, 5]]
-position = [0, 6.5]
-[fender.a]
-on = "quay"
-position = [0, 0]
-facing = "-90 deg"
-width = "2 m"
-projection = "1.49 m"
-curve = [[0, 0], ["5 m", "12500 kN"]]
-material = "facing"
-[[pair]]
-bodies = ["barge", "quay"]
-material = "facing"
-"""
+BARGE = (Path(__file__).resolve().parents[3] / "crates" / "campaign" / "tests" / "barge.toml").read_text()
 
 SPEED = """
 scenario = "barge.toml"
@@ -145,6 +114,20 @@ def test_ray_gives_the_same_table(
     assert tables(tmp_path / "out") == whole
 
 
+def test_a_campaign_with_a_file_goes_to_other_processes_from_a_relative_path(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "barge.toml").write_text(BARGE)
+    (tmp_path / "measured.csv").write_text("speed [cm/s]\n3\n5\n8\n")
+    law = 'mean = "7.1 cm/s"\nstandard_deviation = "4.47 cm/s"\n'
+    measured = SPEED.replace('"lognormal"', '"empirical"').replace(law, 'file = "measured.csv"\n')
+    (tmp_path / "measured.toml").write_text(measured)
+    monkeypatch.chdir(tmp_path)
+    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
+        campaign.run("measured.toml", "out", executor=pool, chunk=20)
+    assert set(campaign.read("out")["speed"]) == {3.0, 5.0, 8.0}
+
+
 def test_mistakes(speeds: campaign.Campaign, tmp_path: Path) -> None:
     campaign.run(speeds, tmp_path / "out")
     with pytest.raises(fenderline.CampaignError, match="holds a campaign already"):
@@ -164,6 +147,8 @@ def test_mistakes(speeds: campaign.Campaign, tmp_path: Path) -> None:
         speeds.write(tmp_path / "other", [speeds.run(0, 20)])
     with pytest.raises(fenderline.CampaignError, match="damaged"):
         speeds.write(tmp_path / "damaged", [speeds.run(0, 60)[:-1]])
+    with pytest.raises(fenderline.CampaignError, match="chunk"):
+        campaign.run(speeds, tmp_path / "none", chunk=0)
     with pytest.raises(TypeError, match="executor"):
         campaign.run(speeds, tmp_path / "none", executor=3)
     (tmp_path / "bad.toml").write_text(SPEED.replace("lognormal", "lognormall"))

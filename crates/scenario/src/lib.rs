@@ -90,8 +90,8 @@ pub use bounded_file::{
 };
 pub use campaign::law::{Law, LawFamily};
 pub use campaign::{
-    Campaign, Change, Choice, Correlation, Design, Draw, MOST_CASES, MOST_OF_SOBOL, Output, Plan,
-    Statistic, Stop, Target, Variable,
+    Campaign, Change, Choice, Correlation, Design, Draw, MOST_CASES, Output, Plan, Statistic, Stop,
+    Target, Variable,
 };
 pub use error::{Notice, Place, ScenarioError};
 pub use fenderline_sim::hydro::vessels::Standing;

@@ -7,8 +7,8 @@ use fenderline_sim::Verdict;
 
 use crate::failure::Failure;
 
-/// Most rows that are held for figure and workbook.
-const MOST_ROWS: usize = 1_000_000;
+/// Most rows of a workbook: a sheet of Excel has 2²⁰, of which two are heads.
+pub(super) const MOST_IN_A_WORKBOOK: u64 = (1 << 20) - 2;
 
 /// A table with units.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,7 +22,7 @@ pub(crate) struct CaseTable {
 /// The rows of a campaign, and what is counted of them.
 pub(super) struct Gathered {
     table: CaseTable,
-    /// Number of rows; the table holds the first of them.
+    /// Number of rows.
     pub(super) count: u64,
     /// Verdicts in words with their numbers, in the order of their first run.
     pub(super) verdicts: Vec<(String, u64)>,
@@ -34,11 +34,12 @@ pub(super) struct Gathered {
 }
 
 impl Gathered {
-    /// The rows of a store, those below `ended` where a rule ended the campaign.
+    /// The rows of a store, those below `ended` where a rule ended the campaign. `is_held`: the table is kept in memory.
     pub(super) fn of(
         runs: &Runs,
         store: &Store<'_>,
         ended: Option<u64>,
+        is_held: bool,
     ) -> Result<Gathered, CampaignError> {
         let mut heads = vec![Head::new("case", "", "number of the run")];
         heads.extend(runs.heads().iter().cloned());
@@ -50,15 +51,14 @@ impl Gathered {
             failed: None,
             failures: 0,
         };
-        let keeps = matches!(runs.campaign().plan, fenderline_scenario::Plan::FullFactorial);
         store.each(ended.unwrap_or(u64::MAX), &mut |row| {
-            gathered.add(row, keeps);
+            gathered.add(row, is_held);
             Ok(())
         })?;
         Ok(gathered)
     }
 
-    fn add(&mut self, row: &Row, keeps: bool) {
+    fn add(&mut self, row: &Row, is_held: bool) {
         self.count += 1;
         let text = |name: &str| match self.cell(row, name) {
             Cell::Text(text) => text.clone(),
@@ -83,7 +83,7 @@ impl Gathered {
             Some((_, count)) => *count += 1,
             None => self.verdicts.push((words.to_owned(), 1)),
         }
-        if keeps && self.table.rows.len() < MOST_ROWS {
+        if is_held {
             let cells =
                 [Cell::Number((row.run + 1) as f64)].into_iter().chain(row.cells.iter().cloned());
             self.table.rows.push(cells.collect());
@@ -95,23 +95,9 @@ impl Gathered {
         &row.cells[place.expect("every campaign has it") - 1]
     }
 
-    /// The table that is held: of a full factorial.
-    pub(super) fn held(&self) -> &CaseTable {
+    /// The table; without rows where it was not to be held.
+    pub(super) fn table(&self) -> &CaseTable {
         &self.table
-    }
-
-    /// The whole table for a workbook.
-    ///
-    /// # Errors
-    /// A plan whose rows are not held.
-    pub(super) fn table(&self) -> Result<&CaseTable, Failure> {
-        if self.table.rows.len() as u64 == self.count {
-            Ok(&self.table)
-        } else {
-            Err(Failure::input(
-                "error: --xlsx: the table has too many rows for a workbook; it is in cases.parquet",
-            ))
-        }
     }
 
     /// Whether all runs were made.

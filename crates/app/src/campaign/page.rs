@@ -115,7 +115,7 @@ const DRAWN: [Drawn; 3] = [
 
 /// The page.
 pub(super) fn render(campaign: &Campaign, gathered: &Gathered, layout: Layout) -> String {
-    let table = gathered.held();
+    let table = gathered.table();
     let body = html! {
         h1 { (campaign.title) }
         p { (gathered.count) " of " (campaign.cases()) " cases of "

@@ -8,6 +8,7 @@ use fenderline_campaign::{Cell, Runs};
 use fenderline_report::plot::{counted, fixed};
 use fenderline_scenario::Plan;
 
+use super::FIGURE;
 use super::gathered::Gathered;
 use super::report::REPORT;
 use crate::cli::CampaignRunArgs;
@@ -50,7 +51,7 @@ pub(super) fn printed(
     let table = if gathered.count <= MOST_CSV_ROWS { TABLE_CSV } else { TABLE_PARQUET };
     let _ = writeln!(text, "table: {}", folder.join(table).display());
     if campaign.plan == Plan::FullFactorial {
-        let _ = writeln!(text, "figure: {}", folder.join("figure.html").display());
+        let _ = writeln!(text, "figure: {}", folder.join(FIGURE).display());
     }
     if is_whole {
         let _ = writeln!(text, "report: {}", folder.join(REPORT).display());

@@ -3,7 +3,6 @@
 
 mod copula;
 mod formula;
-mod labels;
 mod plan;
 mod prepared;
 

@@ -74,8 +74,8 @@ impl Probabilities {
     }
 }
 
-/// Half the distance between numbers of 53 bits.
-const LEAST: f64 = 1.0 / (1_u64 << 54) as f64 * 2.0;
+/// The distance of 1 from the number below it.
+const LEAST: f64 = f64::EPSILON / 2.0;
 
 /// The upper 53 bits as a number between 0 and 1, both excluded.
 fn between_0_and_1(bits: u64) -> f64 {

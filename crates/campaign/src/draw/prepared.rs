@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
+use fenderline_contact::hash::Fnv1a;
 use fenderline_scenario::{Campaign, Change, Choice, Draw, Law, Override, Plan, Target, Variable};
 
 use super::copula::Copula;
 use super::formula::Formula;
-use super::labels;
 use super::plan::Probabilities;
 use crate::error::CampaignError;
 use crate::row::{Cell, Head};
@@ -114,6 +114,23 @@ impl Draws {
     #[must_use]
     pub fn runs(&self) -> u64 {
         self.runs
+    }
+
+    /// Adds all values that came from files to a hash.
+    pub(crate) fn add_values(&self, hash: &mut Fnv1a) {
+        for source in &self.sources {
+            match source {
+                Source::Measured(all, target) | Source::Numbers(all, target) => {
+                    hash.bytes(target.unit.as_bytes());
+                    all.iter().for_each(|value| hash.word(value.to_bits()));
+                }
+                Source::Texts(all, _) => all.iter().for_each(|text| {
+                    hash.bytes(text.as_bytes());
+                    hash.bytes(&[0]);
+                }),
+                Source::Choices { .. } | Source::Law(..) | Source::Formula(_) => {}
+            }
+        }
     }
 
     /// Names and units of the variables.
@@ -277,7 +294,7 @@ fn source(variable: &Variable, table: Option<&Table>) -> Result<(Source, String)
                     sum / whole
                 })
                 .collect();
-            let found = labels::numbers(choices);
+            let found = variable.numbers();
             let unit = found.as_ref().map_or(String::new(), |(_, unit)| (*unit).to_owned());
             let numbers = found.map(|(numbers, _)| numbers);
             (Source::Choices { choices: choices.clone(), numbers, cumulative }, unit)

@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 
 use fenderline_contact::hash::Fnv1a;
 use fenderline_results::WorldTotals;
-use fenderline_scenario::{Campaign, LoadError, Override, Scenario, ScenarioError, read_text};
+use fenderline_scenario::{
+    Campaign, Draw, LoadError, Override, Plan, Scenario, ScenarioError, read_text,
+};
 use fenderline_sim::{Simulation, Start};
 
 use super::motion::Excursion;
@@ -146,15 +148,7 @@ impl Runs {
             hash.bytes(&[0]);
         };
         add(env!("CARGO_PKG_VERSION"));
-        let campaign = Campaign {
-            // Neither title nor place of the files changes a row.
-            title: String::new(),
-            scenario: PathBuf::new(),
-            design: None,
-            success: None,
-            ..self.campaign.clone()
-        };
-        add(&format!("{campaign:?}"));
+        add(&format!("{:?}", rows_of(&self.campaign)));
         add(&self.source.text);
         for (name, text) in &self.source.files {
             add(name);
@@ -163,10 +157,7 @@ impl Runs {
         for head in self.heads() {
             add(&head.name);
         }
-        // Files of values: what they give first and last.
-        for run in [0, self.count() / 2, self.count() - 1] {
-            add(&format!("{:?}", self.draws.of_run(run)));
-        }
+        self.draws.add_values(&mut hash);
         hash.finish()
     }
 
@@ -210,6 +201,24 @@ impl Runs {
         let all: Vec<Override> = common.chain(own.iter().cloned()).collect();
         self.source.parse(&all)
     }
+}
+
+/// A campaign without what changes no row: its title, what the report is about, and where its files lie. Their content counts.
+fn rows_of(campaign: &Campaign) -> Campaign {
+    let mut campaign = campaign.clone();
+    campaign.title = String::new();
+    campaign.scenario = PathBuf::new();
+    (campaign.design, campaign.success) = (None, None);
+    if let Plan::Table { file } = &mut campaign.plan {
+        *file = PathBuf::new();
+    }
+    for variable in &mut campaign.variables {
+        variable.source = None;
+        if let Draw::Measured { file, .. } = &mut variable.draw {
+            *file = PathBuf::new();
+        }
+    }
+    campaign
 }
 
 /// Runs of which one must be able to start.

@@ -277,7 +277,7 @@ fn read_manifest(path: &Path) -> Result<Option<Manifest>, CampaignError> {
     let text = match fs::read_to_string(path) {
         Ok(text) => text,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
-        Err(error) => return Err(CampaignError::disk(path, &error)),
+        Err(error) => return Err(CampaignError::folder(path, error)),
     };
     let read = |json: &Json| {
         let shard = Shard::new(json["shard"][0].as_u64()?, json["shard"][1].as_u64()?).ok()?;

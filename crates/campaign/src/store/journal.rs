@@ -198,7 +198,7 @@ impl Journal {
     /// Reads the rows in the order of the runs.
     pub(super) fn reader(&self) -> Result<Reader<'_>, CampaignError> {
         let file =
-            File::open(&self.path).map_err(|error| CampaignError::disk(&self.path, &error))?;
+            File::open(&self.path).map_err(|error| CampaignError::folder(&self.path, error))?;
         Ok(Reader { journal: self, file: BufReader::with_capacity(1 << 18, file), at: 0, run: 0 })
     }
 
@@ -228,7 +228,7 @@ impl Reader<'_> {
     /// The row of the next run that has one.
     pub(super) fn next(&mut self) -> Result<Option<Row>, CampaignError> {
         let path = &self.journal.path;
-        let failed = |error: std::io::Error| CampaignError::disk(path, &error);
+        let failed = |error: std::io::Error| CampaignError::folder(path, error);
         while let Some(place) = self.journal.places.get(self.run) {
             self.run += 1;
             let Some(start) = place.checked_sub(1) else { continue };

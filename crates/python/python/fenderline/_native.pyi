@@ -27,6 +27,7 @@ __all__ = [
     "StepEvent",
     "Fleet",
     "Campaign",
+    "Docking",
     "seconds_of_steps",
     "run_variants",
     "scenario_of_parts",

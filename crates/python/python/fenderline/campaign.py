@@ -106,7 +106,7 @@ def run(
     folder = os.fspath(out)
     if not replace and (Path(folder) / "campaign.json").exists():
         raise CampaignError(f"{folder}: it holds a campaign already; use replace=True to begin again")
-    size = chunk or max(1, -(-count // 200))
+    size = max(1, -(-count // 200)) if chunk is None else chunk
     if size < 1:
         raise CampaignError("chunk must be at least 1")
     starts = range(0, count, size)

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 pub(crate) use self::keys::CAMPAIGN_FILE;
 use self::law::LawFamily;
-pub use self::plan::{Correlation, Design, MOST_OF_SOBOL, Output, Plan, Statistic, Stop};
+pub use self::plan::{Correlation, Design, Output, Plan, Statistic, Stop};
 use self::variable::changes;
 pub use self::variable::{Change, Choice, Draw, Target, Variable};
 use crate::checked::Table;

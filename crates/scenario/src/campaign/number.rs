@@ -30,6 +30,8 @@ mod tests {
         assert_eq!(split(" 1e-3 m"), Ok((1e-3, "m")));
         assert_eq!(split("2 erg"), Ok((2.0, "erg")));
         assert_eq!(split("2erg"), Ok((2.0, "erg")));
+        assert_eq!(split("13"), Ok((13.0, "")));
+        assert_eq!(split("9 m draught"), Ok((9.0, "m draught")));
         assert!(split("fast").is_err());
         assert!(split("1e999").is_ok_and(|(value, _)| value.is_finite()));
     }

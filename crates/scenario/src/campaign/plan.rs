@@ -54,7 +54,7 @@ impl Plan {
 }
 
 /// The most runs of a Sobol sequence: the length that the library's numbers have.
-pub const MOST_OF_SOBOL: u64 = 1 << 16;
+const MOST_OF_SOBOL: u64 = 1 << 16;
 
 /// A correlation of two variables.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -101,10 +101,15 @@ impl Variable {
         }
     }
 
-    /// Whether a random plan draws a number for it.
+    /// The numbers of its choices' labels and their unit, as of "9 m" and "12 m"; `None` where one is no number, where their units
+    /// differ, and without choices.
     #[must_use]
-    pub fn is_random(&self) -> bool {
-        matches!(self.draw, Draw::Choices(_) | Draw::Law(..) | Draw::Measured { .. })
+    pub fn numbers(&self) -> Option<(Vec<f64>, &str)> {
+        let parts = self.choices().iter().map(|choice| number::split(&choice.label).ok());
+        let parts: Vec<(f64, &str)> = parts.collect::<Option<_>>()?;
+        let (_, unit) = *parts.first()?;
+        let is_one_unit = parts.iter().all(|(_, other)| *other == unit);
+        is_one_unit.then(|| (parts.iter().map(|(number, _)| *number).collect(), unit))
     }
 }
 

@@ -62,33 +62,6 @@ pub enum Distribution {
 const NO_SHAPE: f64 = 1e-7;
 
 impl Distribution {
-    /// The log-normal distribution of a mean and standard deviation.
-    #[must_use]
-    pub fn log_normal_of(mean: f64, deviation: f64) -> Distribution {
-        let ratio = deviation / mean;
-        let variance = libm::log1p(ratio * ratio);
-        Distribution::LogNormal {
-            mu: libm::log(mean) - 0.5 * variance,
-            sigma: libm::sqrt(variance),
-        }
-    }
-
-    /// The Weibull distribution of a mean and standard deviation, by bisection of its coefficient of variation.
-    #[must_use]
-    pub fn weibull_of(mean: f64, deviation: f64) -> Distribution {
-        let ratio = deviation / mean;
-        let squared = |shape: f64| {
-            libm::expm1(libm::lgamma(1.0 + 2.0 / shape) - 2.0 * libm::lgamma(1.0 + 1.0 / shape))
-        };
-        let (mut low, mut high) = (0.05_f64, 500.0_f64);
-        for _ in 0..100 {
-            let middle = libm::sqrt(low * high);
-            if squared(middle) > ratio * ratio { low = middle } else { high = middle }
-        }
-        let shape = libm::sqrt(low * high);
-        Distribution::Weibull { shape, scale: mean / libm::tgamma(1.0 + 1.0 / shape) }
-    }
-
     /// Probability to exceed `x`. Below the threshold of [`Distribution::Pareto`], which says nothing there, the probability to
     /// exceed the threshold.
     #[must_use]
@@ -228,18 +201,5 @@ mod tests {
                 assert!((distribution.above(x) / p - 1.0).abs() < 1e-6, "{distribution:?} {p}");
             }
         }
-    }
-
-    /// Cho (2018), a tanker terminal: mean 7.1 and standard deviation 4.47 cm/s give at 1/3,000 42.9 cm/s by the log-normal and
-    /// 28.4 by the Weibull distribution, both by moments. Tolerance: the last digit of the published numbers.
-    #[test]
-    fn the_tail_decides_as_at_chos_terminal() {
-        let at = |distribution: Distribution| distribution.value_exceeded(1.0 / 3000.0).unwrap();
-        let log_normal = at(Distribution::log_normal_of(7.1, 4.47));
-        let weibull = at(Distribution::weibull_of(7.1, 4.47));
-        assert!((log_normal - 42.9).abs() < 0.05, "{log_normal}");
-        assert!((weibull - 28.4).abs() < 0.05, "{weibull}");
-        let energy_ratio = (log_normal / weibull) * (log_normal / weibull);
-        assert!((energy_ratio - 2.3).abs() < 0.05, "{energy_ratio}");
     }
 }

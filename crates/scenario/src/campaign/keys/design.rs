@@ -80,7 +80,7 @@ pub(super) static STOP: TableSpec = TableSpec {
         ),
         key(
             "confidence",
-            Kind::Quantity(PROBABILITY),
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.5, high: 0.999_999 }),
             Is("0.95"),
             "Probability of the confidence interval.",
             &["0.9"],
