@@ -40,7 +40,7 @@ mod wrappers;
 use std::process::ExitCode;
 
 const USAGE: &str = "\
-usage: cargo xtask test                   everything that a change must pass
+usage: cargo xtask test [FIRST]           everything that a change must pass; FIRST: the number of the step to begin at
        cargo xtask program [PROFILE]      the program for this machine as one file that needs nothing else
        cargo xtask alone [dev]            that program in an empty folder, with the sources, cargo and Node hidden
        cargo xtask slurm                  a campaign as an array of a Slurm of this machine, as root
@@ -83,7 +83,11 @@ fn main() -> ExitCode {
         return ExitCode::FAILURE;
     }
     match arguments.as_slice() {
-        ["test"] => test::test(),
+        ["test"] => test::test(1),
+        ["test", first] => match first.parse() {
+            Ok(first) => test::test(first),
+            Err(_) => usage(),
+        },
         ["program"] => program::program_command("release"),
         ["program", profile] => program::program_command(profile),
         ["alone"] => alone::alone_command("release"),

@@ -20,13 +20,13 @@ use crate::pages;
 use crate::passivity;
 use crate::scenarios;
 use crate::slurm;
-use crate::step::{Done, Step, run_all};
+use crate::step::{Done, Step, run_from};
 use crate::tools;
 use crate::wrappers;
 
-/// Runs all steps.
-pub(crate) fn test() -> ExitCode {
-    run_all(&[
+/// Runs the steps from number `first` on, counted from 1.
+pub(crate) fn test(first: usize) -> ExitCode {
+    let steps = [
         Step { name: "format", run: format },
         Step { name: "lints", run: lints },
         Step { name: "the contact engine is no_std with one dependency", run: no_std },
@@ -57,7 +57,8 @@ pub(crate) fn test() -> ExitCode {
         alone::STEP,
         slurm::STEP,
         Step { name: "attacks", run: || attack::attack(attack::SECONDS, attack::SEED, &[]) },
-    ])
+    ];
+    run_from(&steps, first)
 }
 
 fn format() -> Result<Done, String> {
