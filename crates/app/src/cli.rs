@@ -34,11 +34,11 @@ pub(crate) struct Cli {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Run a scenario: print a summary; write tables, summary.json and report.html
+    /// Run a scenario, or repeat a recorded session: print a summary; write tables, summary.json and report.html
     Run(RunArgs),
     /// Print an example scenario, or write it to a new file
     Init(InitArgs),
-    /// Run a scenario and write only documents: the report as a page or PDF, an Excel workbook
+    /// Run a scenario, or repeat a recorded session, and write only documents: the report as a page or PDF, an Excel workbook
     Report(ReportArgs),
     /// Make many runs of a scenario, with every combination of some values or with values drawn from distributions: a table with a
     /// row a case, and a figure or report
@@ -285,9 +285,12 @@ pub(crate) struct ReplayArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct RunArgs {
-    /// Scenario file; `-` reads it from standard input
+    /// Scenario file, or a session that `serve` recorded; `-` reads a scenario from standard input
     #[arg(value_name = "SCENARIO.toml")]
     pub(crate) scenario: PathBuf,
+    /// Branch of a recorded session [default: the one that was steered last]
+    #[arg(long, value_name = "N")]
+    pub(crate) branch: Option<usize>,
     /// Folder for the results [default: `out/` and the name of the scenario file]
     #[arg(long, value_name = "DIR", value_parser = output_folder())]
     pub(crate) out: Option<PathBuf>,
@@ -319,9 +322,12 @@ pub(crate) struct RunArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ReportArgs {
-    /// Scenario file; `-` reads it from standard input
+    /// Scenario file, or a session that `serve` recorded; `-` reads a scenario from standard input
     #[arg(value_name = "SCENARIO.toml")]
     pub(crate) scenario: PathBuf,
+    /// Branch of a recorded session [default: the one that was steered last]
+    #[arg(long, value_name = "N")]
+    pub(crate) branch: Option<usize>,
     /// Page to write [default, if no other document is asked for: the scenario's name with `.html`]
     #[arg(long, value_name = "FILE.html", value_parser = output_file())]
     pub(crate) html: Option<PathBuf>,

@@ -70,7 +70,13 @@ pub(crate) fn file_name(path: &Path) -> &OsStr {
 
 /// That name without its extension, for the names of results.
 pub(crate) fn stem(path: &Path) -> &OsStr {
-    named(path).file_stem().unwrap_or_default()
+    let stem = named(path).file_stem().unwrap_or_default();
+    // `NAME.session.jsonl` is a recorded session.
+    let whole = Path::new(stem);
+    if whole.extension().is_some_and(|ending| ending == "session") {
+        return whole.file_stem().unwrap_or_default();
+    }
+    stem
 }
 
 fn named(path: &Path) -> &Path {

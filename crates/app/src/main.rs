@@ -26,6 +26,7 @@ mod provider;
 mod report;
 mod run;
 mod serve;
+mod session;
 mod statistics;
 mod terminal;
 mod validate;

@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
+use fenderline_live::Repeat;
 use fenderline_report::run_page::Recorder;
 use fenderline_results::{
-    EstimateError, Events, Interrupted, Outcome, ProviderNotices, WorldTotals,
+    EstimateError, Events, Interrupted, Outcome, ProviderNotices, RecordedSession, WorldTotals,
 };
 use fenderline_scenario::{Notice, Override, Place, Scenario};
 use fenderline_sim::{Energy, FenderSummary, Finding, OutputPlan, Setup, Simulation, StepRecord};
@@ -15,6 +16,7 @@ use crate::interrupt::Interrupt;
 use crate::load::{file_name, load};
 use crate::progress::Progress;
 use crate::provider::Providers;
+use crate::session::{Recorded, lines_of};
 use crate::terminal::notice;
 
 /// A scenario before its first step.
@@ -26,7 +28,24 @@ pub(crate) struct Start {
     notices: Vec<String>,
     /// Notices that were printed, with those of the start.
     told: usize,
-    simulation: Simulation,
+    driven: Driven,
+}
+
+/// What steps the run.
+enum Driven {
+    /// The scenario alone, with its orders.
+    Scenario(Box<Simulation>),
+    /// The people who steered a recorded session, from this set-up on: an instructor changes wind and current.
+    Session(Box<Repeat>, RecordedSession, Box<Setup>),
+}
+
+impl Driven {
+    fn simulation(&self) -> &Simulation {
+        match self {
+            Driven::Scenario(simulation) => simulation,
+            Driven::Session(repeat, ..) => repeat.simulation(),
+        }
+    }
 }
 
 /// A run at its end, complete or interrupted.
@@ -37,6 +56,9 @@ pub(crate) struct Played {
     title: String,
     report: Vec<(&'static str, String)>,
     scenario_file: String,
+    session: Option<RecordedSession>,
+    /// That of a session; a scenario's does not change.
+    setup_at_start: Option<Box<Setup>>,
     notices: Vec<String>,
     simulation: Simulation,
     events: Events,
@@ -46,24 +68,62 @@ pub(crate) struct Played {
 }
 
 impl Start {
+    /// Reads a scenario, or a recorded session with a branch of it, and tells the notices.
+    ///
+    /// # Errors
+    /// Bad input. A recorded session whose replay differs.
+    pub(crate) fn open(
+        path: &Path,
+        branch: Option<usize>,
+        overrides: &[Override],
+    ) -> Result<Start, Failure> {
+        if fenderline_serve::is_recording(path) {
+            let Recorded { scenario, scenario_file, repeat, about } =
+                Recorded::load(path, branch, overrides)?;
+            if let Some(missing) = &about.missing_at_end {
+                notice(format_args!("{}: {missing}", path.display()));
+            }
+            let driven =
+                |setup: Setup| Ok(Driven::Session(Box::new(repeat), about, Box::new(setup)));
+            return Start::of(scenario, scenario_file, driven);
+        }
+        if branch.is_some() {
+            return Err(Failure::input(format_args!(
+                "error: --branch: {} is not a recorded session",
+                path.display()
+            )));
+        }
+        Start::load(path, overrides)
+    }
+
     /// Reads the scenario and tells its notices.
     ///
     /// # Errors
     /// Bad input.
     pub(crate) fn load(path: &Path, overrides: &[Override]) -> Result<Start, Failure> {
         let scenario = load(path, overrides)?;
-        scenario.notices.iter().for_each(notice);
-        let notices = scenario.notices.iter().map(recorded).collect();
-        let scenario_notices = scenario.notices.len();
-        let Scenario { title, report, setup, output, .. } = scenario;
-        let simulation = Simulation::new(setup).map_err(error)?;
-        let mut told = scenario_notices;
-        for finding in simulation.start_findings() {
-            told += 1;
-            notice(finding.sentence(simulation.setup()));
-        }
         let scenario_file = file_name(path).to_string_lossy().into_owned();
-        Ok(Start { title, output, report, scenario_file, notices, told, simulation })
+        Start::of(scenario, scenario_file, |setup| {
+            let simulation = Simulation::new(setup).map_err(error)?;
+            Ok(Driven::Scenario(Box::new(simulation)))
+        })
+    }
+
+    fn of(
+        scenario: Scenario,
+        scenario_file: String,
+        driven: impl FnOnce(Setup) -> Result<Driven, Failure>,
+    ) -> Result<Start, Failure> {
+        scenario.notices.iter().for_each(notice);
+        let notices: Vec<String> = scenario.notices.iter().map(recorded).collect();
+        let mut told = notices.len();
+        let Scenario { title, report, setup, output, .. } = scenario;
+        let driven = driven(setup)?;
+        for finding in driven.simulation().start_findings() {
+            told += 1;
+            notice(finding.sentence(driven.simulation().setup()));
+        }
+        Ok(Start { title, output, report, scenario_file, notices, told, driven })
     }
 
     /// The number of notices, of the scenario and of its start.
@@ -72,12 +132,12 @@ impl Start {
     }
 
     pub(crate) fn setup(&self) -> &Setup {
-        self.simulation.setup()
+        self.driven.simulation().setup()
     }
 
     /// The ledger before the first step.
     pub(crate) fn energy(&self) -> Energy {
-        self.simulation.energy()
+        self.driven.simulation().energy()
     }
 
     /// Plays the scenario to its end, or to Ctrl-C. `each` takes the record of each step.
@@ -88,27 +148,32 @@ impl Start {
         self,
         mut each: impl FnMut(&StepRecord<'_>) -> Result<(), Failure>,
     ) -> Result<Played, Failure> {
-        let Start { title, report, scenario_file, mut notices, mut simulation, .. } = self;
+        let Start { title, report, scenario_file, mut notices, driven, .. } = self;
         let interrupt = Interrupt::listen();
-        let mut recorder = Recorder::new(simulation.setup(), simulation.energy());
+        let start = driven.simulation();
+        let mut recorder = Recorder::new(start.setup(), start.energy());
         let mut events = Events::default();
-        let mut world = WorldTotals::new(simulation.setup());
-        let mut processes = Providers::start(&simulation)?;
+        let mut world = WorldTotals::new(start.setup());
         let mut providers = ProviderNotices::default();
-        play(
-            &mut simulation,
-            |simulation| processes.ask(simulation, &mut providers),
-            |step| {
-                each(step)?;
-                recorder.record(step);
-                events.count(step);
-                world.add(step);
-                Ok(())
-            },
-            || interrupt.is_asked(),
-        )?;
-        // The providers are ended before the files are written.
-        drop(processes);
+        let mut each = |step: &StepRecord<'_>| {
+            each(step)?;
+            recorder.record(step);
+            events.count(step);
+            world.add(step);
+            Ok(())
+        };
+        let (simulation, session, is_done, setup) = match driven {
+            Driven::Scenario(mut simulation) => {
+                play(&mut simulation, &mut providers, &mut each, &interrupt)?;
+                let is_done = simulation.is_done();
+                (*simulation, None, is_done, None)
+            }
+            Driven::Session(mut repeat, mut about, setup) => {
+                step_through(&mut repeat, &mut each, &interrupt)?;
+                about.log = lines_of(repeat.log(), repeat.simulation().setup());
+                (repeat.simulation().clone(), Some(about), repeat.is_done(), Some(setup))
+            }
+        };
         if let Some(gain) = simulation.energy_gain() {
             notice(gain);
             notices.push(gain.to_string());
@@ -116,10 +181,12 @@ impl Start {
         Ok(Played {
             recorder,
             findings: simulation.findings(),
-            interrupted: (!simulation.is_done()).then(|| Interrupted::of(&simulation)),
+            interrupted: (!is_done).then(|| Interrupted::of(&simulation)),
             title,
             report,
             scenario_file,
+            session,
+            setup_at_start: setup,
             notices,
             events,
             world,
@@ -139,7 +206,8 @@ impl Played {
             title: &self.title,
             report: &self.report,
             scenario_file: &self.scenario_file,
-            setup: simulation.setup(),
+            session: self.session.as_ref(),
+            setup: self.setup_at_start.as_deref().unwrap_or(simulation.setup()),
             notices: &self.notices,
             steps: simulation.steps_taken(),
             interrupted: self.interrupted.clone(),
@@ -173,26 +241,49 @@ fn estimate_errors(setup: &Setup) -> &'static [EstimateError] {
     all.find(|errors| !errors.is_empty()).unwrap_or(&[])
 }
 
-/// Steps `simulation` to its end, or until it `is_stopped`. `before` sets external forces before each step; `each` takes the
-/// record of the step. A bar shows the progress on a terminal.
+/// Steps `simulation` to its end, or to Ctrl-C; `each` takes the record of each step. The force providers are asked before each
+/// step, and ended after the last. A bar shows the progress on a terminal.
 ///
 /// # Errors
-/// A step that the simulation cannot make, or the first error of `each`.
+/// A provider that does not start, a step that the simulation cannot make, or the first error of `each`.
 fn play(
     simulation: &mut Simulation,
-    mut before: impl FnMut(&mut Simulation),
-    mut each: impl FnMut(&StepRecord<'_>) -> Result<(), Failure>,
-    is_stopped: impl Fn() -> bool,
+    notices: &mut ProviderNotices,
+    each: &mut impl FnMut(&StepRecord<'_>) -> Result<(), Failure>,
+    interrupt: &Interrupt,
 ) -> Result<(), Failure> {
+    let mut providers = Providers::start(simulation)?;
     let mut progress = Progress::new(simulation.steps_total());
     while !simulation.is_done() {
-        before(simulation);
+        providers.ask(simulation, notices);
         let step = simulation.step().map_err(|e| Failure::case(format_args!("error: {e}")))?;
         each(&step)?;
         progress.advance(step.index + 1);
-        if is_stopped() {
+        if interrupt.is_asked() {
             break;
         }
+    }
+    Ok(())
+}
+
+/// Steps through a branch of a recorded session to its end, or to Ctrl-C.
+///
+/// # Errors
+/// A step that the simulation cannot make, or the first error of `each`.
+fn step_through(
+    repeat: &mut Repeat,
+    each: &mut impl FnMut(&StepRecord<'_>) -> Result<(), Failure>,
+    interrupt: &Interrupt,
+) -> Result<(), Failure> {
+    let mut progress = Progress::new(repeat.steps_total());
+    while !repeat.is_done() && !interrupt.is_asked() {
+        let mut taken = Ok(());
+        let stepped = repeat.step(|step| {
+            taken = each(step);
+            progress.advance(step.index + 1);
+        });
+        stepped.map_err(|e| Failure::case(format_args!("error: {e}")))?;
+        taken?;
     }
     Ok(())
 }

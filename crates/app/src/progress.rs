@@ -77,6 +77,19 @@ fn rate(per_s: f64, what: &str) -> String {
     format!("{number:.decimals$} {prefix}{what}/s")
 }
 
+/// Shows a bar while `work` reports what is done and the total.
+///
+/// # Errors
+/// Those of `work`.
+pub(crate) fn with_progress<T, E>(
+    work: impl FnOnce(&mut dyn FnMut(u64, u64)) -> Result<T, E>,
+) -> Result<T, E> {
+    let mut bar = None;
+    work(&mut |done, of| {
+        bar.get_or_insert_with(|| Progress::new(of)).advance(done);
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::rate;

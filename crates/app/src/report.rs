@@ -19,7 +19,7 @@ use crate::terminal::say;
 /// As `run`.
 pub(crate) fn report(args: &ReportArgs) -> Result<(), Failure> {
     let overrides = args.overrides().map_err(Failure::input)?;
-    let start = Start::load(&args.scenario, &overrides)?;
+    let start = Start::open(&args.scenario, args.branch, &overrides)?;
     let documents = Documents::of(&args.documents, start.setup())?;
     let mut sheets = documents.sheets(&start)?;
     let played = start.play(|step| sheets.write(step))?;

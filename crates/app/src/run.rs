@@ -9,7 +9,7 @@ mod world;
 use std::path::{Path, PathBuf};
 
 use fenderline_report::run_page;
-use fenderline_results::{integrator_text, method_text, summary};
+use fenderline_results::{WrittenFile, integrator_text, method_text, summary};
 use fenderline_sim::OutputPlan;
 
 use crate::check::refuse_notices;
@@ -17,7 +17,7 @@ use crate::cli::RunArgs;
 use crate::documents::Documents;
 use crate::failure::Failure;
 use crate::load::stem;
-use crate::output::{Folder, OutputError, SUMMARY, Tables, publish};
+use crate::output::{Folder, LOG, OutputError, SUMMARY, Tables, publish, write_log};
 use crate::played::{Played, Start};
 use crate::terminal::{say, say_json};
 
@@ -31,7 +31,7 @@ use crate::terminal::{say, say_json};
 /// up to then and say so. A document that could not be made after the result files: they are left.
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let overrides = args.overrides().map_err(Failure::input)?;
-    let start = Start::load(&args.scenario, &overrides)?;
+    let start = Start::open(&args.scenario, args.branch, &overrides)?;
     if args.strict {
         refuse_notices(start.notices())?;
     }
@@ -49,10 +49,17 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     })?;
     let outcome = played.outcome();
     tables.end_interval()?;
-    let files = tables.files();
+    let mut files = tables.files();
+    if let Some(session) = outcome.session {
+        let rows = Some(session.log.len() as u64);
+        files.push(WrittenFile { name: LOG.to_owned(), rows });
+    }
     let summary = summary(&outcome, &files).map_err(|e| OutputError::new(SUMMARY.as_ref(), e))?;
     let report = run_page::render(&outcome, &played.recorder);
-    let tables = tables.finish()?;
+    let mut tables = tables.finish()?;
+    if let Some(session) = outcome.session {
+        tables.push(write_log(&folder, &session.log)?);
+    }
     publish(folder, tables, &report, &summary)?;
     if args.json {
         say_json(&summary)?;

@@ -6,7 +6,7 @@ use crate::cli::{ReplayArgs, ServeArgs};
 use crate::engine_dump;
 use crate::failure::Failure;
 use crate::interrupt::stop_on_interrupt;
-use crate::progress::Progress;
+use crate::progress::with_progress;
 use crate::terminal::{notice, remark, say};
 
 /// Serves until it is interrupted.
@@ -47,7 +47,8 @@ pub(crate) fn replay(args: &ReplayArgs) -> Result<(), Failure> {
         return engine_dump::replay(&args.session);
     }
     let replayed = with_progress(|progress| fenderline_serve::replay(&args.session, progress))?;
-    let Replayed { title, branches, ticks, equal_states, incomplete } = replayed;
+    let Replayed { session, branches, ticks, equal_states, incomplete } = replayed;
+    let title = session.title();
     let whole = match incomplete {
         None => "whole",
         Some(what) => {
@@ -58,17 +59,6 @@ pub(crate) fn replay(args: &ReplayArgs) -> Result<(), Failure> {
     say(&format!(
         "{title}: {branches} branches, {ticks} ticks, {whole}; the same bits in all {equal_states} recorded states\n"
     ))
-}
-
-/// Shows a bar while `replay` reports ticks done and their total.
-fn with_progress<T>(
-    replay: impl FnOnce(&mut dyn FnMut(u64, u64)) -> Result<T, ServeError>,
-) -> Result<T, Failure> {
-    let mut bar = None;
-    let done = replay(&mut |done, of| {
-        bar.get_or_insert_with(|| Progress::new(of)).advance(done);
-    });
-    Ok(done?)
 }
 
 impl From<ServeError> for Failure {

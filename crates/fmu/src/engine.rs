@@ -68,6 +68,7 @@ impl EngineRun {
             report: Vec::new(),
             setup,
             output: plan.scenario.output.clone(),
+            output_gives: plan.scenario.output_gives,
             notices: Vec::new(),
         };
         let engine = Engine::from_scenario(scenario, &Settings { method: None, host })

@@ -5,6 +5,8 @@
 //! ([`RecordingReader`]) and replayed ([`Replay`]). This crate also makes the messages to pages ([`message`]) and reads their
 //! requests ([`Request`]).
 //!
+//! After it, a [`Repeat`] steps through a branch from its start and keeps the log: commands, alarms and events.
+//!
 //! A run that nobody steers gives the same messages by [`Watched`].
 //!
 //! The owner of a session decides when it steps: `fenderline serve` paces it to wall time.
@@ -27,6 +29,7 @@ mod order_info;
 mod prediction;
 mod recording;
 mod refusal;
+mod repeat;
 mod replay;
 mod request;
 mod session;
@@ -48,6 +51,7 @@ pub use recording::{
     begins_recording, copy_kept,
 };
 pub use refusal::Refusal;
+pub use repeat::{LoggedAlarm, LoggedCommand, Repeat, SessionLog};
 pub use replay::{Replay, ReplayError, Replayed};
 pub use request::{Conduct, Control, Request};
 pub use session::{Branch, Session, SessionError, StepError};

@@ -136,7 +136,7 @@ impl NamedOrder {
     ///
     /// # Errors
     /// A name that does not exist, or an order that the simulation refuses.
-    pub(crate) fn resolve(&self, setup: &Setup) -> Result<Action, Refusal> {
+    pub fn resolve(&self, setup: &Setup) -> Result<Action, Refusal> {
         let world = &setup.world;
         let (kind, name) = (self.order.spec().target, self.to.as_str());
         let target = match kind {

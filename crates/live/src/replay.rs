@@ -206,9 +206,9 @@ impl<R: BufRead> Replay<R> {
     /// Carries out the line; the session is at its tick.
     fn carry_out(&mut self) -> Result<(), ReplayError> {
         match self.line.take() {
-            Some(Line::Command { branch, action, .. }) => {
+            Some(Line::Command { branch, who, action, .. }) => {
                 self.last_branch = branch;
-                self.session.command("", 0, action).map_err(|e| self.wrong(e))?;
+                self.session.command(&who, 0, action).map_err(|e| self.wrong(e))?;
             }
             Some(Line::Reached { tick, bits, .. }) => {
                 let ours = self.session.bits();

@@ -1,9 +1,10 @@
 //! The session: a simulation, its log of commands, and rewinding.
 
 use std::fmt;
+use std::ops::Range;
 
 use fenderline_scenario::ScenarioError;
-use fenderline_sim::{SetupError, SimError, Simulation};
+use fenderline_sim::{SetupError, SimError, Simulation, StepRecord};
 
 use crate::action::Action;
 use crate::approach::ApproachLimit;
@@ -26,8 +27,17 @@ pub struct Branch {
     pub from_tick: u64,
     /// Its last tick so far.
     pub ends_tick: u64,
-    /// Tick and command, by increasing tick.
-    commands: Vec<(u64, Action)>,
+    /// By increasing tick.
+    commands: Vec<Given>,
+}
+
+/// A command that was given.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Given {
+    /// The tick from which it takes effect.
+    pub(crate) tick: u64,
+    pub(crate) who: String,
+    pub(crate) action: Action,
 }
 
 /// Everything that changes from tick to tick.
@@ -227,7 +237,7 @@ impl Session {
         }
         self.commands += 1;
         self.writer.put(&line);
-        self.branches[branch].commands.push((tick, action));
+        self.branches[branch].commands.push(Given { tick, who: who.to_owned(), action });
         Ok(tick)
     }
 
@@ -236,13 +246,21 @@ impl Session {
     /// # Errors
     /// The simulation failed, or the session has reached a limit. The session is unchanged then.
     pub fn step(&mut self) -> Result<(), StepError> {
+        self.step_with(|_| ())
+    }
+
+    /// As [`Session::step`]. `each` takes the record of the step.
+    ///
+    /// # Errors
+    /// As [`Session::step`].
+    pub fn step_with(&mut self, each: impl FnOnce(&StepRecord<'_>)) -> Result<(), StepError> {
         let rewound = self.is_rewound();
         if rewound {
             self.apply_recorded();
         } else {
             self.has_room().map_err(StepError::Full)?;
         }
-        self.advance().map_err(StepError::Simulation)?;
+        self.advance(each).map_err(StepError::Simulation)?;
         let tick = self.now.tick;
         if rewound {
             if !self.is_rewound() {
@@ -268,10 +286,12 @@ impl Session {
     }
 
     /// Takes one step of the simulation and keeps its contacts and events.
-    fn advance(&mut self) -> Result<(), SimError> {
+    fn advance(&mut self, each: impl FnOnce(&StepRecord<'_>)) -> Result<(), SimError> {
         let Now { simulation, seen, tick, .. } = &mut self.now;
         let t_s = simulation.time_s();
-        seen.keep(&simulation.step()?);
+        let record = simulation.step()?;
+        seen.keep(&record);
+        each(&record);
         *tick += 1;
         self.events.extend(seen.events(simulation.setup()).map(|text| (t_s, text)));
         let (segment, _) = self.segment(self.current, self.now.tick);
@@ -281,15 +301,26 @@ impl Session {
 
     /// Carries out the recorded commands of this tick.
     pub(crate) fn apply_recorded(&mut self) {
-        let at = self.now.tick;
-        let (segment, _) = self.segment(self.current, at);
-        let commands = &self.branches[segment].commands;
-        let from = commands.partition_point(|(tick, _)| *tick < at);
-        let own = commands[from..].iter().take_while(|(tick, _)| *tick == at);
-        for (_, action) in own {
+        let (segment, of_tick) = self.given_at(self.now.tick);
+        for Given { action, .. } in &self.branches[segment].commands[of_tick] {
             let again = carry_out(action, &self.cast, &mut self.now);
             assert!(again.is_ok(), "it was carried out before in this state: {action:?}");
         }
+    }
+
+    /// The commands of the present tick, in the order in which they were given.
+    pub(crate) fn given_now(&self) -> &[Given] {
+        let (segment, of_tick) = self.given_at(self.now.tick);
+        &self.branches[segment].commands[of_tick]
+    }
+
+    /// The branch that has the commands of a tick of the current branch, and where they are in its list.
+    fn given_at(&self, tick: u64) -> (usize, Range<usize>) {
+        let (segment, _) = self.segment(self.current, tick);
+        let commands = &self.branches[segment].commands;
+        let before = commands.partition_point(|given| given.tick < tick);
+        let up_to = commands.partition_point(|given| given.tick <= tick);
+        (segment, before..up_to)
     }
 
     /// The branch whose commands apply at a tick of `branch`, which is itself or one of its ancestors, and the first tick of
@@ -343,7 +374,7 @@ impl Session {
     pub(crate) fn step_again(&mut self) {
         let events = self.events.len();
         self.apply_recorded();
-        let again = self.advance();
+        let again = self.advance(|_| ());
         assert!(again.is_ok(), "it was stepped before from this state: {again:?}");
         self.events.truncate(events);
     }

@@ -44,7 +44,16 @@ impl Source {
     /// # Errors
     /// The first mistake in it, such as a file that it names but that `files` lacks.
     pub fn scenario(&self) -> Result<Scenario, ScenarioError> {
-        let overrides = overrides(&self.set)?;
+        self.scenario_with(&[])
+    }
+
+    /// As [`Source::scenario`], with more keys replaced.
+    ///
+    /// # Errors
+    /// As [`Source::scenario`].
+    pub fn scenario_with(&self, more: &[Override]) -> Result<Scenario, ScenarioError> {
+        let mut overrides = overrides(&self.set)?;
+        overrides.extend_from_slice(more);
         Scenario::parse_among(&self.text, &self.file, &overrides, &mut |name| {
             self.files
                 .get(name)

@@ -46,6 +46,7 @@ impl Totals {
             title,
             report: &self.report,
             scenario_file: "",
+            session: None,
             setup: simulation.setup(),
             notices,
             interrupted,

@@ -8,6 +8,7 @@ use fenderline_sim::{
 
 use crate::accuracy::EstimateError;
 use crate::provider_notices::ProviderNotices;
+use crate::recorded_session::RecordedSession;
 use crate::run_events::Events;
 use crate::world_totals::WorldTotals;
 
@@ -45,6 +46,8 @@ pub struct Outcome<'a> {
     pub report: &'a [(&'static str, String)],
     /// Name of the scenario file, without its folder.
     pub scenario_file: &'a str,
+    /// The session that the run repeats; `None` for a run that nobody steered.
+    pub session: Option<&'a RecordedSession>,
     /// The set-up.
     pub setup: &'a Setup,
     /// Notices of the scenario.
@@ -76,6 +79,17 @@ pub struct Outcome<'a> {
     /// Errors of the formulas that estimated the vessels, on ships with references; empty where no vessel was
     /// estimated by formulas with known errors.
     pub estimate_errors: &'a [EstimateError],
+}
+
+impl Outcome<'_> {
+    /// The length of the run that was asked for (s): that of the scenario, or that of the branch of a recorded session.
+    #[must_use]
+    pub fn duration_s(&self) -> f64 {
+        match (self.session, &self.interrupted) {
+            (Some(_), None) => self.steps as f64 * self.setup.step_s,
+            (_, _) => self.setup.duration_s,
+        }
+    }
 }
 
 /// A file of the run and its number of rows, for the summary.

@@ -28,6 +28,8 @@ pub struct Scenario {
     pub setup: Setup,
     /// The result tables that a run writes.
     pub output: OutputPlan,
+    /// Whether the file gives `output.interval`, and `output.tables`.
+    pub output_gives: [bool; 2],
     /// Warnings: what was corrected or looks unintended, in the order of the file.
     pub notices: Vec<Notice>,
 }
@@ -96,7 +98,22 @@ impl Scenario {
         forget_repeated(&mut notices);
         let title =
             file.item("title").map_or_else(|| stem(file_name), |item| item.text().to_owned());
-        Ok(Scenario { title, report: report(&file), setup, output, notices })
+        let output_gives = ["interval", "tables"]
+            .map(|key| file.item("output").is_some_and(|item| item.table().item(key).is_some()));
+        Ok(Scenario { title, report: report(&file), setup, output, output_gives, notices })
+    }
+
+    /// The result tables of a run of so many steps in place of the file's duration, as of a session that people ended when they
+    /// wanted: what the file does not give depends on the number of steps.
+    #[must_use]
+    pub fn output_of_steps(&self, steps: u64) -> OutputPlan {
+        let [gives_interval, gives_tables] = self.output_gives;
+        let OutputPlan { steps_per_row: given_steps, tables: given_tables } = self.output.clone();
+        let by_default = OutputPlan::of_steps(steps as f64).steps_per_row;
+        let steps_per_row = if gives_interval { given_steps } else { by_default };
+        let tables =
+            if gives_tables { given_tables } else { OutputPlan::default_tables(steps_per_row) };
+        OutputPlan { steps_per_row, tables }
     }
 }
 

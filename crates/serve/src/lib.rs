@@ -51,6 +51,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, mpsc};
 use std::thread::JoinHandle;
 
+use fenderline_live::Session;
 use fenderline_live::message::{Link, Role};
 use fenderline_nautical::ChartOrigin;
 use tokio::net::{TcpListener, TcpSocket, UdpSocket};
@@ -351,10 +352,10 @@ fn greeting(address: SocketAddr, links: &[Link], wires: &str, recording: &Path) 
 }
 
 /// A recorded session that was replayed to its end.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Debug)]
 pub struct Replayed {
-    /// The scenario's title.
-    pub title: String,
+    /// The session at its end, with nothing to record to.
+    pub session: Session,
     /// Branches of the session.
     pub branches: usize,
     /// Ticks of all branches.
@@ -363,6 +364,12 @@ pub struct Replayed {
     pub equal_states: u64,
     /// What is missing at the recording's end; `None` for a complete one.
     pub incomplete: Option<String>,
+}
+
+/// True if a file begins as a recorded session does. What cannot be opened is none.
+#[must_use]
+pub fn is_recording(path: &Path) -> bool {
+    matches!(saved::open(path), Ok(Some(_)))
 }
 
 /// Replays a recorded session and compares every recorded state. `progress` is given the ticks that are done, and their
@@ -389,7 +396,7 @@ pub fn replay(session: &Path, mut progress: impl FnMut(u64, u64)) -> Result<Repl
     })?;
     let saved::Replayed { session, equal_states, outline, .. } = replayed;
     Ok(Replayed {
-        title: session.title().to_owned(),
+        session,
         branches: outline.branches,
         ticks: outline.ticks,
         equal_states,

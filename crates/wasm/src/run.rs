@@ -268,6 +268,7 @@ impl Run {
             title: &self.title,
             report: &self.report,
             scenario_file: &self.file,
+            session: None,
             setup,
             notices: &notices,
             interrupted: (!simulation.is_done()).then(|| Interrupted::of(simulation)),

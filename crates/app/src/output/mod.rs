@@ -7,6 +7,7 @@
 mod csv;
 mod files;
 mod lock;
+mod log;
 mod parquet;
 mod part_file;
 mod tables;
@@ -17,6 +18,7 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
+pub(crate) use log::write_log;
 pub(crate) use part_file::{Folder, Sealed};
 pub(crate) use tables::Tables;
 pub(crate) use whole_file::{make_folder, write_new, write_whole};
@@ -28,11 +30,13 @@ fn result_files() -> Vec<String> {
         [Format::Csv, Format::Parquet]
             .map(|format| format!("{}.{}", table.name, format.extension()))
     });
-    [SUMMARY.to_owned()].into_iter().chain(tables).chain([REPORT.to_owned()]).collect()
+    [SUMMARY.to_owned()].into_iter().chain(tables).chain([REPORT, LOG].map(str::to_owned)).collect()
 }
 
 pub(crate) const SUMMARY: &str = "summary.json";
 const REPORT: &str = "report.html";
+/// The log of a recorded session.
+pub(crate) const LOG: &str = "log.csv";
 
 /// How the tables are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

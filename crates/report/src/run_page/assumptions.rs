@@ -45,8 +45,8 @@ fn computation(outcome: &Outcome<'_>) -> Markup {
         } }
         dt { "Time" }
         dd {
-            (setup.duration_s) " s "
-            @if setup.duration_s >= HOUR_S { "(" (plain(setup.duration_s / HOUR_S, 3)) " h) " }
+            (outcome.duration_s()) " s "
+            @if outcome.duration_s() >= HOUR_S { "(" (plain(outcome.duration_s() / HOUR_S, 3)) " h) " }
             "in steps of " (setup.step_s) " s; "
             @match setup.integrator {
                 Integrator::Euler => "forward Euler",

@@ -53,13 +53,29 @@ impl<'a> Charts<'a> {
         Charts { outcome, end_s, unit }
     }
 
+    /// Unit of the time axis, and its length (s).
+    pub(super) fn unit(&self) -> (&'static str, f64) {
+        self.unit
+    }
+
+    /// The end of the run (s).
+    pub(super) fn end_s(&self) -> f64 {
+        self.end_s
+    }
+
+    /// The axis of the whole time of the run.
+    pub(super) fn time_axis(&self) -> Axis {
+        let (unit, unit_s) = self.unit;
+        Axis::new("time", unit).including(0.0).including(self.end_s / unit_s).tight()
+    }
+
     /// A chart over the whole time of the run, from series over seconds.
     pub(super) fn chart(&self, title: &str, y: Axis, series: Vec<Series>) -> Chart {
-        let (unit, unit_s) = self.unit;
+        let (_, unit_s) = self.unit;
         let in_unit = |p: &Point| Point { x: p.x / unit_s, y: p.y };
         Chart {
             title: title.to_owned(),
-            x: Axis::new("time", unit).including(0.0).including(self.end_s / unit_s).tight(),
+            x: self.time_axis(),
             y,
             series: series.into_iter().map(|line| line.mapped(in_unit)).collect(),
             references: Vec::new(),

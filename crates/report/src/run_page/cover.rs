@@ -5,7 +5,7 @@ use maud::{Markup, html};
 
 use super::governing::{Governing, governing};
 use super::tables::{TONNE_N, number};
-use super::{Recorder, approach, scene, verdict};
+use super::{Recorder, approach, scene, session, verdict};
 use crate::plot::{decimals_for, fenders_legend, fixed, ordinal, outlined_legend, significant};
 use crate::words::interrupted_text;
 use crate::{Head, table_head};
@@ -43,6 +43,9 @@ fn details(outcome: &Outcome<'_>) -> Markup {
         dl class="details" {
             @for (key, text) in outcome.report { (detail(&detail_label(key), text)) }
             (detail("Scenario", outcome.scenario_file))
+            @if let Some(recorded) = outcome.session {
+                (detail("Session", &session::name(recorded)))
+            }
             (detail("Computed by", concat!("fenderline ", env!("CARGO_PKG_VERSION"))))
         }
     }

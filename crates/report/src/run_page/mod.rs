@@ -12,6 +12,7 @@ mod governing;
 mod parts;
 mod recorder;
 mod scene;
+mod session;
 mod system;
 mod tables;
 mod verdict;
@@ -28,6 +29,7 @@ use fenderline_results::{Outcome, is_plain};
 pub use cover::detail_label;
 pub use governing::{Governing, governing};
 pub use recorder::Recorder;
+pub use vessels::{addressee, order_text};
 
 use recorder::PairTrace;
 
@@ -50,6 +52,7 @@ pub fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
         (tables::results(outcome))
         (remarks(outcome))
         (vessels::remarks(outcome))
+        (session::section(outcome))
         (system::section(outcome, recorder))
         (fenders::section(outcome, recorder))
         (berthing::section(outcome))
@@ -65,7 +68,11 @@ pub fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
         (tables::setup(outcome))
         footer {
             "Made by fenderline " (env!("CARGO_PKG_VERSION")) " from " (outcome.scenario_file)
-            ". The same scenario gives this page again, byte for byte."
+            @if outcome.session.is_some() {
+                ". The same recording gives this page again, byte for byte."
+            } @else {
+                ". The same scenario gives this page again, byte for byte."
+            }
         }
     };
     page_of(outcome.title, &footer(outcome), &body)

@@ -5,6 +5,7 @@ mod berthing;
 mod dolphins;
 mod events;
 mod fenders;
+mod session;
 mod verdict;
 mod world;
 
@@ -21,6 +22,7 @@ use berthing::berthing_json;
 use dolphins::dolphins_json;
 use events::events_json;
 use fenders::fenders_json;
+use session::session_json;
 use verdict::verdict_json;
 use world::put_world;
 
@@ -84,7 +86,7 @@ pub fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<String, S
         "steps": outcome.steps,
         "verdict": verdict_json(outcome),
         "interrupted": outcome.interrupted.is_some(),
-        "duration_s": setup.duration_s,
+        "duration_s": outcome.duration_s(),
         "bodies": bodies,
         "pairs": pairs,
         "fenders": fenders_json(outcome),
@@ -93,6 +95,9 @@ pub fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<String, S
         "notices": outcome.notices,
         "files": files,
     });
+    if let Some(session) = outcome.session {
+        whole["session"] = session_json(session);
+    }
     if !setup.approaches.is_empty() {
         whole["approaches"] = approaches_json(setup);
     }

@@ -13,6 +13,7 @@ use fenderline_results::Outcome;
 
 pub(super) use headline::{headline, remarks};
 pub(super) use orders::compass;
+pub use orders::{addressee, order_text};
 
 /// What of the vessels' data has to be checked: estimates, and what was recalled.
 pub(super) fn to_check(outcome: &Outcome<'_>) -> Vec<String> {

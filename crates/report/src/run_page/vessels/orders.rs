@@ -1,7 +1,7 @@
 //! The orders of a run, in time.
 
 use fenderline_sim::order::{Argument, ArgumentKind, Named, Target, Unit, Value};
-use fenderline_sim::{Order, Setup};
+use fenderline_sim::{Action, Order, Setup};
 use maud::{Markup, html};
 
 use crate::plot::{fixed, plain};
@@ -26,8 +26,8 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
                     @for order in orders.iter().take(ROWS) {
                         tr {
                             (number(&plain(order.at_s, 6)))
-                            td class="name" { (addressee(order, setup)) }
-                            td class="name" { (text(order, setup)) }
+                            td class="name" { (addressee(&order.action, setup)) }
+                            td class="name" { (order_text(&order.action, setup)) }
                         }
                     }
                 }
@@ -37,9 +37,11 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
     }
 }
 
-fn addressee(order: &Order, setup: &Setup) -> String {
+/// The name of the vessel, tug or line that an order is for.
+#[must_use]
+pub fn addressee(order: &Action, setup: &Setup) -> String {
     let world = &setup.world;
-    match order.action.target() {
+    match order.target() {
         Target::Vessel(vessel) => setup.bodies[world.vessels[vessel].body].name.clone(),
         Target::Tug(tug) => format!("tug {}", world.tugs[tug].tug.name),
         Target::Line(line) => format!("line {}", world.lines[line].line.name),
@@ -47,9 +49,10 @@ fn addressee(order: &Order, setup: &Setup) -> String {
 }
 
 /// The order's word and its arguments, by the table of orders.
-fn text(order: &Order, setup: &Setup) -> String {
-    let spec = order.action.name().spec();
-    let arguments = order.action.arguments();
+#[must_use]
+pub fn order_text(order: &Action, setup: &Setup) -> String {
+    let spec = order.name().spec();
+    let arguments = order.arguments();
     let arguments = arguments.iter().filter_map(|(name, value)| {
         let argument = spec.argument(name)?;
         Some(match value {
@@ -74,9 +77,9 @@ fn number_text(argument: &Argument, value: f64) -> String {
     }
 }
 
-fn name_of(argument: &Argument, index: usize, order: &Order, setup: &Setup) -> String {
+fn name_of(argument: &Argument, index: usize, order: &Action, setup: &Setup) -> String {
     let world = &setup.world;
-    let vessel = match order.action.target() {
+    let vessel = match order.target() {
         Target::Vessel(vessel) => world.vessels.get(vessel),
         Target::Tug(_) | Target::Line(_) => None,
     };

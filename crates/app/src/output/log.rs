@@ -1,0 +1,26 @@
+//! The log of a recorded session as a file.
+
+use fenderline_results::LogLine;
+
+use super::part_file::{Folder, Sealed};
+use super::{LOG, OutputError};
+
+/// Writes the log under its `.part` name: a line for each command, alarm and event.
+///
+/// # Errors
+/// A file that cannot be written.
+pub(crate) fn write_log(folder: &Folder, log: &[LogLine]) -> Result<Sealed, OutputError> {
+    let file = folder.create(LOG)?;
+    let path = file.path().to_owned();
+    let failed = |e: csv::Error| OutputError::new(&path, e);
+    let mut writer = csv::Writer::from_writer(file);
+    writer.write_record(["t_s", "until_s", "kind", "who", "text"]).map_err(failed)?;
+    for LogLine { t_s, until_s, kind, who, text } in log {
+        let until_s = until_s.map_or_else(String::new, |until_s| format!("{until_s:?}"));
+        writer
+            .write_record([&format!("{t_s:?}"), &until_s, kind.word(), who, text])
+            .map_err(failed)?;
+    }
+    let file = writer.into_inner().map_err(|e| OutputError::new(&path, e.error()))?;
+    file.seal()
+}

@@ -1,0 +1,164 @@
+//! A recorded session as the source of a run: replayed and compared with the recorded states, then stepped through again.
+
+use std::path::Path;
+
+use fenderline_live::{Action, Fault, Level, OtherAction, Repeat, SessionLog};
+use fenderline_report::plot::{fixed, plain};
+use fenderline_report::run_page::{addressee, order_text};
+use fenderline_results::{LogKind, LogLine, RecordedSession};
+use fenderline_scenario::{Override, Scenario};
+use fenderline_serve::Replayed;
+use fenderline_sim::Setup;
+use fenderline_sim::order::{Lead, SidePlace, TugWord, Word as _};
+
+use crate::failure::Failure;
+use crate::load::file_name;
+use crate::progress::with_progress;
+
+/// Tables of a scenario that say what is written, not what happens.
+const OF_RESULTS: [&str; 2] = ["output", "report"];
+
+/// A recorded session before it is stepped through.
+pub(crate) struct Recorded {
+    /// Its scenario, with the changes of what is written.
+    pub(crate) scenario: Scenario,
+    /// Name of the scenario's file.
+    pub(crate) scenario_file: String,
+    pub(crate) repeat: Repeat,
+    /// Without its log.
+    pub(crate) about: RecordedSession,
+}
+
+impl Recorded {
+    /// Replays the recording at `path`, and goes to the start of a branch: by default the one that was steered last.
+    ///
+    /// # Errors
+    /// Bad input: a damaged recording, a branch that it lacks, a change of what happened. A replay that differs in any bit.
+    pub(crate) fn load(
+        path: &Path,
+        branch: Option<usize>,
+        overrides: &[Override],
+    ) -> Result<Recorded, Failure> {
+        refuse_changes(overrides)?;
+        let replayed = with_progress(|progress| fenderline_serve::replay(path, progress))?;
+        let Replayed { session, branches, incomplete, .. } = replayed;
+        let mut scenario = session.source().scenario_with(overrides).map_err(Failure::input)?;
+        let scenario_file = session.source().file.clone();
+        let branch = branch.unwrap_or(session.current_branch());
+        let repeat = Repeat::of(session, branch)
+            .map_err(|why| Failure::input(format_args!("error: {}: {why}", path.display())))?;
+        scenario.output = scenario.output_of_steps(repeat.steps_total());
+        let about = RecordedSession {
+            file: file_name(path).to_string_lossy().into_owned(),
+            branch,
+            branches,
+            missing_at_end: incomplete,
+            log: Vec::new(),
+        };
+        Ok(Recorded { scenario, scenario_file, repeat, about })
+    }
+}
+
+/// What happened in a session cannot be changed.
+fn refuse_changes(overrides: &[Override]) -> Result<(), Failure> {
+    let changes = overrides.iter().map(|change| change.path());
+    let physical = changes.filter(|path| !OF_RESULTS.contains(&path[0].as_str()));
+    match physical.map(|path| path.join(".")).next() {
+        None => Ok(()),
+        Some(key) => Err(Failure::input(format_args!(
+            "error: `{key}` cannot be changed: a recorded session is repeated as it was; only keys of `output` and \
+             `report` can be set"
+        ))),
+    }
+}
+
+/// The log in words, in the order of time.
+pub(crate) fn lines_of(log: &SessionLog, setup: &Setup) -> Vec<LogLine> {
+    let commands = log.commands.iter().map(|command| LogLine {
+        t_s: command.t_s,
+        until_s: None,
+        kind: LogKind::Command,
+        who: command.who.clone(),
+        text: words_of(&command.action, setup),
+    });
+    let alarms = log.alarms.iter().map(|alarm| LogLine {
+        t_s: alarm.t_s,
+        until_s: alarm.until_s,
+        kind: match alarm.level {
+            Level::Alarm => LogKind::Alarm,
+            Level::Caution => LogKind::Caution,
+        },
+        who: String::new(),
+        text: alarm.text.clone(),
+    });
+    let events = log.events.iter().map(|(t_s, text)| LogLine {
+        t_s: *t_s,
+        until_s: None,
+        kind: LogKind::Event,
+        who: String::new(),
+        text: text.clone(),
+    });
+    let mut lines: Vec<LogLine> = commands.chain(alarms).chain(events).collect();
+    // A stable sort: of one moment, commands come first.
+    lines.sort_by(|one, other| one.t_s.total_cmp(&other.t_s));
+    lines
+}
+
+/// A command in words.
+fn words_of(action: &Action, setup: &Setup) -> String {
+    match action {
+        Action::Order(named) => match named.resolve(setup) {
+            Ok(order) => format!("{}: {}", addressee(&order, setup), order_text(&order, setup)),
+            // It was carried out when it was given; names do not change.
+            Err(why) => unreachable!("an order that was carried out: {why}"),
+        },
+        Action::Other(OtherAction::Tug { tug, order, power, lead, place }) => {
+            tug_words(tug, *order, *power, *lead, *place)
+        }
+        Action::Other(OtherAction::Wind { speed_mps, from_rad }) => {
+            format!("wind {} m/s from {}", plain(*speed_mps, 3), degrees(*from_rad))
+        }
+        Action::Other(OtherAction::Current { speed_mps, to_rad }) => {
+            format!("current {} m/s towards {}", plain(*speed_mps, 3), degrees(*to_rad))
+        }
+        Action::Other(OtherAction::Fault { vessel, fault, on }) => {
+            let ends = if *on { "" } else { " ends" };
+            format!("{vessel}: {}{ends}", fault_words(*fault))
+        }
+        Action::Other(OtherAction::ApproachLimit { speed_mps }) => {
+            format!("speed limit at the fenders {} m/s", plain(*speed_mps, 3))
+        }
+    }
+}
+
+fn tug_words(
+    tug: &str,
+    order: TugWord,
+    power: Option<f64>,
+    lead: Lead,
+    place: SidePlace,
+) -> String {
+    let mut text = format!("{tug}: {}", order.word().replace('_', " "));
+    if matches!(order, TugWord::Push | TugWord::Pull) {
+        let power = power.unwrap_or_default();
+        text += &format!(" {} %, {}", fixed(100.0 * power, 0), lead.word());
+        if place != SidePlace::Nearest {
+            text += &format!(", at the {}", place.word());
+        }
+    }
+    text
+}
+
+fn fault_words(fault: Fault) -> &'static str {
+    match fault {
+        Fault::RudderStuck => "rudder stuck",
+        Fault::EngineLost => "engine lost",
+        Fault::ThrustersLost => "thrusters lost",
+        Fault::Blackout => "blackout",
+    }
+}
+
+/// Three digits, as a direction is said.
+fn degrees(angle_rad: f64) -> String {
+    format!("{:03.0}°", libm::round(angle_rad.to_degrees()).rem_euclid(360.0))
+}

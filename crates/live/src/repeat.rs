@@ -1,0 +1,242 @@
+//! A branch of a session, stepped through again from its start, with the log of commands, alarms and events: what a report of
+//! the session is made of.
+
+use fenderline_sim::{Simulation, StepRecord};
+
+use crate::action::Action;
+use crate::alarm_book::{Alarm, Level};
+use crate::info::Info;
+use crate::refusal::Refusal;
+use crate::session::{Session, StepError};
+
+/// An alarm whose cause comes back within this time is the same alarm: a speed that varies about its limit makes one line of the
+/// log, not a hundred (s).
+const SAME_ALARM_S: f64 = 10.0;
+
+/// A command in the log.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoggedCommand {
+    /// Time from which it took effect (s).
+    pub t_s: f64,
+    /// Who gave it.
+    pub who: String,
+    /// The command.
+    pub action: Action,
+}
+
+/// An alarm or caution in the log.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoggedAlarm {
+    /// Time at which its cause began (s).
+    pub t_s: f64,
+    /// Time at which its cause ended (s); `None` while it is active.
+    pub until_s: Option<f64>,
+    /// The greatest level that it had.
+    pub level: Level,
+    /// Its text when it reached that level.
+    pub text: String,
+}
+
+/// What was done and what happened, each list in the order of time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SessionLog {
+    /// The commands.
+    pub commands: Vec<LoggedCommand>,
+    /// The alarms and cautions.
+    pub alarms: Vec<LoggedAlarm>,
+    /// Time (s) and text of the other events, such as a line that parted.
+    pub events: Vec<(f64, String)>,
+}
+
+/// Steps through a branch of a session from its start.
+#[derive(Clone, Debug)]
+pub struct Repeat {
+    session: Session,
+    info: Info,
+    log: SessionLog,
+    /// Keys of all alarms so far, with their place in the log: the last of a key alone.
+    known: Vec<(String, usize)>,
+}
+
+impl Repeat {
+    /// A branch of `session` at its start. Nothing is added to the recording.
+    ///
+    /// # Errors
+    /// There is no branch of that number, or it has no steps.
+    pub fn of(mut session: Session, branch: usize) -> Result<Repeat, Refusal> {
+        session.go_to_branch(branch)?;
+        session.rewind(0)?;
+        if !session.is_rewound() {
+            return Err(Refusal::new("the session has no steps"));
+        }
+        let info = Info::of(session.simulation().setup(), session.cast());
+        Ok(Repeat { session, info, log: SessionLog::default(), known: Vec::new() })
+    }
+
+    /// The simulation in its present state.
+    #[must_use]
+    pub fn simulation(&self) -> &Simulation {
+        self.session.simulation()
+    }
+
+    /// True at the end of the branch.
+    #[must_use]
+    pub fn is_done(&self) -> bool {
+        !self.session.is_rewound()
+    }
+
+    /// Number of steps of the branch from the start of the session.
+    #[must_use]
+    pub fn steps_total(&self) -> u64 {
+        self.session.branches()[self.session.current_branch()].ends_tick
+    }
+
+    /// Takes one step and hands its record to `each`.
+    ///
+    /// # Errors
+    /// As [`Session::step`].
+    ///
+    /// # Panics
+    /// At the end of the branch.
+    pub fn step(&mut self, each: impl FnOnce(&StepRecord<'_>)) -> Result<(), StepError> {
+        assert!(!self.is_done(), "the branch is at its end");
+        let t_s = self.simulation().time_s();
+        let given = self.session.given_now().iter().map(|given| LoggedCommand {
+            t_s,
+            who: given.who.clone(),
+            action: given.action.clone(),
+        });
+        self.log.commands.extend(given);
+        self.session.step_with(each)?;
+        self.log.events.extend(self.session.take_events());
+        let causes = self.session.causes_for_alarm(&self.info);
+        self.note_alarms(causes);
+        Ok(())
+    }
+
+    /// The log up to the present state.
+    #[must_use]
+    pub fn log(&self) -> &SessionLog {
+        &self.log
+    }
+
+    fn note_alarms(&mut self, causes: Vec<Alarm>) {
+        let t_s = self.simulation().time_s();
+        let alarms = &mut self.log.alarms;
+        for (key, at) in &self.known {
+            let alarm = &mut alarms[*at];
+            if alarm.until_s.is_none() && causes.iter().all(|cause| cause.key != *key) {
+                alarm.until_s = Some(t_s);
+            }
+        }
+        for Alarm { level, key, text, .. } in causes {
+            let known = self.known.iter_mut().find(|(other, _)| *other == key);
+            match known {
+                Some((_, at)) if alarms[*at].is_within(t_s) => {
+                    let alarm = &mut alarms[*at];
+                    alarm.until_s = None;
+                    if level > alarm.level {
+                        (alarm.level, alarm.text) = (level, text);
+                    }
+                }
+                Some((_, at)) => *at = begin(alarms, t_s, level, text),
+                None => self.known.push((key, begin(alarms, t_s, level, text))),
+            }
+        }
+    }
+}
+
+impl LoggedAlarm {
+    /// True if it is active, or ended so lately that it continues when its cause comes back.
+    fn is_within(&self, t_s: f64) -> bool {
+        self.until_s.is_none_or(|until_s| t_s - until_s < SAME_ALARM_S)
+    }
+}
+
+/// Adds an alarm and returns its place.
+fn begin(alarms: &mut Vec<LoggedAlarm>, t_s: f64, level: Level, text: String) -> usize {
+    alarms.push(LoggedAlarm { t_s, until_s: None, level, text });
+    alarms.len() - 1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::action::OtherAction;
+    use crate::source::Source;
+
+    fn session() -> Session {
+        let text = include_str!("../../../scenarios/berth/alongside_with_two_tugs.toml");
+        let none = |name: &str| Err(format!("{name}: none is needed"));
+        let (source, _) =
+            Source::collect("a.toml", text.to_owned(), vec![], none).expect("a scenario");
+        Session::open(source).expect("a set-up")
+    }
+
+    fn wind(speed_mps: f64) -> Action {
+        OtherAction::Wind { speed_mps, from_rad: 1.0 }.into()
+    }
+
+    #[test]
+    fn a_repeated_branch_has_the_bits_and_the_commands_of_the_session() {
+        let mut session = session();
+        session.command("pilot 1", 0, wind(5.0)).expect("it may blow");
+        for _ in 0..40 {
+            session.step().expect("a step");
+        }
+        session.rewind(20).expect("it is there");
+        session.branch().expect("a branch");
+        session.command("instructor 2", 0, wind(9.0)).expect("it may blow");
+        for _ in 0..30 {
+            session.step().expect("a step");
+        }
+        let bits = session.bits();
+        let mut repeat = Repeat::of(session.clone(), 1).expect("a branch");
+        let mut steps = 0;
+        while !repeat.is_done() {
+            repeat.step(|record| assert_eq!(record.index, steps)).expect("a step");
+            steps += 1;
+        }
+        assert_eq!((steps, repeat.steps_total()), (50, 50));
+        assert_eq!(repeat.session.bits(), bits);
+        let who = |log: &SessionLog| -> Vec<String> {
+            log.commands.iter().map(|command| command.who.clone()).collect()
+        };
+        assert_eq!(who(repeat.log()), ["pilot 1", "instructor 2"]);
+        assert!(Repeat::of(session.clone(), 2).is_err());
+        let mut first = Repeat::of(session, 0).expect("a branch");
+        while !first.is_done() {
+            first.step(|_| ()).expect("a step");
+        }
+        assert_eq!(who(first.log()), ["pilot 1"]);
+    }
+
+    #[test]
+    fn a_session_without_steps_cannot_be_repeated() {
+        let refusal = Repeat::of(session(), 0).expect_err("it has no steps");
+        assert!(refusal.to_string().contains("no steps"));
+    }
+
+    #[test]
+    fn an_alarm_that_comes_back_at_once_is_one_line_of_the_log() {
+        let mut session = session();
+        session.step().expect("a step");
+        let mut repeat = Repeat::of(session, 0).expect("a branch");
+        let alarm = |level, text: &str| Alarm {
+            level,
+            key: "approach bow ship".into(),
+            text: text.into(),
+            about: vec![],
+        };
+        repeat.note_alarms(vec![alarm(Level::Caution, "0.21 m/s")]);
+        repeat.note_alarms(vec![]);
+        repeat.note_alarms(vec![alarm(Level::Alarm, "0.25 m/s")]);
+        repeat.note_alarms(vec![alarm(Level::Caution, "0.20 m/s")]);
+        let log = &repeat.log().alarms;
+        assert_eq!(log.len(), 1);
+        assert_eq!((log[0].level, &*log[0].text, log[0].until_s), (Level::Alarm, "0.25 m/s", None));
+        repeat.log.alarms[0].until_s = Some(repeat.simulation().time_s() - SAME_ALARM_S);
+        repeat.note_alarms(vec![alarm(Level::Caution, "0.20 m/s")]);
+        assert_eq!(repeat.log().alarms.len(), 2);
+    }
+}
