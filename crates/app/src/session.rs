@@ -80,6 +80,7 @@ pub(crate) fn lines_of(log: &SessionLog, setup: &Setup) -> Vec<LogLine> {
         kind: LogKind::Command,
         who: command.who.clone(),
         text: words_of(&command.action, setup),
+        key: String::new(),
     });
     let alarms = log.alarms.iter().map(|alarm| LogLine {
         t_s: alarm.t_s,
@@ -90,6 +91,7 @@ pub(crate) fn lines_of(log: &SessionLog, setup: &Setup) -> Vec<LogLine> {
         },
         who: String::new(),
         text: alarm.text.clone(),
+        key: alarm.key.clone(),
     });
     let events = log.events.iter().map(|(t_s, text)| LogLine {
         t_s: *t_s,
@@ -97,6 +99,7 @@ pub(crate) fn lines_of(log: &SessionLog, setup: &Setup) -> Vec<LogLine> {
         kind: LogKind::Event,
         who: String::new(),
         text: text.clone(),
+        key: String::new(),
     });
     let mut lines: Vec<LogLine> = commands.chain(alarms).chain(events).collect();
     // A stable sort: of one moment, commands come first.

@@ -31,6 +31,8 @@ pub struct LoggedAlarm {
     pub t_s: f64,
     /// Time at which its cause ended (s); `None` while it is active.
     pub until_s: Option<f64>,
+    /// Kind and subject, as [`Alarm::key`].
+    pub key: String,
     /// The greatest level that it had.
     pub level: Level,
     /// Its text when it reached that level.
@@ -130,8 +132,7 @@ impl Repeat {
             }
         }
         for Alarm { level, key, text, .. } in causes {
-            let known = self.known.iter_mut().find(|(other, _)| *other == key);
-            match known {
+            match self.known.iter_mut().find(|(other, _)| *other == key) {
                 Some((_, at)) if alarms[*at].is_within(t_s) => {
                     let alarm = &mut alarms[*at];
                     alarm.until_s = None;
@@ -139,8 +140,8 @@ impl Repeat {
                         (alarm.level, alarm.text) = (level, text);
                     }
                 }
-                Some((_, at)) => *at = begin(alarms, t_s, level, text),
-                None => self.known.push((key, begin(alarms, t_s, level, text))),
+                Some((_, at)) => *at = begin(alarms, t_s, key, level, text),
+                None => self.known.push((key.clone(), begin(alarms, t_s, key, level, text))),
             }
         }
     }
@@ -154,8 +155,14 @@ impl LoggedAlarm {
 }
 
 /// Adds an alarm and returns its place.
-fn begin(alarms: &mut Vec<LoggedAlarm>, t_s: f64, level: Level, text: String) -> usize {
-    alarms.push(LoggedAlarm { t_s, until_s: None, level, text });
+fn begin(
+    alarms: &mut Vec<LoggedAlarm>,
+    t_s: f64,
+    key: String,
+    level: Level,
+    text: String,
+) -> usize {
+    alarms.push(LoggedAlarm { t_s, until_s: None, key, level, text });
     alarms.len() - 1
 }
 

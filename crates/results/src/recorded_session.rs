@@ -28,6 +28,8 @@ pub struct LogLine {
     pub who: String,
     /// What it was.
     pub text: String,
+    /// Equal for alarms of one kind about the same things; empty for all else.
+    pub key: String,
 }
 
 /// The kind of a line of a log.

@@ -15,7 +15,7 @@ pub(crate) fn write_log(folder: &Folder, log: &[LogLine]) -> Result<Sealed, Outp
     let failed = |e: csv::Error| OutputError::new(&path, e);
     let mut writer = csv::Writer::from_writer(file);
     writer.write_record(["t_s", "until_s", "kind", "who", "text"]).map_err(failed)?;
-    for LogLine { t_s, until_s, kind, who, text } in log {
+    for LogLine { t_s, until_s, kind, who, text, .. } in log {
         let until_s = until_s.map_or_else(String::new, |until_s| format!("{until_s:?}"));
         writer
             .write_record([&format!("{t_s:?}"), &until_s, kind.word(), who, text])

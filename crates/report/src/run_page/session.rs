@@ -56,31 +56,35 @@ fn picture(outcome: &Outcome<'_>, session: &RecordedSession) -> Markup {
     let (_, unit_s) = charts.unit();
     let end_s = charts.end_s();
     let mut people: Vec<Lane> = Vec::new();
-    let mut alarms: Vec<Lane> = Vec::new();
+    let mut alarms: Vec<(&str, Lane)> = Vec::new();
     for line in &session.log {
-        let until_s = match line.kind {
-            LogKind::Command | LogKind::Event => line.t_s,
-            LogKind::Alarm | LogKind::Caution => line.until_s.unwrap_or(end_s),
-        };
-        let (lanes, name) = match line.kind {
-            LogKind::Command => (&mut people, &line.who),
-            LogKind::Alarm | LogKind::Caution => (&mut alarms, &line.text),
-            LogKind::Event => continue,
-        };
-        let span = [line.t_s / unit_s, until_s / unit_s];
-        let is_grave = line.kind == LogKind::Alarm;
-        match lanes.iter_mut().find(|lane| lane.name == *name && lane.is_grave == is_grave) {
-            Some(lane) => lane.spans.push(span),
-            None => lanes.push(Lane { name: name.clone(), is_grave, spans: vec![span] }),
+        let span = |until_s: f64| [line.t_s / unit_s, until_s / unit_s];
+        match line.kind {
+            LogKind::Command => match people.iter_mut().find(|lane| lane.name == line.who) {
+                Some(lane) => lane.spans.push(span(line.t_s)),
+                None => people.push(lane(&line.who, false, span(line.t_s))),
+            },
+            LogKind::Alarm | LogKind::Caution => {
+                let span = span(line.until_s.unwrap_or(end_s));
+                let is_grave = line.kind == LogKind::Alarm;
+                let same =
+                    |(key, lane): &&mut (&str, Lane)| *key == line.key && lane.is_grave == is_grave;
+                match alarms.iter_mut().find(same) {
+                    Some((_, lane)) => lane.spans.push(span),
+                    None => alarms.push((&line.key, lane(&line.text, is_grave, span))),
+                }
+            }
+            LogKind::Event => {}
         }
     }
+    let mut alarms: Vec<Lane> = alarms.into_iter().map(|(_, lane)| lane).collect();
     // A stable sort: alarms before cautions, each in the order of time.
     alarms.sort_by_key(|lane| !lane.is_grave);
     let left_out = people.len().saturating_sub(LANES) + alarms.len().saturating_sub(LANES);
     people.truncate(LANES);
     alarms.truncate(LANES);
     let mut note =
-        "Marks: commands. Dark bars: alarms. Light bars: cautions, from their begin to their end."
+        "Marks: commands. Dark bars: alarms. Light bars: cautions, from begin to end. The text is that of the first."
             .to_owned();
     if left_out > 0 {
         note += &format!(" {left_out} more are in the list only.");
@@ -91,6 +95,10 @@ fn picture(outcome: &Outcome<'_>, session: &RecordedSession) -> Markup {
     }
     let title = "Commands, alarms and cautions".to_owned();
     Timeline { title, x: charts.time_axis(), lanes, note }.render()
+}
+
+fn lane(name: &str, is_grave: bool, span: [f64; 2]) -> Lane {
+    Lane { name: name.to_owned(), is_grave, spans: vec![span] }
 }
 
 fn list(log: &[LogLine]) -> Markup {

@@ -16,7 +16,7 @@ pub(super) fn session_json(session: &RecordedSession) -> Value {
 }
 
 fn line_json(line: &LogLine) -> Value {
-    let LogLine { t_s, until_s, kind, who, text } = line;
+    let LogLine { t_s, until_s, kind, who, text, .. } = line;
     let mut object = json!({ "t_s": t_s, "kind": kind.word(), "text": text });
     if let Some(until_s) = until_s {
         object["until_s"] = json!(until_s);
