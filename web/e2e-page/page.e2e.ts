@@ -108,9 +108,15 @@ test("a mistake far from the cursor is shown when the typing ends, a near one at
       const [top, bottom] = [index * height, (index + 1) * height];
       return top >= area.scrollTop - 1 && bottom <= area.scrollTop + area.clientHeight + 1;
     }, line);
-  // The cursor is behind the last line after the text was written, far from the mistake.
+  // The cursor and the view are behind the last line, far from the mistake.
   const broken = lines.with(line, 'gyradiu = "74.5 m"').join("\n");
-  await write(broken + "# more\n".repeat(200));
+  const more = "# more\n".repeat(200);
+  await write(text(CONES) + more);
+  await editor().evaluate((area: HTMLTextAreaElement) => {
+    area.setSelectionRange(area.value.length, area.value.length);
+    area.scrollTop = area.scrollHeight;
+  });
+  await write(broken + more);
   expect(await seen()).toBe(false);
   await editor().blur();
   expect(await seen()).toBe(true);
