@@ -5,7 +5,7 @@ mod printed;
 
 use fenderline_campaign::report::column_page;
 use fenderline_campaign::statistics::Sample;
-use fenderline_campaign::statistics::design::{Asked, Findings, findings};
+use fenderline_campaign::statistics::design::{Asked, Findings, findings, zeros_apart};
 use fenderline_campaign::statistics::fit::Law;
 use fenderline_campaign::statistics::return_value::Traffic;
 use fenderline_campaign::table::{Head, Table};
@@ -29,6 +29,8 @@ struct Column<'a> {
     head: &'a Head,
     /// Empty cells.
     missing: usize,
+    /// Values of 0 that are in no statistics.
+    zeros: usize,
     findings: Findings,
     asked: Asked,
 }
@@ -44,7 +46,7 @@ pub(crate) fn statistics(args: &StatisticsArgs) -> Result<(), Failure> {
     let Some(name) = &args.column else {
         return list(&table, args.json);
     };
-    let asked = asked(args)?;
+    let mut asked = asked(args)?;
     // Impossible years are refused before a long table is read.
     asked.rarities().map_err(|why| refused(&why))?;
     let head = table.head(name).map_err(|why| refused(&why))?;
@@ -53,8 +55,18 @@ pub(crate) fn statistics(args: &StatisticsArgs) -> Result<(), Failure> {
         let file = args.table.display().to_string();
         refused(&format_args!("{}: column `{}`: {why}", printable_line(&file), head.name))
     };
+    // In the table of a campaign, 0 is a run in which nothing was touched; in measurements it is a value.
+    let is_of_campaign = table.has("verdict") && args.weights.is_none();
+    let zeros = if is_of_campaign { zeros_apart(&numbers.values) } else { 0 };
+    let all = numbers.present();
+    if let Some(traffic) = asked.traffic.filter(|_| zeros > 0) {
+        let share = (all.len() - zeros) as f64 / all.len() as f64;
+        asked.traffic =
+            Some(Traffic::new(traffic.per_year() * share).map_err(|why| refused(&why))?);
+    }
     let sample = match &args.weights {
-        None => Sample::new(numbers.present()),
+        None if zeros > 0 => Sample::new(all.into_iter().filter(|value| *value > 0.0).collect()),
+        None => Sample::new(all),
         Some(weights) => {
             let weights = table.numbers(weights).map_err(|why| refused(&why))?;
             let pairs = numbers.values.iter().zip(&weights.values);
@@ -72,7 +84,7 @@ pub(crate) fn statistics(args: &StatisticsArgs) -> Result<(), Failure> {
         return Err(in_column(why));
     }
     let file = args.table.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let column = Column { file, head, missing: numbers.missing, findings: found, asked };
+    let column = Column { file, head, missing: numbers.missing, zeros, findings: found, asked };
     let text = format!("{:#}\n", json::of(&column));
     if let Some(folder) = &args.out {
         make_folder(folder)?;

@@ -344,6 +344,15 @@ fn a_folder_is_never_overwritten_and_never_goes_on_with_another_campaign() {
 fn a_case_of_a_random_campaign_is_replayed_with_its_report() {
     let place = place("campaign_replay", RANDOM);
     assert_eq!(place.run(&["campaign", "study.toml"]).code, 0);
+    let report = place.text("out/study/report.html");
+    contains_all(&report, &["seed 7. The same file gives the same runs"]);
+    // A report of rows that another file drew would be false.
+    place.write("other.toml", RANDOM.replace("7.1 cm/s", "7.2 cm/s").as_bytes());
+    let run = place.run(&["campaign", "report", "other.toml", "--out", "out/study"]);
+    assert_eq!(run.code, 2, "{}", run.stderr);
+    contains_all(&run.stderr, &["differs from this one"]);
+    assert_eq!(place.run(&["campaign", "report", "study.toml"]).code, 0);
+    assert_eq!(place.text("out/study/report.html"), report);
     let csv = place.text("out/study/cases.csv");
     let run = place.run(&["campaign", "replay", "study.toml", "5", "--out", "fifth"]);
     assert_eq!(run.code, 0, "{}", run.stderr);

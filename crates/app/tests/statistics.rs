@@ -85,6 +85,38 @@ fn a_table_of_a_run_in_parquet_has_its_units() {
 }
 
 #[test]
+fn laws_that_the_data_speak_against_are_named() {
+    let place = Workplace::new("statistics_remarks");
+    // Two heaps: no law of one peak has them.
+    let values = (0..300)
+        .map(|i| if i % 3 == 0 { 90.0 + f64::from(i % 7) } else { 5.0 + f64::from(i % 11) });
+    let lines: String = values.map(|value| format!("{value}\n")).collect();
+    place.write("heaps.csv", format!("reaction (kN)\n{lines}").as_bytes());
+    let command =
+        ["statistics", "heaps.csv", "--column", "reaction", "--per-year", "100", "--out", "page"];
+    let run = place.run(&command);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    contains_all(
+        &run.stdout,
+        &[
+            "Before a design value is used",
+            "the data speak against",
+            "mean nothing",
+            "is rarer than 300 values can show",
+        ],
+    );
+    contains_all(
+        &place.text("page/statistics.html"),
+        &["does not fit", "Before a design value is used:"],
+    );
+    assert_eq!(place.json("page/statistics.json")["fits"][0]["is_rejected"], true);
+    // A negative speed.
+    place.write("negative.csv", SPEEDS.replace("7.07", "-7.07").as_bytes());
+    let run = place.run(&["statistics", "negative.csv", "--column", "speed"]);
+    contains_all(&run.stdout, &["1 of 200 values are negative, the least −7.07"]);
+}
+
+#[test]
 fn bad_input_is_refused_with_its_place() {
     let place = Workplace::new("statistics_bad");
     place.write("speeds.csv", SPEEDS.as_bytes());

@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 
 use fenderline_scenario::LoadError;
 
+use crate::table::TableError;
+
 /// A mistake of the user or a failure of the disk.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CampaignError {
@@ -17,6 +19,8 @@ pub enum CampaignError {
         /// What is wrong.
         why: String,
     },
+    /// A table that cannot be read.
+    Table(TableError),
     /// A file of values: where, and what is wrong.
     Values {
         /// The file.
@@ -77,6 +81,7 @@ impl fmt::Display for CampaignError {
             CampaignError::Hopeless(error) => {
                 write!(f, "{error}\nno case of the campaign can be run")
             }
+            CampaignError::Table(error) => write!(f, "error: {error}"),
             CampaignError::Values { file, why } => write!(f, "error: {}: {why}", file.display()),
             CampaignError::Disk { path, why, .. } => {
                 write!(f, "error: cannot write {}: {why}", path.display())
@@ -91,5 +96,11 @@ impl std::error::Error for CampaignError {}
 impl From<LoadError> for CampaignError {
     fn from(error: LoadError) -> CampaignError {
         CampaignError::File(Box::new(error))
+    }
+}
+
+impl From<TableError> for CampaignError {
+    fn from(error: TableError) -> CampaignError {
+        CampaignError::Table(error)
     }
 }

@@ -58,6 +58,16 @@ fn semicolons_come_with_decimal_commas_and_tabs_without() {
 }
 
 #[test]
+fn a_table_of_an_older_program_is_read() {
+    // Latin-1, a unit in round brackets.
+    let place = Place::with("n.csv", b"ship;speed (cm/s)\nBj\xf6rn;4,8\nBora;6,6\n");
+    let table = place.table();
+    assert_eq!(table.head("speed").unwrap().unit, "cm/s");
+    assert_eq!(table.numbers("speed").unwrap().values, [4.8, 6.6]);
+    assert_eq!(table.texts("ship").unwrap().get(0), Some("Björn"));
+}
+
+#[test]
 fn mistakes_name_the_line_the_column_and_the_nearest_name() {
     let place = Place::with("d.csv", b"speed,ship\n7.1,a\nfast,b\n");
     let table = place.table();
@@ -82,7 +92,10 @@ fn mistakes_name_the_line_the_column_and_the_nearest_name() {
     assert!(matches!(Table::open(&place.0).unwrap_err().fault, TableFault::TwoOfOneName { .. }));
     let place = Place::with("h.csv", b"a,b\n1,2\n3\n");
     let text = place.table().numbers("a").unwrap_err().to_string();
-    assert!(text.contains("line: 3"), "{text}");
+    assert!(
+        text.contains("h.csv:3: the number of cells, 1, is not that of the columns, 2"),
+        "{text}"
+    );
     let text = Table::open(Path::new("/no/such.csv")).unwrap_err().to_string();
     assert!(text.starts_with("cannot read /no/such.csv"), "{text}");
 }

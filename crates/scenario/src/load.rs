@@ -26,8 +26,8 @@ impl fmt::Display for LoadError {
         match self {
             LoadError::Unreadable(why) => write!(
                 f,
-                "error: cannot read {why}\n  = help: a scenario is a file of text in TOML; its path starts \
-                 from the folder in which the program was started"
+                "error: cannot read {why}\n  = help: a scenario is a file of text in TOML; its path starts from the folder in which the \
+                 program was started, the path of a campaign's `scenario` from the campaign's folder"
             ),
             LoadError::Refused(error) => error.fmt(f),
         }

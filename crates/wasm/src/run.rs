@@ -77,7 +77,7 @@ impl Run {
     /// # Errors
     /// A mistake in the scenario; one that needs another program to compute forces; a set-up that cannot be simulated.
     pub fn new(source: &Source<'_>, wanted: Wanted) -> Result<Run, Problem> {
-        let Scenario { title, report, setup, output, notices } = parse(source)?;
+        let Scenario { title, report, setup, output, notices, .. } = parse(source)?;
         if !setup.world.providers.is_empty() {
             return Err(Problem::new(
                 "setup",

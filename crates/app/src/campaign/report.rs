@@ -7,10 +7,10 @@ use fenderline_campaign::statistics::Confidence;
 use fenderline_campaign::statistics::design::Asked;
 use fenderline_campaign::statistics::fit::Law;
 use fenderline_campaign::statistics::return_value::Traffic;
-use fenderline_campaign::store::{Shard, TABLE_PARQUET};
+use fenderline_campaign::store::{self, Shard, TABLE_PARQUET};
 use fenderline_campaign::table::Table;
 use fenderline_campaign::{Formula, Head, Runner, Runs, Seen};
-use fenderline_scenario::{Campaign, Draw, Variable};
+use fenderline_scenario::{Campaign, Draw, Plan, Variable};
 
 use super::default_folder;
 use crate::cli::CampaignReportArgs;
@@ -40,6 +40,7 @@ pub(super) fn report_command(args: &CampaignReportArgs) -> Result<(), Failure> {
     let campaign = Campaign::load(&args.campaign).map_err(Failure::input)?;
     let runs = Runs::new(campaign).map_err(Failure::input)?;
     let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.campaign, Shard::WHOLE));
+    store::check(&folder, &runs).map_err(Failure::input)?;
     write(&runs, &args.campaign, &folder)?;
     say(&format!("report: {}\n", folder.join(REPORT).display()))
 }
@@ -68,10 +69,15 @@ pub(super) fn write(runs: &Runs, file: &Path, folder: &Path) -> Result<(), Failu
     let inputs: Vec<Input> = campaign.variables.iter().map(input).collect();
     let outputs = outputs(runs, &table);
     let scenario = campaign.scenario.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let notices: Vec<String> =
+        runs.base().notices.iter().map(|notice| notice.message.clone()).collect();
     let replay = |row: usize| format!("fenderline campaign replay {} {}", file.display(), row + 1);
     let page = report::render(&report::Campaign {
         title: &campaign.title,
         scenario: &scenario,
+        plan: &plan(campaign),
+        planned: runs.count(),
+        notices: &notices,
         table: &table,
         inputs: &inputs,
         outputs: &outputs,
@@ -84,6 +90,14 @@ pub(super) fn write(runs: &Runs, file: &Path, folder: &Path) -> Result<(), Failu
     let page = page.map_err(|why| refused(&why))?;
     write_whole(&folder.join(REPORT), page.as_bytes())?;
     Ok(())
+}
+
+/// The plan in words, with the seed where it draws.
+fn plan(campaign: &Campaign) -> String {
+    match campaign.plan {
+        Plan::FullFactorial | Plan::Table { .. } => campaign.plan.word().to_owned(),
+        _ => format!("{}, seed {}", campaign.plan.word(), campaign.seed),
+    }
 }
 
 /// The numbers that the report shows: those of every campaign that this one has, and the user's own. What a formula of the user's uses is

@@ -1,5 +1,6 @@
 //! The statistics of a column as JSON.
 
+use fenderline_campaign::report::words;
 use fenderline_campaign::statistics::design::Rarity;
 use fenderline_campaign::statistics::fit::{Fit, FitError};
 use fenderline_campaign::statistics::{Estimate, Measured};
@@ -38,6 +39,8 @@ pub(super) fn of(column: &Column<'_>) -> Value {
         "unit": column.head.unit,
         "count": sample.count(),
         "missing": column.missing,
+        "zeros_left_out": column.zeros,
+        "remarks": words::remarks(findings),
         "effective_size": sample.effective_size(),
         "confidence": asked.confidence.level(),
         "berthings_per_year": asked.traffic.map(|traffic| traffic.per_year()),
@@ -85,6 +88,7 @@ fn fit(fit: &Result<Fit, FitError>) -> Value {
                 "log_likelihood": fit.log_likelihood,
                 "aic": fit.aic,
                 "kolmogorov_smirnov": fit.kolmogorov,
+                "is_rejected": fit.is_rejected(),
                 "anderson_darling": fit.anderson_darling,
                 "newton_steps": fit.steps,
             })

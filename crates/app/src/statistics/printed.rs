@@ -13,7 +13,9 @@ const PARAMETERS: usize = 64;
 /// All of it.
 pub(super) fn text(column: &Column<'_>) -> String {
     // Thousands are not separated: other programs may read it.
-    [summary(column), design(column), fits(column)].concat().replace('\u{202f}', "")
+    [summary(column), design(column), remarks(column), fits(column)]
+        .concat()
+        .replace('\u{202f}', "")
 }
 
 fn summary(column: &Column<'_>) -> String {
@@ -29,8 +31,12 @@ fn summary(column: &Column<'_>) -> String {
         true => format!(", weighted as {} alike", significant(sample.effective_size(), 3)),
         false => String::new(),
     };
+    let zeros = match column.zeros {
+        0 => String::new(),
+        zeros => format!(", {zeros} values of 0 left out"),
+    };
     let mut text = format!(
-        "{} of {}: {} values{empty}{weighted}\n",
+        "{} of {}: {} values{zeros}{empty}{weighted}\n",
         column.head.name,
         column.file,
         sample.count()
@@ -79,6 +85,15 @@ fn design(column: &Column<'_>) -> String {
         }
     }
     text
+}
+
+fn remarks(column: &Column<'_>) -> String {
+    let all = words::remarks(&column.findings);
+    if all.is_empty() {
+        return String::new();
+    }
+    let lines: String = all.iter().map(|remark| format!("  {remark}\n")).collect();
+    format!("\nBefore a design value is used\n{lines}")
 }
 
 fn fits(column: &Column<'_>) -> String {

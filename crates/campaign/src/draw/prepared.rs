@@ -248,14 +248,19 @@ impl Draws {
 }
 
 fn open(file: &Path) -> Result<Table, CampaignError> {
-    Table::open(file).map_err(|error| CampaignError::values(file, error))
+    Table::open(file).map_err(CampaignError::from)
 }
 
 /// The numbers of a column, none of them missing.
 fn numbers(table: &Table, file: &Path, column: &str) -> Result<(Vec<f64>, String), CampaignError> {
-    let read = table.numbers(column).map_err(|error| CampaignError::values(file, error))?;
+    let read = table.numbers(column)?;
     if let Some(row) = read.values.iter().position(|value| value.is_nan()) {
-        let why = format!("column `{column}` has no value in row {} below the heads", row + 1);
+        // The heads are line 1 of a text.
+        let why = format!(
+            "column `{column}` has no value in row {}, line {} of a text",
+            row + 1,
+            row + 2
+        );
         return Err(CampaignError::values(file, why));
     }
     if read.values.is_empty() {
@@ -304,6 +309,14 @@ fn source(variable: &Variable, table: Option<&Table>) -> Result<(Source, String)
             let (mut values, unit) = numbers(&open(file)?, file, column)?;
             values.sort_by(f64::total_cmp);
             let target = with_unit(variable, target, unit)?;
+            if target.unit.is_empty() && !target.is_plain && !target.keys.is_empty() {
+                let why = format!(
+                    "column `{column}` of {} has no unit: write it in its head, as in `{column} [cm/s]`, or give `unit`; \
+                     `unit = \"\"` says that the numbers have none",
+                    file.display()
+                );
+                return Err(CampaignError::part(format!("variable.{}", variable.name), why));
+            }
             let unit = target.unit.clone();
             (Source::Measured(values, target), unit)
         }

@@ -68,6 +68,7 @@ pub(super) fn sections(head: &Head, findings: &Findings, asked: &Asked) -> Marku
         (chart(head, findings, asked).render_tall())
         h3 { "Design values" @if !head.unit.is_empty() { " [" (head.unit) "]" } }
         (design(findings, asked))
+        (remarks(findings))
         h3 { "Fits" }
         (fits(findings))
     }
@@ -80,7 +81,7 @@ fn chart(head: &Head, findings: &Findings, asked: &Asked) -> Chart {
     // The last point, above which nothing was found, has no place on a logarithmic axis.
     let points = curve.iter().filter(|point| point.probability.value > 0.0);
     let at = |value: f64, p: f64| Point { x: value, y: p };
-    let data = points.clone().map(|point| at(point.value, point.probability.value)).collect();
+    let data = curve.iter().map(|point| at(point.value, point.reached)).collect();
     let lower =
         points.clone().map(|point| at(point.value, point.probability.interval.low)).collect();
     let upper = points.map(|point| at(point.value, point.probability.interval.high)).collect();
@@ -110,7 +111,7 @@ fn chart(head: &Head, findings: &Findings, asked: &Asked) -> Chart {
         linked: None,
         note: format!(
             "The band holds the true probability at each point with {per_cent} % confidence (Clopper and Pearson), not the whole \
-             curve at once. Beyond the last point only a fitted law speaks, and the laws differ there."
+             curve at once. A dot is the share of the values that reach it. Beyond the last point only a fitted law speaks, and the laws differ there."
         ),
     }
 }
@@ -155,7 +156,7 @@ fn design(findings: &Findings, asked: &Asked) -> Markup {
                 @for place in findings.ranking() {
                     @if let Ok(fit) = &findings.fits[place] {
                         tr {
-                            td class="name" { (fit.law.title()) }
+                            td class="name" { (fit.law.title()) @if fit.is_rejected() { small class="over" { "does not fit" } } }
                             @for row in rows {
                                 @match &row.by_fit[place] {
                                     Some(value) => (cell(&words::with_band(value))),
@@ -182,7 +183,19 @@ fn design(findings: &Findings, asked: &Asked) -> Markup {
                 None => "The number of berthings a year is not given, so the levels are those of one berthing. ",
             }
             "Below each value the " (per_cent) " % band: of the data by order statistics, of a fit by the delta method. The band of a fit \
-             holds if its law is the true one. A question mark: the data do not reach there."
+             holds if its law is the true one."
+            @if rows.iter().any(|row| words::by_data(&row.by_data).contains('?')) { " A question mark: the data do not reach there." }
+        }
+    }
+}
+
+/// What must be known before a design value is used.
+fn remarks(findings: &Findings) -> Markup {
+    let all = words::remarks(findings);
+    html! {
+        @if !all.is_empty() {
+            p { strong class="over" { "Before a design value is used:" } }
+            ul class="plain" { @for remark in all { li { (remark) "." } } }
         }
     }
 }
@@ -215,7 +228,7 @@ fn fits(findings: &Findings) -> Markup {
                     tr {
                         @match &findings.fits[place] {
                             Ok(fit) => {
-                                td class="name" { (fit.law.title()) }
+                                td class="name" { (fit.law.title()) @if fit.is_rejected() { small class="over" { "does not fit" } } }
                                 td { (words::parameters(fit)) }
                                 td class="number" { (fixed(fit.aic, 1))
                                     @if fit.distribution.threshold().is_some() { small { "of " (fit.count) " values" } } }

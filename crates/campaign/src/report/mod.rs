@@ -17,7 +17,7 @@ mod worst;
 use fenderline_report::plot::page;
 use maud::html;
 
-use crate::statistics::design::{Asked, Findings, findings};
+use crate::statistics::design::{Asked, Findings, findings, zeros_apart};
 use crate::statistics::fit::Law;
 use crate::statistics::return_value::Traffic;
 use crate::statistics::{Sample, SampleError};
@@ -42,6 +42,12 @@ pub struct Campaign<'a> {
     pub title: &'a str,
     /// The scenario that was varied, as it is named to the reader.
     pub scenario: &'a str,
+    /// How the runs were drawn, such as `Latin hypercube, seed 7`.
+    pub plan: &'a str,
+    /// Number of runs that the plan has.
+    pub planned: u64,
+    /// Notices of the scenario, which are of every run.
+    pub notices: &'a [String],
     /// The table, a row a run.
     pub table: &'a Table,
     /// The inputs. Two of them whose columns are called `wind_speed` and `wind_direction` (degrees) make a rose.
@@ -88,7 +94,7 @@ pub fn render(campaign: &Campaign<'_>) -> Result<String, ReportError> {
     let body = html! {
         p class="kicker" { "fenderline campaign" }
         h1 { (campaign.title) }
-        p class="subtitle" { (verdicts.runs) " runs of " (campaign.scenario) "." }
+        p class="subtitle" { (subtitle(campaign, verdicts.runs)) }
         h2 { "Verdicts" }
         (verdicts.section(campaign.asked.confidence))
         (plan::section(campaign.seen))
@@ -100,17 +106,38 @@ pub fn render(campaign: &Campaign<'_>) -> Result<String, ReportError> {
         (operability::section(campaign, &verdicts)?)
         (inputs::section(campaign)?)
         h2 { "How it was computed" }
+        (provenance(campaign))
         (column::methods(campaign.asked))
         footer { "Made by fenderline " (env!("CARGO_PKG_VERSION")) ". " (column::USERS_OWN) }
     };
     Ok(page(campaign.title, &body))
 }
 
+/// The number of runs and the scenario. Fewer runs than planned are said: the campaign was interrupted, or its rule ended it.
+fn subtitle(campaign: &Campaign<'_>, runs: usize) -> String {
+    let (scenario, planned) = (campaign.scenario, campaign.planned);
+    match runs as u64 {
+        runs if runs < planned => format!("{runs} of {planned} planned runs of {scenario}."),
+        runs => format!("{runs} runs of {scenario}."),
+    }
+}
+
+/// Plan and notices.
+fn provenance(campaign: &Campaign<'_>) -> maud::Markup {
+    let replay = (campaign.replay)(0);
+    html! {
+        ul class="plain" {
+            li { "Plan: " (campaign.plan) ". The same file gives the same runs, bit for bit." }
+            @for notice in campaign.notices { li { "Notice of the scenario: " (notice) } }
+            li { "What a ship's or a fender's data are from, and what is estimated, is in the report of a single run (" code { (replay) } " and the like)." }
+        }
+    }
+}
+
 /// Share of the values above the threshold of the law of tails.
 const TAIL: f64 = 0.1;
 
-/// Reads a column and finds what it tells. Values of 0 are those of runs in which nothing was touched: the statistics are then of
-/// the others, with as many fewer a year. For rare values that is the same as the statistics of all.
+/// Reads a column and finds what it tells; values of 0 are left out as [`zeros_apart`] says.
 fn output<'a>(
     campaign: &Campaign<'a>,
     name: &str,
@@ -119,10 +146,8 @@ fn output<'a>(
     let head = campaign.table.head(name)?;
     let numbers = campaign.table.numbers(name)?;
     let is_there = |value: &f64| value.is_finite();
-    let zeros = numbers.values.iter().filter(|value| **value == 0.0).count();
-    let positive = numbers.values.iter().filter(|value| **value > 0.0).count();
-    let is_apart =
-        zeros > 0 && positive > zeros && !numbers.values.iter().any(|value| *value < 0.0);
+    let apart = zeros_apart(&numbers.values);
+    let is_apart = apart > 0;
     let counts = |value: &f64| is_there(value) && (!is_apart || *value > 0.0);
     let ones = vec![1.0; numbers.values.len()];
     let all = numbers.values.iter().zip(weights.unwrap_or(&ones));
@@ -152,7 +177,6 @@ fn output<'a>(
         Ok(sample) => Ok(findings(sample, &asked)?),
         Err(why) => Err(why),
     };
-    let apart = if is_apart { zeros } else { 0 };
     Ok(Output {
         head,
         values: numbers.values,
@@ -172,7 +196,7 @@ fn section(output: &Output<'_>) -> maud::Markup {
             Ok(findings) => {
                 p class="note" { (column::counts(output.head, output.missing, findings)) }
                 @if output.apart > 0 {
-                    p class="note" { (output.apart) " further runs have 0: nothing was touched. The statistics are of the others"
+                    p class="note" { (output.apart) " further runs have 0: nothing was touched, or the run ended before the ship arrived (`time.duration`). The statistics are of the others"
                         @if let Some(traffic) = output.asked.traffic { ", of which there are " (words::number(traffic.per_year())) " a year" }
                         "." }
                 }

@@ -1,8 +1,9 @@
 //! Numbers and levels in words.
 
+use fenderline_contact::number::lesser;
 use fenderline_report::plot::{fixed, plain, significant};
 
-use crate::statistics::design::Rarity;
+use crate::statistics::design::{Findings, Rarity};
 use crate::statistics::fit::Fit;
 use crate::statistics::{Estimate, Quantile};
 
@@ -68,6 +69,77 @@ pub fn parameters(fit: &Fit) -> String {
 #[must_use]
 pub fn number(value: f64) -> String {
     if value.abs() >= 1000.0 { fixed(value, 0) } else { significant(value, 3) }
+}
+
+/// A band that spans a greater factor says that the data do not decide the value.
+const WIDEST: f64 = 10.0;
+
+/// What a reader must know before a design value is used: laws that the data speak against, levels that the data do not reach, values
+/// that contradict the data.
+#[must_use]
+pub fn remarks(findings: &Findings) -> Vec<String> {
+    let sample = &findings.sample;
+    let mut all = Vec::new();
+    let negative = sample.values().partition_point(|value| *value < 0.0);
+    if negative > 0 && negative < sample.count() {
+        all.push(format!(
+            "{negative} of {} values are negative, the least {}: laws of positive values cannot be fitted",
+            sample.count(),
+            number(sample.least())
+        ));
+    }
+    let fits = || {
+        findings
+            .fits
+            .iter()
+            .enumerate()
+            .filter_map(|(place, fit)| Some((place, fit.as_ref().ok()?)))
+    };
+    let rejected: Vec<&str> =
+        fits().filter(|(_, fit)| fit.is_rejected()).map(|(_, fit)| fit.law.title()).collect();
+    if !rejected.is_empty() {
+        all.push(format!(
+            "the data speak against {} (Kolmogorov and Smirnov, 1 %): its design values mean nothing",
+            rejected.join(", ")
+        ));
+    }
+    let reach = 1.0 / sample.count() as f64;
+    let rarest = findings.rows.iter().map(|row| row.exceedance).fold(1.0, lesser);
+    if rarest < reach && !sample.is_weighted() {
+        all.push(format!(
+            "{} is rarer than {} values can show: there only a law speaks, and the laws differ",
+            one_in(rarest),
+            sample.count()
+        ));
+    }
+    for (place, fit) in fits().filter(|(_, fit)| !fit.is_rejected()) {
+        let values =
+            || findings.rows.iter().filter_map(|row| Some((row, row.by_fit[place].as_ref()?)));
+        let beyond =
+            values().find(|(row, value)| row.exceedance < reach && value.value < sample.largest());
+        if let Some((row, value)) = beyond {
+            all.push(format!(
+                "by {} the value of {}, {}, is below the largest of the data, {}",
+                fit.law.title(),
+                rarity(row.rarity),
+                number(value.value),
+                number(sample.largest())
+            ));
+        }
+        let widest = values().find(|(_, value)| {
+            value.value > 0.0 && value.interval.high > WIDEST * value.interval.low
+        });
+        if let Some((row, value)) = widest {
+            all.push(format!(
+                "the data do not decide the tail of {}: its value of {} lies between {} and {}",
+                fit.law.title(),
+                rarity(row.rarity),
+                number(value.interval.low),
+                number(value.interval.high)
+            ));
+        }
+    }
+    all
 }
 
 #[cfg(test)]

@@ -110,6 +110,15 @@ impl Asked {
     }
 }
 
+/// How many values are 0, where they are those of runs in which nothing happened: none is negative, and fewer are 0 than positive. The
+/// statistics are then of the others, with as many fewer a year; for rare values that is the same as the statistics of all.
+#[must_use]
+pub fn zeros_apart(values: &[f64]) -> usize {
+    let count = |is: fn(f64) -> bool| values.iter().filter(|value| is(**value)).count();
+    let (zeros, positive) = (count(|value| value == 0.0), count(|value| value > 0.0));
+    if positive > zeros && count(|value| value < 0.0) == 0 { zeros } else { 0 }
+}
+
 /// What a sample tells.
 ///
 /// # Errors

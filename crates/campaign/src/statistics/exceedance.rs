@@ -10,6 +10,8 @@ pub struct Point {
     /// Probability that a run exceeds it, with a pointwise interval: each point by itself holds the true probability at the
     /// confidence level, not the whole curve at once.
     pub probability: Estimate,
+    /// Share of the runs that reach the value: above 0 at the largest one too.
+    pub reached: f64,
 }
 
 /// The exceedance curve of a sample at no more than about `most` values: the largest ones each, the others ever further apart.
@@ -24,7 +26,13 @@ pub fn curve(sample: &Sample, most: usize, confidence: Confidence) -> Vec<Point>
         // The value of this rank from the top: `rank − 1` values are above it.
         let value = values[values.len() - rank];
         if points.last().is_none_or(|last| last.value < value) {
-            points.push(Point { value, probability: share_above(sample, value, confidence) });
+            let below = values.partition_point(|other| *other < value);
+            let reached = match below.checked_sub(1) {
+                Some(next) => share_above(sample, values[next], confidence).value,
+                None => 1.0,
+            };
+            let probability = share_above(sample, value, confidence);
+            points.push(Point { value, probability, reached });
         }
     }
     points
@@ -64,6 +72,7 @@ mod tests {
             let exact = 1.0 - (2.0 * point.value + 1.0) / 100_000.0;
             assert!((point.probability.value - exact).abs() < 1e-12);
             assert!(point.probability.interval.holds(exact));
+            assert!((point.reached - exact - 1.0 / 100_000.0).abs() < 1e-12);
         }
     }
 }

@@ -185,6 +185,19 @@ impl<'r> Store<'r> {
     }
 }
 
+/// Refuses a folder that holds no campaign, or another one: its table would be described by the wrong file.
+///
+/// # Errors
+/// What the folder holds.
+pub fn check(folder: &Path, runs: &Runs) -> Result<(), CampaignError> {
+    match read_manifest(&folder.join(MANIFEST))? {
+        Some(manifest) => manifest.check(runs, Shard::WHOLE, folder),
+        None => {
+            Err(CampaignError::folder(folder, "it holds no campaign: there is no campaign.json"))
+        }
+    }
+}
+
 /// Whether a folder holds the whole table of this campaign, with nothing left to make.
 ///
 /// # Errors

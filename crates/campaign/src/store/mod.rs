@@ -11,7 +11,7 @@ mod merge;
 mod tables;
 mod whole;
 
-pub use self::folder::{Opened, Shard, Store, is_finished};
+pub use self::folder::{Opened, Shard, Store, check, is_finished};
 pub use self::journal::{decode_all, encode};
 pub use self::merge::merge;
 pub use self::tables::{EachRow, MOST_CSV_ROWS, TABLE_CSV, TABLE_PARQUET, write_tables};

@@ -1,5 +1,6 @@
 //! Tables as text with separators.
 
+use std::borrow::Cow;
 use std::fs::File;
 use std::path::Path;
 
@@ -19,20 +20,22 @@ const BYTE_ORDER_MARK: &str = "\u{feff}";
 pub(super) fn heads(path: &Path) -> Result<(Vec<Head>, u8), TableError> {
     let separator = separator(path)?;
     let mut reader = reader(path, separator)?;
-    let record = reader.headers().map_err(|why| TableError::damaged(path, why))?;
-    let cells: Vec<&str> =
-        record.iter().map(|cell| cell.trim_start_matches(BYTE_ORDER_MARK)).collect();
+    let record = reader.byte_headers().map_err(|why| damaged(path, &why))?;
+    let cells: Vec<String> = record
+        .iter()
+        .map(|cell| text_of(cell).trim_start_matches(BYTE_ORDER_MARK).to_owned())
+        .collect();
     if cells.iter().all(|cell| cell.trim().is_empty()) {
         return Err(TableError::new(path, TableFault::NoHead { number: None }));
     }
-    let is_number = |cell: &&&str| {
+    let is_number = |cell: &&String| {
         !cell.trim().is_empty() && cell::number(cell, separator == b';').is_ok_and(f64::is_finite)
     };
     if let Some(number) = cells.iter().find(is_number) {
-        let number = Some((*number).to_owned());
+        let number = Some(number.clone());
         return Err(TableError::new(path, TableFault::NoHead { number }));
     }
-    Ok((cells.into_iter().map(Head::of_text).collect(), separator))
+    Ok((cells.iter().map(|cell| Head::of_text(cell)).collect(), separator))
 }
 
 /// A column as numbers; the first line that is refused is the error.
@@ -73,16 +76,38 @@ fn each(
     mut use_cell: impl FnMut(u64, &str) -> Result<(), TableError>,
 ) -> Result<(), TableError> {
     let mut reader = reader(path, separator)?;
-    let mut record = csv::StringRecord::new();
+    let mut record = csv::ByteRecord::new();
     loop {
-        match reader.read_record(&mut record) {
+        match reader.read_byte_record(&mut record) {
             Ok(false) => return Ok(()),
             Ok(true) => {
                 let line = record.position().map_or(0, csv::Position::line);
-                use_cell(line, record.get(place).unwrap_or(""))?;
+                use_cell(line, &text_of(record.get(place).unwrap_or_default()))?;
             }
-            Err(why) => return Err(TableError::damaged(path, why)),
+            Err(why) => return Err(damaged(path, &why)),
         }
+    }
+}
+
+/// The text of a cell. What is not UTF-8 is Latin-1, as older programs write it.
+fn text_of(cell: &[u8]) -> Cow<'_, str> {
+    match str::from_utf8(cell) {
+        Ok(text) => Cow::Borrowed(text),
+        Err(_) => Cow::Owned(cell.iter().map(|byte| char::from(*byte)).collect()),
+    }
+}
+
+/// What the reader found, in words for a line with another number of cells.
+fn damaged(path: &Path, why: &csv::Error) -> TableError {
+    match why.kind() {
+        csv::ErrorKind::UnequalLengths { pos, expected_len, len } => {
+            let line = pos.as_ref().map_or(0, csv::Position::line);
+            TableError::new(
+                path,
+                TableFault::UnequalLines { line, cells: *len, heads: *expected_len },
+            )
+        }
+        _ => TableError::damaged(path, why),
     }
 }
 

@@ -43,6 +43,15 @@ pub enum TableFault {
         /// All columns.
         columns: Vec<String>,
     },
+    /// A line has another number of cells than there are heads.
+    UnequalLines {
+        /// Line, from 1.
+        line: u64,
+        /// Its cells.
+        cells: u64,
+        /// The heads.
+        heads: u64,
+    },
     /// A cell of a column of numbers holds something else.
     NotANumber {
         /// Column.
@@ -108,6 +117,11 @@ impl fmt::Display for TableError {
                     }
                 }
             }
+            TableFault::UnequalLines { line, cells, heads } => write!(
+                f,
+                "{path}:{line}: the number of cells, {cells}, is not that of the columns, {heads}; with decimal commas, put semicolons between \
+                 the columns"
+            ),
             TableFault::NotANumber { column, line, text } => write!(
                 f,
                 "{path}:{line}: column `{}`: `{}` is not a number; leave the cell empty where there is none",

@@ -12,10 +12,11 @@ pub struct Head {
 }
 
 impl Head {
-    /// Of the head line of a text: `energy [kJ]` is `energy` in kJ.
+    /// Of the head line of a text: `energy [kJ]` is `energy` in kJ, and so is `energy (kJ)`.
     pub(super) fn of_text(text: &str) -> Head {
         let text = text.trim();
-        let parts = text.strip_suffix(']').and_then(|rest| rest.split_once('['));
+        let within = |open, close| text.strip_suffix(close).and_then(|rest| rest.split_once(open));
+        let parts = within('[', ']').or_else(|| within('(', ')'));
         let (name, unit) = parts.map_or((text, ""), |(name, unit)| (name.trim(), unit.trim()));
         Head { name: name.to_owned(), unit: unit.to_owned(), meaning: String::new() }
     }
@@ -41,6 +42,7 @@ mod tests {
             (head.name.clone(), head.unit.clone(), head.title())
         };
         assert_eq!(parts("energy [kJ]"), ("energy".into(), "kJ".into(), "energy [kJ]".into()));
+        assert_eq!(parts("speed (cm/s)"), ("speed".into(), "cm/s".into(), "speed [cm/s]".into()));
         assert_eq!(parts(" energy "), ("energy".into(), String::new(), "energy".into()));
         assert_eq!(parts("a[b"), ("a[b".into(), String::new(), "a[b".into()));
     }

@@ -86,6 +86,9 @@ pub(crate) fn report(path: &Path) -> Result<String, ReportError> {
     render(&Campaign {
         title: "Demonstration: a made-up berth",
         scenario: "made_up.toml",
+        plan: "made up",
+        planned: 0,
+        notices: &[],
         table: &table,
         inputs: &inputs,
         outputs: &["energy", "reaction", "hull_pressure"].map(str::to_owned),

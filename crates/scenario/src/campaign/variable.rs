@@ -58,6 +58,8 @@ pub struct Target {
     pub keys: Vec<String>,
     /// Unit of the numbers; empty for SI, and for plain numbers.
     pub unit: String,
+    /// Whether the file says by an empty unit that the numbers have none.
+    pub is_plain: bool,
 }
 
 impl Target {
@@ -228,8 +230,9 @@ impl Reader<'_, '_> {
                 format!("is {}, but a number of the law is in {found}", quoted(item.text())),
             );
         }
+        let is_plain = own.is_some_and(|item| item.text().is_empty());
         let unit = own.map(|item| item.text().to_owned()).or(found).unwrap_or_default();
-        Ok(Target { keys, unit })
+        Ok(Target { keys, unit, is_plain })
     }
 
     fn values(&self) -> Read<Vec<Choice>> {

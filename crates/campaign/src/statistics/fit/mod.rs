@@ -110,7 +110,18 @@ pub fn fit(law: Law, sample: &Sample, threshold: Option<f64>) -> Result<Fit, Fit
     })
 }
 
+/// Kolmogorov's limit: √n times the distance of a sample from its own law is above it with a chance of 1 %.
+const KOLMOGOROV_1_PER_CENT: f64 = 1.628;
+
 impl Fit {
+    /// Whether the data speak against the law: Kolmogorov's test at 1 %, with the limit of a law that is known beforehand. The limit of
+    /// a fitted law is lower, so that a law that is rejected here is rejected by stricter tests too, and one that is not may still
+    /// be wrong (Stephens, EDF statistics for goodness of fit, J. Am. Stat. Assoc. 69, 1974; the limit recalled, not read there).
+    #[must_use]
+    pub fn is_rejected(&self) -> bool {
+        self.kolmogorov * libm::sqrt(self.count as f64) > KOLMOGOROV_1_PER_CENT
+    }
+
     /// The value that is exceeded with probability `p`, with its band by the delta method. `None` where it lies below the
     /// threshold of the fit, or is not finite.
     #[must_use]
