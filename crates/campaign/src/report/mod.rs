@@ -196,7 +196,7 @@ fn section(output: &Output<'_>) -> maud::Markup {
             Ok(findings) => {
                 p class="note" { (column::counts(output.head, output.missing, findings)) }
                 @if output.apart > 0 {
-                    p class="note" { (output.apart) " further runs have 0: nothing was touched, or the run ended before the ship arrived (`time.duration`). The statistics are of the others"
+                    p class="note" { (output.apart) " further runs have 0: nothing was touched, or the run ended before the ship arrived (a longer time.duration shows which). The statistics are of the others"
                         @if let Some(traffic) = output.asked.traffic { ", of which there are " (words::number(traffic.per_year())) " a year" }
                         "." }
                 }
