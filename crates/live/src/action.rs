@@ -39,7 +39,7 @@ pub enum OtherAction {
         #[serde(default, with = "crate::word")]
         place: SidePlace,
     },
-    /// Replaces the wind by a steady one, given at 10 m.
+    /// Sets the mean wind, given at 10 m. The gusts of the scenario go on, in proportion to it; a time series becomes steady.
     Wind { speed_mps: f64, from_rad: f64 },
     /// Replaces the current by a uniform one.
     Current { speed_mps: f64, to_rad: f64 },

@@ -39,12 +39,14 @@ pub(crate) fn carry_out(action: &Action, cast: &Cast, now: &mut Now) -> Result<b
             order(action, now)
         }
         Action::Other(OtherAction::Wind { speed_mps, from_rad }) => {
-            let mean = MeanWind {
-                speed_mps: *speed_mps,
-                from_rad: *from_rad,
-                profile: WindProfile::Uniform,
+            let (speed_mps, from_rad) = (*speed_mps, *from_rad);
+            let changed = match &now.simulation.setup().world.environment.wind {
+                Some(wind) => wind.changed_to(speed_mps, from_rad),
+                None => {
+                    Wind::steady(MeanWind { speed_mps, from_rad, profile: WindProfile::Uniform })
+                }
             };
-            now.simulation.set_wind(Some(Wind::steady(mean).map_err(Refusal::new)?));
+            now.simulation.set_wind(Some(changed.map_err(Refusal::new)?));
             Ok(false)
         }
         Action::Other(OtherAction::Current { speed_mps, to_rad }) => {

@@ -248,6 +248,25 @@ fn the_same_seed_gives_the_same_bits_and_another_one_another_record() {
     assert_ne!(record(3), record(4));
 }
 
+/// An instructor who sets the wind keeps its gusts: those of the same seed about the new mean, from calm to a storm and back.
+#[test]
+fn a_changed_mean_keeps_the_gusts() {
+    let gusts = |mean: &MeanWind| {
+        let realisation = Realisation { harmonics: 50, seed: 3 };
+        Gusts::new(mean, &GustSpectrum::Npd, realisation).unwrap()
+    };
+    let wind = Wind::with_gusts(MEAN, gusts(&MEAN)).unwrap();
+    let storm = MeanWind { speed_mps: 30.0, from_rad: 2.0, ..MEAN };
+    let changed = wind.changed_to(30.0, 2.0).unwrap();
+    assert_eq!(changed, Wind::with_gusts(storm, gusts(&storm)).unwrap());
+    let calm = changed.changed_to(0.0, 2.0).unwrap();
+    assert_eq!(calm.velocity(10.0, 77.0).length(), 0.0);
+    assert_eq!(calm.changed_to(MEAN.speed_mps, MEAN.from_rad).unwrap(), wind);
+    assert!(wind.changed_to(-1.0, 0.0).is_err());
+    let steady = Wind::steady(MEAN).unwrap().changed_to(5.0, 1.0).unwrap();
+    assert_eq!(steady.velocity(10.0, 1.0), steady.velocity(10.0, 100.0));
+}
+
 #[test]
 fn absurd_winds_are_refused_by_name() {
     let wind = |speed_mps| MeanWind { speed_mps, ..MEAN }.check().unwrap_err().to_string();

@@ -18,6 +18,9 @@ pub struct Gusts {
     groups: Vec<Group>,
     /// Mean wind (m/s).
     mean_mps: f64,
+    /// What they were made from, for gusts about another mean wind.
+    spectrum: GustSpectrum,
+    realisation: Realisation,
     /// They act on the whole of a ship at once.
     is_uniform: bool,
 }
@@ -35,18 +38,23 @@ impl Gusts {
         mean.check()?;
         spectrum.check()?;
         realisation.check()?;
-        if mean.speed_mps == 0.0 {
-            return Ok(Gusts {
-                harmonics: vec![],
-                groups: vec![],
-                mean_mps: 0.0,
-                is_uniform: false,
-            });
-        }
         let density = |f_hz| spectrum.density(f_hz, mean.speed_mps);
-        let harmonics = realisation.harmonics_of(density, BAND_HZ[0], BAND_HZ[1]);
+        let harmonics = match mean.speed_mps {
+            0.0 => vec![],
+            _ => realisation.harmonics_of(density, BAND_HZ[0], BAND_HZ[1]),
+        };
         let groups = Group::all(&harmonics);
-        Ok(Gusts { harmonics, groups, mean_mps: mean.speed_mps, is_uniform: false })
+        let (spectrum, mean_mps) = (*spectrum, mean.speed_mps);
+        Ok(Gusts { harmonics, groups, mean_mps, spectrum, realisation, is_uniform: false })
+    }
+
+    /// The gusts of the same spectrum and seed about another mean wind.
+    ///
+    /// # Errors
+    /// As [`Gusts::new`].
+    pub fn about(&self, mean: &MeanWind) -> Result<Gusts, EnvironmentError> {
+        let gusts = Gusts::new(mean, &self.spectrum, self.realisation)?;
+        Ok(Gusts { is_uniform: self.is_uniform, ..gusts })
     }
 
     /// The same gusts without averaging over ships: each acts on the whole of a ship at once.

@@ -114,6 +114,25 @@ impl Wind {
         Ok(Wind(Kind::Mean(mean, Some(gusts))))
     }
 
+    /// This wind with another mean speed 10 m above the water (m/s) and direction from which it comes (rad): its profile and its gusts
+    /// stay, in proportion to the new mean as their spectrum says. A time series becomes a steady wind.
+    ///
+    /// # Errors
+    /// See [`MeanWind::check`].
+    pub fn changed_to(&self, speed_mps: f64, from_rad: f64) -> Result<Wind, EnvironmentError> {
+        match &self.0 {
+            Kind::Mean(mean, gusts) => {
+                let mean = MeanWind { speed_mps, from_rad, ..*mean };
+                mean.check()?;
+                let gusts = gusts.as_ref().map(|gusts| gusts.about(&mean)).transpose()?;
+                Ok(Wind(Kind::Mean(mean, gusts)))
+            }
+            Kind::Series(_) => {
+                Wind::steady(MeanWind { speed_mps, from_rad, profile: WindProfile::Uniform })
+            }
+        }
+    }
+
     /// A wind from a time series, the same at every height.
     #[must_use]
     pub fn series(series: WindSeries) -> Wind {
