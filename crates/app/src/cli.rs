@@ -62,7 +62,7 @@ pub(crate) enum Command {
     Fmu(FmuArgs),
     /// Print the columns of the result files with their units and meanings
     Columns(ColumnsArgs),
-    /// Print the JSON Schema of scenario files, of fender files or of vessel files
+    /// Print the JSON Schema of scenario, fender, vessel or campaign files
     Schema(SchemaArgs),
     /// Parse and check a scenario without running it
     Check(CheckArgs),
