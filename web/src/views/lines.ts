@@ -35,6 +35,7 @@ class Row {
   private readonly bollards = h("select", {});
   private readonly send: HTMLButtonElement;
   private readonly sending: HTMLElement;
+  private readonly work: HTMLElement;
   private shown_s = -Infinity;
   readonly root: HTMLElement;
 
@@ -71,11 +72,21 @@ class Row {
       () => void page.order({ do: "let_go", line: info.name }),
       { name: `Let go ${info.name}` },
     );
-    setAttribute(this.bollards, "aria-label", `Bollard for ${info.name}`);
-    this.send = h("button", { type: "button", "aria-label": `Send ${info.name} ashore` }, "Send");
+    setAttribute(this.bollards, "aria-label", `Bollard for ${spoken(info.name)}`);
+    this.send = h(
+      "button",
+      { type: "button", "aria-label": `Send ${spoken(info.name)} ashore` },
+      "Send",
+    );
     this.send.addEventListener(
       "click",
       () => void page.order({ do: "send", line: info.name, bollard: this.bollards.value }),
+    );
+    this.work = h(
+      "div",
+      { class: "winch" },
+      info.winch_mps !== null && this.winch.root,
+      this.letGo,
     );
     this.sending = h("div", { class: "sending" }, this.bollards, this.send);
     this.root = h(
@@ -84,7 +95,7 @@ class Row {
       h("div", { class: "row-head" }, h("b", {}, spoken(info.name)), this.state, this.figures),
       this.bar,
       this.sending,
-      h("div", { class: "winch" }, info.winch_mps !== null && this.winch.root, this.letGo),
+      this.work,
     );
   }
 
@@ -114,6 +125,7 @@ class Row {
   show(now: LineNow, mayWinch: boolean, bodies: (BodyNow | undefined)[], t_s: number): void {
     const canSend = now.state === "aboard" && this.hello.bollards.length > 0;
     this.sending.hidden = !canSend;
+    this.work.hidden = canSend;
     if (canSend) this.list(bodies, t_s);
     this.send.disabled = !mayWinch || this.bollards.value === "";
     const colours = palette();
@@ -170,10 +182,10 @@ export class Lines implements View {
     this.root = h(
       "div",
       { class: "lines" },
+      this.count,
       hello.lines.length === 0
         ? h("p", { class: "nothing" }, "No lines in this scenario.")
         : h("ul", { class: "rows" }, ...this.rows.map((row) => row.root)),
-      this.count,
       this.why,
     );
   }
