@@ -61,7 +61,13 @@ def test_wheel(wheel: Path, pythons: list[str]) -> None:
             run(*pip, "-r", OWN / "requirements-test.txt")
             run(*pip, wheel.resolve())
             # The tests read scenarios and documents beside them; no source of the package is copied.
-            beside = ["scenarios", "docs", "examples", "crates/app/tests/verdict"]
+            beside = [
+                "scenarios",
+                "docs",
+                "examples",
+                "crates/app/tests/verdict",
+                "crates/campaign/tests",
+            ]
             for name in ["crates/python/tests", *beside]:
                 shutil.copytree(ROOT / name, folder / "outside" / name)
             shutil.copy(ROOT / "pyproject.toml", folder / "outside")
