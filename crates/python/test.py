@@ -63,6 +63,7 @@ def test_wheel(wheel: Path, pythons: list[str]) -> None:
             # The tests read scenarios and documents beside them; no source of the package is copied.
             beside = [
                 "scenarios",
+                "campaigns",
                 "docs",
                 "examples",
                 "crates/app/tests/verdict",
