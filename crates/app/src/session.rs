@@ -74,37 +74,42 @@ fn refuse_changes(overrides: &[Override]) -> Result<(), Failure> {
 
 /// The log in words, in the order of time.
 pub(crate) fn lines_of(log: &SessionLog, setup: &Setup) -> Vec<LogLine> {
-    let commands = log.commands.iter().map(|command| LogLine {
-        t_s: command.t_s,
-        until_s: None,
-        kind: LogKind::Command,
-        who: command.who.clone(),
-        text: words_of(&command.action, setup),
-        key: String::new(),
+    let commands = log.commands.iter().map(|command| {
+        line(command.t_s, LogKind::Command, &command.who, words_of(&command.action, setup))
+    });
+    let acknowledgements = log.acknowledgements.iter();
+    let acknowledgements =
+        acknowledgements.map(|of| line(of.t_s, LogKind::Acknowledgement, &of.who, of.text.clone()));
+    let notes = log.notes.iter().map(|note| {
+        let text = if note.text.is_empty() { "mark".to_owned() } else { note.text.clone() };
+        line(note.t_s, LogKind::Note, &note.who, text)
     });
     let alarms = log.alarms.iter().map(|alarm| LogLine {
-        t_s: alarm.t_s,
         until_s: alarm.until_s,
-        kind: match alarm.level {
-            Level::Alarm => LogKind::Alarm,
-            Level::Caution => LogKind::Caution,
-        },
-        who: String::new(),
-        text: alarm.text.clone(),
+        acknowledged: alarm.acknowledged.clone(),
         key: alarm.key.clone(),
+        ..line(
+            alarm.t_s,
+            match alarm.level {
+                Level::Alarm => LogKind::Alarm,
+                Level::Caution => LogKind::Caution,
+            },
+            "",
+            alarm.text.clone(),
+        )
     });
-    let events = log.events.iter().map(|(t_s, text)| LogLine {
-        t_s: *t_s,
-        until_s: None,
-        kind: LogKind::Event,
-        who: String::new(),
-        text: text.clone(),
-        key: String::new(),
-    });
-    let mut lines: Vec<LogLine> = commands.chain(alarms).chain(events).collect();
-    // A stable sort: of one moment, commands come first.
+    let events = log.events.iter().map(|(t_s, text)| line(*t_s, LogKind::Event, "", text.clone()));
+    let people = commands.chain(acknowledgements).chain(notes);
+    let mut lines: Vec<LogLine> = people.chain(alarms).chain(events).collect();
+    // A stable sort: of one moment, what people did comes first.
     lines.sort_by(|one, other| one.t_s.total_cmp(&other.t_s));
     lines
+}
+
+/// A line of the log for a moment.
+fn line(t_s: f64, kind: LogKind, who: &str, text: String) -> LogLine {
+    let (who, key) = (who.to_owned(), String::new());
+    LogLine { t_s, until_s: None, kind, who, text, acknowledged: None, key }
 }
 
 /// A command in words.
@@ -130,6 +135,9 @@ fn words_of(action: &Action, setup: &Setup) -> String {
         }
         Action::Other(OtherAction::ApproachLimit { speed_mps }) => {
             format!("speed limit at the fenders {} m/s", plain(*speed_mps, 3))
+        }
+        Action::Other(OtherAction::Acknowledge { .. } | OtherAction::Note { .. }) => {
+            unreachable!("the log keeps them apart from commands")
         }
     }
 }

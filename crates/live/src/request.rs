@@ -59,8 +59,6 @@ conducts! {
     Load = "load" { file: String },
     /// Cancel the opening of a file.
     StopOpening = "stop_opening" {},
-    /// Acknowledge an alarm.
-    Acknowledge = "acknowledge" { key: String },
     /// Save a copy of the recording under a name.
     Save = "save" { name: String },
 }

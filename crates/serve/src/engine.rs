@@ -17,7 +17,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use fenderline_live::message::{self, RunState};
-use fenderline_live::{AlarmBook, Info, Session, StepError};
+use fenderline_live::{Session, StepError};
 use fenderline_nautical::ChartOrigin;
 
 use self::chart_output::ChartOutput;
@@ -42,7 +42,6 @@ const BETWEEN_PROGRESS_FRAMES: Duration = Duration::from_millis(200);
 pub(crate) struct Engine {
     hub: Arc<Hub>,
     session: Session,
-    info: Info,
     gallery: Gallery,
     /// Folder of the recordings.
     sessions: PathBuf,
@@ -55,7 +54,6 @@ pub(crate) struct Engine {
     /// Paused until the first client joins.
     starts_with_first_client: bool,
     claims: Claims,
-    alarms: AlarmBook,
     clients: BTreeMap<ClientId, Client>,
     events: EventLog,
     /// When the last frame was published.
@@ -81,13 +79,11 @@ impl Engine {
         let file = opened.session.source().file.clone();
         let recorder = Recorder::begin(&sessions, &file, &mut opened)?;
         let session = opened.session;
-        let info = Info::of(session.simulation().setup(), session.cast());
         let now = Instant::now();
-        let mut engine = Engine {
+        let engine = Engine {
             pacer: Pacer::new(session.simulation().setup().step_s, now),
             hub,
             session,
-            info,
             gallery,
             sessions,
             recorder,
@@ -96,14 +92,12 @@ impl Engine {
             paused: true,
             starts_with_first_client: !paused,
             claims: Claims::default(),
-            alarms: AlarmBook::default(),
             clients: BTreeMap::new(),
             events: EventLog::new(),
             published: now,
             predictor: Predictor::default(),
             chart: chart.map(ChartOutput::new),
         };
-        engine.restart_alarms();
         engine.make_tokens().map_err(|e| format!("no random numbers for the links: {e}"))?;
         Ok(engine)
     }
@@ -182,23 +176,10 @@ impl Engine {
             self.paused = true;
             self.notify_all("The recorded part has ended: resume to go on from here.");
         }
-        self.note_alarms();
         self.record();
         if self.paused || self.published.elapsed() >= BETWEEN_FRAMES {
             self.publish_frame();
         }
-    }
-
-    /// Every tick, not every frame: a touch of one tick raises an alarm too.
-    fn note_alarms(&mut self) {
-        let causes = self.session.causes_for_alarm(&self.info);
-        self.alarms.update(causes, self.session.simulation().time_s());
-    }
-
-    /// Drops the alarms of another session, branch or time, and notes those of the present state.
-    fn restart_alarms(&mut self) {
-        self.alarms.clear();
-        self.note_alarms();
     }
 
     /// Publishes the present state to all clients.
@@ -216,7 +197,7 @@ impl Engine {
             opening: self.work.as_ref().and_then(Work::now),
             ..RunState::default()
         };
-        let frame = self.session.frame(&self.info, unix_ms(), run, &self.alarms);
+        let frame = self.session.frame(unix_ms(), run);
         let frame = message::text(&frame).into();
         self.hub.frames.send_replace(Some(Published { frame, events: self.events.latest() }));
         self.published = Instant::now();

@@ -5,8 +5,8 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
+use fenderline_live::Refusal;
 use fenderline_live::message::{GalleryEntry, Reply};
-use fenderline_live::{Info, Refusal};
 
 use super::Engine;
 use crate::gallery::Opened;
@@ -112,9 +112,7 @@ impl Engine {
         self.session = opened.session;
         self.recorder = recorder;
         self.recording_failed = false;
-        self.info = Info::of(self.session.simulation().setup(), self.session.cast());
         self.claims.clear();
-        self.restart_alarms();
         self.make_tokens().map_err(|e| e.to_string())?;
         self.events.clear();
         self.predictor.reset();
