@@ -437,6 +437,8 @@ export type OtherAction =
   | { do: "load"; file: string }
   | { do: "stop_opening" }
   | { do: "save"; name: string }
+  /** Makes the report of the session up to now. When it is acknowledged, `/report` with the instructor's token has it. */
+  | { do: "report" }
   /** Acknowledges an alarm: pilot and instructor any, a tugmaster those of the own tug. Recorded. */
   | { do: "acknowledge"; key: string }
   /** The instructor's note for the debriefing: one line of at most 300 characters; without a text, a mark. Recorded. */

@@ -41,15 +41,29 @@ impl Recorded {
     ) -> Result<Recorded, Failure> {
         refuse_changes(overrides)?;
         let replayed = with_progress(|progress| fenderline_serve::replay(path, progress))?;
+        Recorded::of(replayed, &path.display().to_string(), branch, overrides)
+    }
+
+    /// Goes to the start of a branch of a replayed recording: by default the one that was steered last. `file` is its file, with
+    /// a path or without.
+    ///
+    /// # Errors
+    /// Bad input: a branch that it lacks, a change that does not fit.
+    pub(crate) fn of(
+        replayed: Replayed,
+        file: &str,
+        branch: Option<usize>,
+        overrides: &[Override],
+    ) -> Result<Recorded, Failure> {
         let Replayed { session, branches, incomplete, .. } = replayed;
         let mut scenario = session.source().scenario_with(overrides).map_err(Failure::input)?;
         let scenario_file = session.source().file.clone();
         let branch = branch.unwrap_or(session.current_branch());
         let repeat = Repeat::of(session, branch)
-            .map_err(|why| Failure::input(format_args!("error: {}: {why}", path.display())))?;
+            .map_err(|why| Failure::input(format_args!("error: {file}: {why}")))?;
         scenario.output = scenario.output_of_steps(repeat.steps_total());
         let about = RecordedSession {
-            file: file_name(path).to_string_lossy().into_owned(),
+            file: file_name(Path::new(file)).to_string_lossy().into_owned(),
             branch,
             branches,
             missing_at_end: incomplete,

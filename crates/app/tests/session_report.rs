@@ -109,7 +109,8 @@ fn a_report_of_a_session_has_its_commands_faults_and_alarms() {
     live.command("pilot 1", 0, seen.into()).expect("there is an alarm");
     let note = OtherAction::Note { text: "late with the <tug>".into() };
     live.command("instructor 1", 0, note.into()).expect("a note");
-    live.command("instructor 1", 0, OtherAction::Note { text: String::new() }.into()).expect("a mark");
+    live.command("instructor 1", 0, OtherAction::Note { text: String::new() }.into())
+        .expect("a mark");
     steer(&mut live, TICKS);
     live.rewind(50).expect("it is there");
     live.branch().expect("a branch");

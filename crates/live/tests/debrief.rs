@@ -147,9 +147,11 @@ fn a_note_is_one_line_of_limited_length_and_notes_are_limited_in_number() {
     let mut session = harbour();
     go(&mut session, 1);
     let before = session.recorded_bytes();
-    for (text, reason) in
-        [("x".repeat(301), "300 characters"), ("a\nb".into(), "one line"), ("\u{1b}[2J".into(), "one line")]
-    {
+    for (text, reason) in [
+        ("x".repeat(301), "300 characters"),
+        ("a\nb".into(), "one line"),
+        ("\u{1b}[2J".into(), "one line"),
+    ] {
         let refusal = session.command("instructor 1", 0, note(&text)).expect_err("too much");
         assert!(refusal.to_string().contains(reason), "{refusal}");
     }

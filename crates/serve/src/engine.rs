@@ -24,6 +24,7 @@ use self::chart_output::ChartOutput;
 use self::client::Client;
 use self::event_log::EventLog;
 use self::predictor::Predictor;
+use super::MakeReport;
 use super::claims::{Claims, ClientId};
 use super::gallery::{Gallery, Opened};
 use super::hub::{Hub, Published, ToEngine};
@@ -45,9 +46,11 @@ pub(crate) struct Engine {
     gallery: Gallery,
     /// Folder of the recordings.
     sessions: PathBuf,
+    make_report: MakeReport,
     recorder: Recorder,
     recording_failed: bool,
-    /// Work on another thread: a scenario or a session is being opened, or one is being saved.
+    /// Work on another thread: a scenario or a session is being opened, one is being saved, or a report is being
+    /// made.
     work: Option<Work>,
     pacer: Pacer,
     paused: bool,
@@ -73,6 +76,7 @@ impl Engine {
         mut opened: Opened,
         gallery: Gallery,
         sessions: PathBuf,
+        make_report: MakeReport,
         paused: bool,
         chart: Option<ChartOrigin>,
     ) -> Result<Engine, String> {
@@ -86,6 +90,7 @@ impl Engine {
             session,
             gallery,
             sessions,
+            make_report,
             recorder,
             recording_failed: false,
             work: None,

@@ -93,6 +93,9 @@ export class Run implements Group {
           },
           this.note,
           h("button", { type: "submit", title: "Drop the note, or a mark (N)" }, "Note"),
+          button("Report", () => void this.page.report(), {
+            name: "Report of the session up to now, in a new tab",
+          }),
         ),
         this.late,
       ),

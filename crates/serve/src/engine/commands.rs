@@ -164,6 +164,10 @@ impl Engine {
                     return Err(Refusal::new("nothing is being opened"));
                 }
             }
+            Conduct::Report {} => {
+                self.report(requester)?;
+                return Ok(Done::AnswerFollows);
+            }
             Conduct::Save { name } => {
                 self.save(requester, &name)?;
                 return Ok(Done::AnswerFollows);
