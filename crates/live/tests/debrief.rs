@@ -62,10 +62,16 @@ fn acknowledgements_and_notes_survive_a_restart_and_do_not_change_the_bits() {
     assert_eq!(alarms(&again), []);
     // The same without a note or an acknowledgement: the same states.
     let mut plain = harbour();
-    for action in [rudder(0.2), fault(true), fault(false), fault(true), fault(false)] {
+    let steps = [
+        (20, rudder(0.2)),
+        (20, fault(true)),
+        (10, fault(false)),
+        (10, fault(true)),
+        (10, fault(false)),
+    ];
+    for (ticks, action) in steps {
         command(&mut plain, action);
-        let ticks = if plain.tick() == 20 { 20 } else { 10 };
-        go(&mut plain, if plain.tick() == 0 { 20 } else { ticks });
+        go(&mut plain, ticks);
     }
     assert_eq!((plain.tick(), plain.bits()), (session.tick(), session.bits()));
 }
