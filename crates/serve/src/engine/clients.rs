@@ -105,6 +105,7 @@ impl Engine {
             vessels: &self.session.info().vessels,
             fenders: &self.session.info().fenders,
             lines: &self.session.info().lines,
+            bollards: &self.session.info().bollards,
             tugs: &self.session.info().tugs,
             orders: &self.session.info().orders,
             telegraph: &self.session.info().telegraph,
