@@ -456,7 +456,7 @@ fn the_report_from_the_page_is_that_of_the_command_and_only_the_instructor_gets_
         // Under the name that it had.
         let folder = recording.with_extension("report");
         std::fs::create_dir_all(&folder).expect("a folder");
-        let named = folder.join("alongside_with_two_tugs-001.session.jsonl");
+        let named = folder.join("harbour-001.session.jsonl");
         std::fs::copy(&recording, &named).expect("a copy");
         let html = folder.join("report.html");
         let ran = server::program()
