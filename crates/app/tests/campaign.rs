@@ -560,11 +560,11 @@ fn a_mistake_in_a_value_names_the_line_of_the_campaign() {
     );
     let formula =
         RANDOM.replace("[variable.doubled]\n", "[variable.doubled]\nkey = \"time.step\"\n");
-    refused(&formula, &["bad.toml:24:14", "expression = \"2 * speed\""]);
+    refused(&formula, &["bad.toml:23:14", "expression = \"2 * speed\""]);
     let choice = RANDOM
         .replace("berthing.draught=6.5 m", "berthing.draught=6.5 s")
         .replace("set = [\"body.ship.mass=45000 t\"]", "set = [\"berthing.draught=6.5 s\"]");
-    refused(&choice, &["must be a length", "bad.toml:2"]);
+    refused(&choice, &["must be a length", "--> bad.toml:", "berthing.draught=6.5 s"]);
     let table = "scenario = \"quay.toml\"\nplan = \"table\"\ntable = \"runs.csv\"\n[variable.speed]\nkey = \"body.ship.approach.speed_normal\"\n[variable.distance]\nkey = \"body.ship.approach.distance\"\n";
     place.write("runs.csv", b"distance [m],speed [cm/s]\n\n2,-5\n2,-6\n");
     refused(table, &["--> runs.csv:3:3", "3 | 2,-5", "run 1 sets", "no case of the campaign"]);

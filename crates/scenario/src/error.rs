@@ -84,7 +84,7 @@ impl ScenarioError {
     }
 
     /// Puts the error where a key or value from outside of the file comes from.
-    pub(crate) fn from_origin(mut self, origin: &Origin) -> ScenarioError {
+    pub(crate) fn at_origin(mut self, origin: &Origin) -> ScenarioError {
         self.0.place = origin.place.clone();
         self.0.snippet.clone_from(&origin.snippet);
         self.0.note.clone_from(&origin.note);

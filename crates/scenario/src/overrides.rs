@@ -84,8 +84,8 @@ impl Override {
         let is_of_value = !key.trim().is_empty() && value.trim().is_empty();
         match read {
             Ok(read) => Ok(Override { origins: Some(Box::new([key_origin, origin])), ..read }),
-            Err(error) if is_of_value => Err(error.from_origin(&origin)),
-            Err(error) => Err(error.from_origin(&key_origin)),
+            Err(error) if is_of_value => Err(error.at_origin(&origin)),
+            Err(error) => Err(error.at_origin(&key_origin)),
         }
     }
 
@@ -130,7 +130,7 @@ impl Override {
                 let message = format!("the value is not TOML: {}", error.message());
                 let error = option_error(&self.shown, None, message);
                 Err(match self.origin() {
-                    Some(origin) => error.from_origin(origin),
+                    Some(origin) => error.at_origin(origin),
                     None => error,
                 })
             }

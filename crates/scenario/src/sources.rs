@@ -125,7 +125,7 @@ impl Sources<'_> {
     ) -> ScenarioError {
         let error = ScenarioError::new(self.place(span), key, message);
         match self.override_of(span) {
-            Some((_, Some(origin))) => error.from_origin(origin),
+            Some((_, Some(origin))) => error.at_origin(origin),
             _ => error.with_snippet(self.snippet(span)),
         }
     }

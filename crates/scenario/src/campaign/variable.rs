@@ -526,7 +526,7 @@ pub(super) fn changes(sources: &Sources<'_>, path: &str, item: &Item) -> Read<Ve
         read.map_err(|error| {
             let message = format!("`{path}`: {}: {}", quoted(text), error.message());
             let help = "write KEY=VALUE, as in \"time.step=0.5 s\"";
-            sources.error(&item.span, path, message).with_help(help).from_origin(&origin)
+            sources.error(&item.span, path, message).with_help(help).at_origin(&origin)
         })
     };
     item.texts().iter().zip(origins(sources, item)).map(one).collect()
