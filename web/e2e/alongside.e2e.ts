@@ -182,6 +182,47 @@ test("a pilot and a tugmaster bring her alongside", async () => {
   expect(await pilot.locator(".fenders li.alarm").count()).toBe(0);
 });
 
+/** Each line of the ship and the bollard that leads it well. */
+const BOLLARDS = {
+  head: "b11",
+  stern: "b1",
+  "fore breast": "b9",
+  "aft breast": "b3",
+  "fore spring": "b7",
+  "aft spring": "b5",
+};
+
+test("the pilot makes her fast with six lines", async () => {
+  await instructor.bringToFront();
+  await instructor.getByRole("button", { name: "Pace 8", exact: true }).click();
+  await pilot.bringToFront();
+  await pilot.getByRole("tab", { name: "Lines" }).click();
+  const row = (line: string) =>
+    pilot.locator(".lines li").filter({ hasText: new RegExp(`^${line}`) });
+  for (const [line, bollard] of Object.entries(BOLLARDS)) {
+    await pilot.getByLabel(`Bollard for ${line}`).selectOption(bollard);
+    await pilot.getByRole("button", { name: `Send ${line} ashore` }).click();
+    await row(line).locator(".state", { hasText: bollard }).waitFor();
+  }
+  await pilot.screenshot({ path: join(SHOTS, "lines-under-way.png") });
+  for (const [line, bollard] of Object.entries(BOLLARDS)) {
+    await row(line).getByText(`fast at ${bollard}`).waitFor({ timeout: 120_000 });
+    await pilot.getByRole("button", { name: `Heave ${line.replace(" ", "_")}` }).click();
+  }
+  // Tight: 5 % of the break load and more. The winches stall at 30 %.
+  for (const line of Object.keys(BOLLARDS)) {
+    await row(line)
+      .getByText(/\b([5-9]|[1-3]\d) % of/)
+      .waitFor({ timeout: 60_000 });
+    await pilot.getByRole("button", { name: `Hold ${line.replace(" ", "_")}` }).click();
+  }
+  await pilot.getByText("All fast: 6 lines.").waitFor();
+  await pilot.getByRole("button", { name: "Ship and berth (0)" }).click();
+  await pilot.waitForTimeout(2000);
+  await pilot.screenshot({ path: join(SHOTS, "all-fast.png") });
+  expect(await pilot.locator(".lines li.alarm").count()).toBe(0);
+});
+
 test("the instructor pauses, steps, rewinds and branches", async () => {
   await instructor.bringToFront();
   await instructor.getByRole("button", { name: "Pace 1", exact: true }).click();

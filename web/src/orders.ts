@@ -28,6 +28,7 @@ export interface Orders {
   heave: { line: string; rate_mps: number };
   pay_out: { line: string; rate_mps: number };
   hold: { line: string };
+  send: { line: string; bollard: string };
   let_go: { line: string };
 }
 
@@ -71,6 +72,7 @@ export const ON_PAGE: {
   heave: { hint: null },
   pay_out: { hint: null },
   hold: { hint: null },
+  send: { hint: null },
   let_go: { hint: null },
 };
 

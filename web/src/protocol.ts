@@ -19,7 +19,7 @@ export type Pair = [number, number];
 /** Sent first, and again whenever the scenario, the branch or the claims change. */
 export interface Hello {
   type: "hello";
-  protocol: 2;
+  protocol: 3;
   role: Role;
   title: string;
   /** File name of the scenario, as in `gallery`. */
@@ -29,6 +29,7 @@ export interface Hello {
   vessels: VesselInfo[];
   fenders: FenderInfo[];
   lines: LineInfo[];
+  bollards: BollardInfo[];
   tugs: TugInfo[];
   /** The table of orders: words, units and limits. */
   orders: OrderInfo[];
@@ -148,13 +149,22 @@ export interface LineInfo {
   name: string;
   ship: number;
   fairlead_m: Pair;
-  /** Its other end: a point on the earth or on a body. */
-  end: { place_m: Pair } | { body: number; at_m: Pair };
+  /** Its other end: a point on the earth or on a body; `null`: on board until it is sent to a bollard. */
+  end: { place_m: Pair } | { body: number; at_m: Pair } | null;
   breaking_n: number;
   /** Tension at which an alarm is raised: half of the breaking load. */
   working_n: number;
   /** Rate of a manual order to its winch [m/s]; `null`: it has none. */
   winch_mps: number | null;
+}
+
+/** A bollard to which lines can be sent. */
+export interface BollardInfo {
+  name: string;
+  body: number;
+  at_m: Pair;
+  /** How many lines it takes at once. */
+  most_lines: number;
 }
 
 /** A vector tug: only her force on the ship is simulated. Tugs that are vessels are in `vessels`. */
@@ -320,11 +330,17 @@ export interface ContactNow {
 }
 
 export interface LineNow {
-  /** `ashore` before it is made fast, `fast`, `gone`. */
-  state: "ashore" | "fast" | "parted" | "gone";
+  /** `ashore`: it will be made fast by itself; `aboard`: it can be sent to a bollard; `sent`: on its way there. */
+  state: "ashore" | "aboard" | "sent" | "fast" | "parted";
   tension_n: number;
   /** The tension is above the working load. */
   over_working: boolean;
+  /** The bollard at which it is or to which it was sent: an index into `bollards`. */
+  bollard: number | null;
+  /** Unstretched length outboard [m]. */
+  length_m: number | null;
+  /** Time until it is fast [s]; `null` while it waits for line handlers or is not under way. */
+  fast_in_s: number | null;
   winch: "hold" | "heave" | "pay_out";
 }
 

@@ -55,8 +55,8 @@ impl Cast {
         let on = |body: usize| vessels.iter().position(|vessel| vessel.body == body);
         let lines = setup.world.lines.iter().map(|line| {
             let far = match line.end {
-                LineEnd::OnBody { body, .. } => on(body),
-                LineEnd::Fixed(_) => None,
+                Some(LineEnd::OnBody { body, .. }) => on(body),
+                Some(LineEnd::Fixed(_)) | None => None,
             };
             (line.line.name.clone(), on(line.ship).into_iter().chain(far).collect())
         });

@@ -4,13 +4,13 @@ use fenderline_contact::Vec2;
 use fenderline_contact::number::lesser;
 use fenderline_sim::mooring::{InboardEnd, LineKind};
 use fenderline_sim::order::{OrderName, SidePlace, TargetKind, Word, towline};
-use fenderline_sim::{LineEnd, MooringSetup, Setup, TugSetup, VesselSetup};
+use fenderline_sim::{BollardSetup, LineEnd, MooringSetup, Setup, TugSetup, VesselSetup};
 
 use crate::berth::Berth;
 use crate::cast::Cast;
 use crate::message::{
-    AzimuthInfo, BodyInfo, FenderInfo, LineEndInfo, LineInfo, OrderInfo, Pair, TelegraphInfo,
-    ThrusterInfo, TugInfo, VesselInfo,
+    AzimuthInfo, BodyInfo, BollardInfo, FenderInfo, LineEndInfo, LineInfo, OrderInfo, Pair,
+    TelegraphInfo, ThrusterInfo, TugInfo, VesselInfo,
 };
 use crate::order_info::{order_infos, telegraph};
 
@@ -30,6 +30,8 @@ pub struct Info {
     pub fenders: Vec<FenderInfo>,
     /// As in [`crate::message::Hello`].
     pub lines: Vec<LineInfo>,
+    /// As in [`crate::message::Hello`].
+    pub bollards: Vec<BollardInfo>,
     /// As in [`crate::message::Hello`].
     pub tugs: Vec<TugInfo>,
     /// As in [`crate::message::Hello`].
@@ -73,6 +75,7 @@ impl Info {
                 .collect(),
             fenders: fenders.collect(),
             lines: world.lines.iter().map(line_info).collect(),
+            bollards: world.bollards.iter().map(bollard_info).collect(),
             tugs: world.tugs.iter().map(|tug| tug_info(tug, &world.vessels)).collect(),
             orders: order_infos(),
             telegraph: telegraph(),
@@ -150,18 +153,27 @@ fn line_info(line: &MooringSetup) -> LineInfo {
         name: line.line.name.clone(),
         ship: line.ship,
         fairlead_m: pair(line.fairlead_m),
-        end: match line.end {
+        end: line.end.map(|end| match end {
             LineEnd::Fixed([north_m, east_m, _]) => {
                 LineEndInfo::Fixed { place_m: [north_m, east_m] }
             }
             LineEnd::OnBody { body, at_m, .. } => LineEndInfo::OnBody { body, at_m: pair(at_m) },
-        },
+        }),
         breaking_n,
         working_n: line.line.kind.working_load_n().unwrap_or(CABLE_WORKING_SHARE * breaking_n),
         winch_mps: match line.line.inboard_end {
             InboardEnd::Winch(winch) => Some(lesser(MANUAL_WINCH_MPS, winch.rate_mps)),
             InboardEnd::Bitts => None,
         },
+    }
+}
+
+fn bollard_info(bollard: &BollardSetup) -> BollardInfo {
+    BollardInfo {
+        name: bollard.name.clone(),
+        body: bollard.body,
+        at_m: pair(bollard.at_m),
+        most_lines: bollard.most_lines,
     }
 }
 

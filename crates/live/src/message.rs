@@ -9,7 +9,7 @@ use crate::approach::Light;
 use crate::request::Control;
 
 /// Number of the protocol. A page with another number asks the user to reload it.
-pub const PROTOCOL: u32 = 2;
+pub const PROTOCOL: u32 = 3;
 
 /// A position, a vector or a range.
 pub type Pair = [f64; 2];
@@ -26,6 +26,7 @@ pub struct Hello<'a> {
     pub vessels: &'a [VesselInfo],
     pub fenders: &'a [FenderInfo],
     pub lines: &'a [LineInfo],
+    pub bollards: &'a [BollardInfo],
     pub tugs: &'a [TugInfo],
     pub orders: &'a [OrderInfo],
     pub telegraph: &'a [TelegraphInfo],
@@ -161,10 +162,20 @@ pub struct LineInfo {
     pub name: String,
     pub ship: usize,
     pub fairlead_m: Pair,
-    pub end: LineEndInfo,
+    /// Where it is made fast by itself; `null` for a line that is on board until it is sent to a bollard.
+    pub end: Option<LineEndInfo>,
     pub breaking_n: f64,
     pub working_n: f64,
     pub winch_mps: Option<f64>,
+}
+
+/// A bollard to which lines can be sent.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BollardInfo {
+    pub name: String,
+    pub body: usize,
+    pub at_m: Pair,
+    pub most_lines: usize,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -377,6 +388,12 @@ pub struct LineNow {
     pub state: &'static str,
     pub tension_n: f64,
     pub over_working: bool,
+    /// Index of the bollard at which it is or to which it was sent.
+    pub bollard: Option<usize>,
+    /// Unstretched length outboard (m).
+    pub length_m: Option<f64>,
+    /// Time until it is fast (s); `null` while it waits for line handlers or is not under way.
+    pub fast_in_s: Option<f64>,
     pub winch: &'static str,
 }
 

@@ -182,13 +182,16 @@ impl NamedOrder {
             }
             Named::Body => setup.bodies.iter().position(|body| body.name == name),
             Named::Line => world.lines.iter().position(|line| line.line.name == name),
+            Named::Bollard => world.bollards.iter().position(|bollard| bollard.name == name),
         };
         index.ok_or_else(|| {
             Refusal::new(match named {
                 Named::Thruster | Named::AzimuthUnit => {
                     format!("`{}` has no {} `{name}`", self.to, argument.meaning)
                 }
-                Named::Body | Named::Line => format!("there is no {} `{name}`", argument.meaning),
+                Named::Body | Named::Line | Named::Bollard => {
+                    format!("there is no {} `{name}`", argument.meaning)
+                }
             })
         })
     }

@@ -78,6 +78,7 @@ impl Watched {
             vessels: &info.vessels,
             fenders: &info.fenders,
             lines: &info.lines,
+            bollards: &info.bollards,
             tugs: &info.tugs,
             orders: &info.orders,
             telegraph: &info.telegraph,

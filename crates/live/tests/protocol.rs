@@ -115,6 +115,7 @@ fn messages(session: &Session) -> (Value, Value) {
         vessels: &info.vessels,
         fenders: &info.fenders,
         lines: &info.lines,
+        bollards: &info.bollards,
         tugs: &info.tugs,
         orders: &info.orders,
         telegraph: &info.telegraph,

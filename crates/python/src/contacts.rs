@@ -166,6 +166,7 @@ pub(crate) fn world_event(event: &WorldEvent, [vessels, tugs, lines]: [&[String]
         }
         WorldEventKind::TugLimited | WorldEventKind::TugOrderRefused => tugs,
         WorldEventKind::LineNotMadeFast
+        | WorldEventKind::LineMadeFast
         | WorldEventKind::LineParted
         | WorldEventKind::LineRenders => lines,
     };

@@ -58,8 +58,9 @@ pub fn world_event_text(kind: WorldEventKind) -> &'static str {
         WorldEventKind::TugLimited => "cannot give the ordered force at this speed and angle",
         WorldEventKind::TugOrderRefused => "an order was refused: force or direction not possible",
         WorldEventKind::LineNotMadeFast => {
-            "could not be made fast between its ends: too short, or the pretension is not possible"
+            "could not be made fast: too short, the pretension is not possible, or the bollard is taken or out of reach"
         }
+        WorldEventKind::LineMadeFast => "fast at the bollard to which it was sent",
         WorldEventKind::LineParted => "PARTED",
         WorldEventKind::LineRenders => "the brake of the winch rendered",
     }

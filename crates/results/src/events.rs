@@ -32,6 +32,7 @@ pub fn world_event_key(kind: WorldEventKind) -> &'static str {
         WorldEventKind::TugLimited => "tug_limited",
         WorldEventKind::TugOrderRefused => "tug_order_refused",
         WorldEventKind::LineNotMadeFast => "line_not_made_fast",
+        WorldEventKind::LineMadeFast => "line_made_fast",
         WorldEventKind::LineParted => "line_parted",
         WorldEventKind::LineRenders => "line_renders",
     }

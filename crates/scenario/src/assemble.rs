@@ -17,6 +17,7 @@ mod flexible;
 mod hull;
 mod loads;
 mod materials;
+mod mooring;
 mod orders;
 mod output;
 mod pairs;
@@ -124,6 +125,8 @@ pub(crate) fn setup(
     let tugs = assembly.tugs(file.given("tug").named(), &vessels, &names)?;
     let lines =
         assembly.lines(file.given("line").named(), (&bodies, &environment.tide), &decks, &names)?;
+    let bollards = assembly.bollards(file.given("bollard").named(), &names)?;
+    let line_handling = assembly.line_handling(file.given("line_handling").table())?;
     let providers = assembly.providers(file.given("provider").list(), &bodies, &names)?;
     let study = file.item("berthing").map(Item::table);
     let of_ships = (bodies.as_slice(), vessels.as_slice(), fenders.as_slice());
@@ -149,7 +152,16 @@ pub(crate) fn setup(
         approaches,
         berthing,
         loads,
-        world: WorldSetup { environment, vessels, orders: vec![], tugs, lines, providers },
+        world: WorldSetup {
+            environment,
+            vessels,
+            orders: vec![],
+            tugs,
+            lines,
+            bollards,
+            line_handling,
+            providers,
+        },
     };
     assembly.note_outside_hulls(&fender_tables, &setup);
     assembly.note_late_arrivals(of_bodies, &setup);

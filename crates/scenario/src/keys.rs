@@ -14,6 +14,7 @@ pub(crate) mod fender_row;
 mod hull;
 mod load;
 mod material;
+pub(crate) mod mooring;
 pub(crate) mod order;
 mod output;
 mod panel;
@@ -138,7 +139,21 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             "Tugs that are forces on vessels, by name.",
             &[],
         ),
-        key("line", Kind::Named(&world::LINE), Is("{}"), "Mooring lines, by name.", &[]),
+        key("line", Kind::Named(&mooring::LINE), Is("{}"), "Mooring lines, by name.", &[]),
+        key(
+            "bollard",
+            Kind::Named(&mooring::BOLLARD),
+            Is("{}"),
+            "Bollards to which orders send lines, by name.",
+            &[],
+        ),
+        key(
+            "line_handling",
+            Kind::Table(&mooring::LINE_HANDLING),
+            Is("{}"),
+            "How lines come to a bollard.",
+            &[],
+        ),
         key("order", Kind::List(&order::ORDER), Is("[]"), "Orders at times of the run.", &[]),
         key(
             "provider",

@@ -345,7 +345,14 @@ fn full() -> Json {
             "between ships": {
                 "from": "f", "chock": "head-starboard", "to": "g", "bitts": "fore", "rope": "wire",
                 "break_load": "1000 kN", "pretension": "50 kN"
+            },
+            "on board": {
+                "from": "d", "fairlead": [70, 2], "rope": "wire", "break_load": "1000 kN", "rope_length": 180
             }
+        },
+        "bollard": { "first": { "on": "b", "at": [0, 0], "height": 3, "lines": 2 } },
+        "line_handling": {
+            "gangs": 1, "heaving_line": 25, "time": 70, "boat": true, "boat_speed": "2 kn"
         },
         "order": [
             { "vessel": "d", "at": "1 s", "rudder": "10 deg" },
@@ -371,7 +378,8 @@ fn full() -> Json {
             { "tug": "one", "push": "300 kN", "direction": "90 deg" },
             { "tug": "one", "pull": "300 kN" },
             { "tug": "one", "stand_by": true },
-            { "line": "spring", "let_go": true }
+            { "line": "spring", "let_go": true },
+            { "line": "on board", "send": { "bollard": "first" } }
         ],
         "fender": {
             "of a type": {
@@ -548,6 +556,7 @@ fn absent_agrees(document: &Json, pointer: &str) {
         "/vessel",
         "/tug",
         "/line",
+        "/bollard",
         "/vessel/box ship/thruster",
         // Not every vessel has an outline.
         "/body/d/outline",
@@ -662,6 +671,10 @@ fn examples_are_accepted() {
                 "/order/5/push_ship/at",
                 "/order/5/push_ship",
                 "/body/a/outline",
+                "/bollard",
+                "/order/16/send/bollard",
+                // A boat's speed goes with a boat.
+                "/line_handling/boat",
             ];
             if !conflicts.contains(&pointer.as_str()) {
                 assert!(accepted(&changed), "{pointer} = {example}");

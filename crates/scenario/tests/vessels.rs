@@ -564,7 +564,9 @@ fn a_body_has_outline_mass_and_deck_of_its_vessel_about_the_centre_of_gravity() 
     assert_eq!(vessel.origin.title, "Coaster, 130 m");
     let [head, towing] = [0, 1].map(|index| &setup.world.lines[index]);
     assert_eq!((head.fairlead_m, head.fairlead_above_water_m), (vec2(65.0, 2.0), 7.0));
-    let LineEnd::OnBody { body, at_m, above_water_m } = towing.end else { panic!("on the ship") };
+    let Some(LineEnd::OnBody { body, at_m, above_water_m }) = towing.end else {
+        panic!("on the ship")
+    };
     assert_eq!((body, at_m, above_water_m), (0, vec2(-1.0, 9.0), 6.0));
     let bow = &setup.fenders[0];
     assert_eq!((bow.position_m, bow.facing_rad, bow.width_m), (vec2(16.0, 0.0), 0.0, 6.0));

@@ -43,6 +43,11 @@ pub enum SetupError {
     Environment(EnvironmentError),
     /// A line does not fit between the initial positions of its ends.
     Line(MooringError),
+    /// A number of the handling of lines is out of range.
+    LineHandling {
+        /// What is wrong.
+        error: OutOfRange,
+    },
     /// An order that cannot be carried out.
     Order(OrderError),
     /// A vessel with the paper's contact method, which has one mass for all directions.
@@ -87,6 +92,7 @@ impl fmt::Display for SetupError {
             SetupError::Tug { tug, error } => write!(f, "tug `{tug}`: {error}"),
             SetupError::Environment(error) => error.fmt(f),
             SetupError::Line(error) => error.fmt(f),
+            SetupError::LineHandling { error } => write!(f, "the handling of lines: {error}"),
             SetupError::Order(error) => error.fmt(f),
             SetupError::VesselByPaperMethod { body } => {
                 write!(

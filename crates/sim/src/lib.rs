@@ -220,8 +220,8 @@ pub use start::{BodyStart, Start};
 pub use summary::PairSummary;
 pub use verdict::{Finding, Gravity, Verdict, called};
 pub use world::{
-    Assist, AssistPilot, AzimuthOrder, AzimuthSetup, AzimuthState, Environment, Faults, Float, Job,
-    LineEnd, Mooring, MooringSetup, NotAtTheSide, Pilots, ProviderSetup, PushJob, ThrusterSetup,
-    TugAtWork, TugSetup, VesselForces, VesselOrders, VesselSetup, VesselState, WorldEvent,
-    WorldEventKind, WorldSetup, mass_matrix,
+    Assist, AssistPilot, AzimuthOrder, AzimuthSetup, AzimuthState, BollardSetup, Environment,
+    Faults, Float, Job, LineEnd, LineHandling, Mooring, MooringSetup, NotAtTheSide, Pilots,
+    ProviderSetup, PushJob, Sent, ThrusterSetup, TugAtWork, TugSetup, VesselForces, VesselOrders,
+    VesselSetup, VesselState, WorldEvent, WorldEventKind, WorldSetup, mass_matrix,
 };

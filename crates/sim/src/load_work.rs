@@ -44,7 +44,7 @@ impl LoadedStep<'_> {
             works.tugs_j += self.of_force(vessel, self.attitude(vessel), self.tugs[tug].force);
         }
         for &line in &self.order.lines {
-            for end in self.world.lines[line].ends_on(&self.lines[line]) {
+            for end in self.world.lines[line].ends_on(&self.lines[line], &self.world.bollards) {
                 works.lines_j += self.of_line_end(end);
             }
         }

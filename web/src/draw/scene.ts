@@ -12,7 +12,7 @@ import {
 } from "../geometry";
 import type { Live } from "../live";
 import { type Palette, loadColour } from "../palette";
-import type { BodyNow, Frame, Hello, Pair } from "../protocol";
+import type { BodyNow, Frame, Hello, LineInfo, LineNow, Pair } from "../protocol";
 import { fixed, force, spoken, tonnes } from "../units";
 import { arrow, label, polygon, stroke } from "./marks";
 
@@ -279,14 +279,47 @@ export function drawContacts({ to, camera, colours, frame }: Scene): void {
   }
 }
 
+/** Where a line's far end is or will be. */
+function farEnd(
+  hello: Hello,
+  info: LineInfo,
+  now: LineNow,
+  bodies: (BodyNow | undefined)[],
+): Pair | undefined {
+  const end = now.bollard === null ? info.end : hello.bollards[now.bollard];
+  if (!end) return undefined;
+  if ("place_m" in end) return end.place_m;
+  const body = bodies[end.body];
+  return body && onEarth(body, end.at_m);
+}
+
+/** Bollards to which lines can be sent, with their names where there is room. */
+export function drawBollards({ to, camera, colours, hello, bodies }: Scene): void {
+  for (const { name, body, at_m } of hello.bollards) {
+    const on = bodies[body];
+    if (!on) continue;
+    const [x, y] = toScreen(camera, onEarth(on, at_m));
+    to.beginPath();
+    to.arc(x, y, 3.5, 0, 2 * Math.PI);
+    to.fillStyle = colours.panel;
+    to.fill();
+    to.strokeStyle = colours.text;
+    to.lineWidth = 1.5;
+    to.stroke();
+    if (camera.pixels_per_m > 1.2)
+      label(to, spoken(name), [x, y - 12], {
+        colour: colours.text,
+        ground: colours.label,
+        size: 11,
+      });
+  }
+}
+
 export function drawLines({ to, camera, colours, hello, frame, bodies }: Scene): void {
   hello.lines.forEach((info, i) => {
     const [now, ship] = [frame.lines[i], bodies[info.ship]];
-    if (!now || !ship || now.state === "gone") return;
-    const end =
-      "place_m" in info.end
-        ? info.end.place_m
-        : bodies[info.end.body] && onEarth(bodies[info.end.body] as BodyNow, info.end.at_m);
+    if (!now || !ship || now.state === "aboard") return;
+    const end = farEnd(hello, info, now, bodies);
     if (!end) return;
     const [from, till] = [toScreen(camera, onEarth(ship, info.fairlead_m)), toScreen(camera, end)];
     to.beginPath();
@@ -294,6 +327,10 @@ export function drawLines({ to, camera, colours, hello, frame, bodies }: Scene):
     to.fillStyle = colours.text;
     to.fill();
     if (now.state === "ashore") return;
+    if (now.state === "sent") {
+      stroke(to, from, till, colours.line, 1.2, [3, 6]);
+      return;
+    }
     const share = now.tension_n / Math.max(1, info.working_n);
     const colour =
       now.state === "parted"
@@ -489,7 +526,7 @@ export function firstLook(hello: Hello, bodies: BodyNow[], live: Live): Pair[] {
     onEarth(now, add(t.push_at_m, [0, Math.sign(t.push_at_m[1]) * (t.length_m + 14)])),
   );
   const moored = hello.lines.flatMap((l, i): Pair[] =>
-    "place_m" in l.end && frame?.lines[i]?.state === "fast" ? [l.end.place_m] : [],
+    l.end && "place_m" in l.end && frame?.lines[i]?.state === "fast" ? [l.end.place_m] : [],
   );
   // Another ship as berth is included whole.
   const other = hello.berth && !hello.bodies[hello.berth.body]?.fixed ? hello.berth.body : -1;

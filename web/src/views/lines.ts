@@ -1,8 +1,9 @@
 /** The lines: tension against working and breaking load, and the winches. */
 import { loadColour, palette } from "../palette";
+import { length, minus, onEarth } from "../geometry";
 import type { Order } from "../orders";
 import type { Page } from "../page";
-import type { Frame, Hello, LineInfo, LineNow } from "../protocol";
+import type { BodyNow, BollardInfo, Frame, Hello, LineInfo, LineNow } from "../protocol";
 import { choices, h, setAttribute, setClass, setStyle, setText, sureButton } from "../ui/dom";
 import { fixed, percent, spoken, tonnes } from "../units";
 import type { View } from "./view";
@@ -11,8 +12,12 @@ const STATES: Record<LineNow["state"], string> = {
   ashore: "not yet fast",
   fast: "fast",
   parted: "PARTED",
-  gone: "let go",
+  aboard: "on board",
+  sent: "on its way",
 };
+
+/** Distances to bollards are shown anew after this time, and not while the list is open [s]. */
+const ANEW_AFTER_S = 2;
 
 type Winch = LineNow["winch"];
 
@@ -27,11 +32,17 @@ class Row {
   private readonly state = h("span", { class: "state" });
   private readonly winch;
   private readonly letGo: HTMLButtonElement;
+  private readonly bollards = h("select", {});
+  private readonly send: HTMLButtonElement;
+  private readonly sending: HTMLElement;
+  private readonly work: HTMLElement;
+  private shown_s = -Infinity;
   readonly root: HTMLElement;
 
   constructor(
     private readonly info: LineInfo,
     page: Page,
+    private readonly hello: Hello,
   ) {
     const worked = (info.working_n / info.breaking_n) * 100;
     this.bar = h(
@@ -61,16 +72,62 @@ class Row {
       () => void page.order({ do: "let_go", line: info.name }),
       { name: `Let go ${info.name}` },
     );
+    setAttribute(this.bollards, "aria-label", `Bollard for ${spoken(info.name)}`);
+    this.send = h(
+      "button",
+      { type: "button", "aria-label": `Send ${spoken(info.name)} ashore` },
+      "Send",
+    );
+    this.send.addEventListener(
+      "click",
+      () => void page.order({ do: "send", line: info.name, bollard: this.bollards.value }),
+    );
+    this.work = h(
+      "div",
+      { class: "winch" },
+      info.winch_mps !== null && this.winch.root,
+      this.letGo,
+    );
+    this.sending = h("div", { class: "sending" }, this.bollards, this.send);
     this.root = h(
       "li",
       {},
       h("div", { class: "row-head" }, h("b", {}, spoken(info.name)), this.state, this.figures),
       this.bar,
-      h("div", { class: "winch" }, info.winch_mps !== null && this.winch.root, this.letGo),
+      this.sending,
+      this.work,
     );
   }
 
-  show(now: LineNow, mayWinch: boolean): void {
+  /** Lists the bollards by their distance from the fairlead, the nearest first. */
+  private list(bodies: (BodyNow | undefined)[], t_s: number): void {
+    const fresh = Math.abs(t_s - this.shown_s) < ANEW_AFTER_S;
+    if (fresh || document.activeElement === this.bollards) return;
+    this.shown_s = t_s;
+    const ship = bodies[this.info.ship];
+    if (!ship) return;
+    const from = onEarth(ship, this.info.fairlead_m);
+    const far = ({ body, at_m }: BollardInfo): number => {
+      const on = bodies[body];
+      return on ? length(minus(onEarth(on, at_m), from)) : Infinity;
+    };
+    const others = this.hello.bollards.filter(({ body }) => body !== this.info.ship);
+    const near = others.map((bollard) => ({ bollard, m: far(bollard) })).sort((a, b) => a.m - b.m);
+    const chosen = this.bollards.value;
+    this.bollards.replaceChildren(
+      ...near.map(({ bollard, m }) =>
+        h("option", { value: bollard.name }, `${spoken(bollard.name)} · ${m.toFixed(0)} m`),
+      ),
+    );
+    if (near.some(({ bollard }) => bollard.name === chosen)) this.bollards.value = chosen;
+  }
+
+  show(now: LineNow, mayWinch: boolean, bodies: (BodyNow | undefined)[], t_s: number): void {
+    const canSend = now.state === "aboard" && this.hello.bollards.length > 0;
+    this.sending.hidden = !canSend;
+    this.work.hidden = canSend;
+    if (canSend) this.list(bodies, t_s);
+    this.send.disabled = !mayWinch || this.bollards.value === "";
     const colours = palette();
     const share = now.tension_n / this.info.breaking_n;
     const worked = now.tension_n / this.info.working_n;
@@ -83,13 +140,24 @@ class Row {
         ? `${tonnes(now.tension_n)} · ${percent(share)} of ${fixed(this.info.breaking_n / 9806.65, 0)} t`
         : "",
     );
-    setText(this.state, now.over_working ? "OVER WORKING LOAD" : STATES[now.state]);
+    setText(this.state, now.over_working ? "OVER WORKING LOAD" : this.stateOf(now));
     setClass(this.root, "alarm", now.state === "parted");
     setClass(this.root, "caution", now.over_working);
     setClass(this.root, "idle", now.state !== "fast");
     this.winch.show(now.state === "fast" ? now.winch : null);
-    for (const each of [...this.winch.buttons, this.letGo])
-      each.disabled = !mayWinch || now.state !== "fast";
+    for (const each of this.winch.buttons) each.disabled = !mayWinch || now.state !== "fast";
+    this.letGo.disabled = !mayWinch || !(now.state === "fast" || now.state === "sent");
+  }
+
+  private stateOf(now: LineNow): string {
+    const bollard = now.bollard === null ? undefined : this.hello.bollards[now.bollard];
+    if (!bollard) return STATES[now.state];
+    const name = spoken(bollard.name);
+    if (now.state === "fast") return `fast at ${name}`;
+    if (now.state !== "sent") return STATES[now.state];
+    return now.fast_in_s === null
+      ? `waits for line handlers, to ${name}`
+      : `to ${name}, fast in ${Math.ceil(now.fast_in_s)} s`;
   }
 }
 
@@ -98,20 +166,23 @@ function mayWork(info: LineInfo, { role, vessels }: Hello): boolean {
   if (role.name !== "tugmaster") return role.name !== "observer";
   const body = vessels.find((v) => v.name === role.tug)?.body;
   return (
-    body !== undefined && (info.ship === body || ("body" in info.end && info.end.body === body))
+    body !== undefined &&
+    (info.ship === body || (info.end !== null && "body" in info.end && info.end.body === body))
   );
 }
 
 export class Lines implements View {
   private readonly rows: Row[];
   private readonly why = h("p", { class: "note" });
+  private readonly count = h("p", { class: "note count", "aria-live": "polite" });
   readonly root: HTMLElement;
 
   constructor(page: Page, hello: Hello) {
-    this.rows = hello.lines.map((info) => new Row(info, page));
+    this.rows = hello.lines.map((info) => new Row(info, page, hello));
     this.root = h(
       "div",
       { class: "lines" },
+      this.count,
       hello.lines.length === 0
         ? h("p", { class: "nothing" }, "No lines in this scenario.")
         : h("ul", { class: "rows" }, ...this.rows.map((row) => row.root)),
@@ -121,7 +192,20 @@ export class Lines implements View {
 
   tick(frame: Frame, hello: Hello): void {
     const may = hello.lines.map((info) => mayWork(info, hello));
-    frame.lines.forEach((now, i) => this.rows[i]?.show(now, may[i] ?? false));
+    frame.lines.forEach((now, i) =>
+      this.rows[i]?.show(now, may[i] ?? false, frame.bodies, frame.t_s),
+    );
+    // The ship's own lines: not the towlines.
+    const own = frame.lines.filter((_, i) => hello.lines[i]?.end === null);
+    const fast = own.filter(({ state }) => state === "fast").length;
+    setText(
+      this.count,
+      own.length === 0
+        ? ""
+        : fast === own.length
+          ? `All fast: ${fast} lines.`
+          : `${fast} of ${own.length} lines to the berth are fast.`,
+    );
     setText(
       this.why,
       may.length > 0 && !may.some(Boolean)

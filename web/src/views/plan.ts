@@ -143,6 +143,7 @@ export class Plan implements View {
     if (this.prediction) scene.drawPrediction(all);
     scene.drawHulls(all);
     scene.drawFenders(all);
+    scene.drawBollards(all);
     scene.drawLines(all);
     scene.drawVectorTugs(all);
     scene.drawContacts(all);

@@ -7,7 +7,7 @@ mod verdict;
 mod vessel;
 
 use fenderline_contact::Vec2;
-use fenderline_contact::number::lesser;
+use fenderline_contact::number::{greater, lesser};
 use fenderline_sim::mooring::WinchOrder;
 use fenderline_sim::order::{TugWord, Word};
 use fenderline_sim::tug::TugOrder;
@@ -157,7 +157,8 @@ fn branch_now((id, branch): (usize, &Branch)) -> BranchNow {
 
 fn line_now(line: &Mooring, setup: &MooringSetup, working_n: f64, t_s: f64) -> LineNow {
     let state = match &line.line {
-        _ if line.gone => "gone",
+        _ if line.aboard => "aboard",
+        _ if line.sent.is_some() => "sent",
         // A line that is fast from the start is made fast by the first step only.
         None if setup.from_s <= t_s => "fast",
         None => "ashore",
@@ -168,6 +169,9 @@ fn line_now(line: &Mooring, setup: &MooringSetup, working_n: f64, t_s: f64) -> L
         state,
         tension_n: line.load.tension_n,
         over_working: state == "fast" && line.load.tension_n > working_n,
+        bollard: line.bollard,
+        length_m: line.line.as_ref().map(|(_, state)| state.length_m),
+        fast_in_s: line.sent.and_then(|sent| sent.fast_at_s).map(|at_s| greater(at_s - t_s, 0.0)),
         winch: match line.order {
             WinchOrder::Hold => "hold",
             WinchOrder::Heave(_) => "heave",

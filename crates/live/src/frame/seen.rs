@@ -138,6 +138,7 @@ fn world_text(event: &WorldEvent, setup: &Setup) -> String {
             format!("tug {} cannot give the ordered force at this speed and angle", tug())
         }
         WorldEventKind::TugOrderRefused => format!("tug {} refused an order", tug()),
+        WorldEventKind::LineMadeFast => format!("line {} is fast", line()),
         WorldEventKind::LineNotMadeFast => format!("line {} could not be made fast", line()),
         WorldEventKind::LineParted => format!("LINE {} HAS PARTED", line()),
         WorldEventKind::LineRenders => format!("line {}: the brake of the winch renders", line()),

@@ -61,6 +61,7 @@ impl<'a> Who<'a> {
                 Who { kind: "tug", name: &world.tugs[event.who].tug.name }
             }
             WorldEventKind::LineNotMadeFast
+            | WorldEventKind::LineMadeFast
             | WorldEventKind::LineParted
             | WorldEventKind::LineRenders => {
                 Who { kind: "line", name: &world.lines[event.who].line.name }

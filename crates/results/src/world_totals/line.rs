@@ -1,7 +1,7 @@
 //! Totals of a mooring line over a run.
 
 use fenderline_contact::number::greater;
-use fenderline_sim::{Mooring, MooringSetup};
+use fenderline_sim::{BollardSetup, LineEnd, Mooring, MooringSetup};
 
 use super::{Lasting, Peak};
 
@@ -26,10 +26,19 @@ pub struct LineTotals {
     pub last_tension_n: f64,
     /// It is fast at the end of the run.
     pub is_fast: bool,
+    /// Where its far end was when it was last fast.
+    pub end: Option<LineEnd>,
+    /// The bollard to which an order last sent it, as an index into [`fenderline_sim::WorldSetup::bollards`].
+    pub bollard: Option<usize>,
 }
 
 impl LineTotals {
-    pub(super) fn add(&mut self, t_s: f64, step_s: f64, setup: &MooringSetup, now: &Mooring) {
+    pub(super) fn add(
+        &mut self,
+        (t_s, step_s): (f64, f64),
+        (setup, bollards): (&MooringSetup, &[BollardSetup]),
+        now: &Mooring,
+    ) {
         let Some((line, state)) = &now.line else {
             (self.is_fast, self.last_tension_n) = (false, 0.0);
             return;
@@ -40,6 +49,7 @@ impl LineTotals {
             self.working_load_n = setup.line.kind.working_load_n();
         }
         self.is_fast = !state.parted;
+        (self.end, self.bollard) = (now.end(setup, bollards), now.bollard);
         self.last_tension_n = now.load.tension_n;
         if state.parted && self.parted_s.is_none() {
             self.parted_s = Some(t_s);

@@ -53,7 +53,7 @@ impl WorldTotals {
             totals.add(step.t_s, *step_s, now);
         }
         for ((totals, line), now) in lines.iter_mut().zip(&setup.lines).zip(step.lines) {
-            totals.add(step.t_s, *step_s, line, now);
+            totals.add((step.t_s, *step_s), (line, setup.bollards.as_slice()), now);
         }
         events.add(step);
     }

@@ -191,6 +191,11 @@ impl Assembly<'_, '_> {
             }
             Named::Body => self.body_named(table, item, item.name(), of.names),
             Named::Line => self.line_named(table, item, of),
+            Named::Bollard => {
+                let known = || of.setup.world.bollards.iter().map(|bollard| bollard.name.as_str());
+                let index = known().position(|known| known == item.text());
+                index.ok_or_else(|| self.unknown("bollard", table, item, item.text(), known()))
+            }
         }
     }
 

@@ -1,18 +1,12 @@
-//! Tugs and lines.
+//! Tugs.
 
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
-use fenderline_contact::Vec2;
-use fenderline_sim::environment::Tide;
-use fenderline_sim::mooring::{
-    InboardEnd, InitialLength, LineKind, LineSetup, Rope, RopeCurve, Tail, Winch,
-};
 use fenderline_sim::tug::{TugEnvelope, VectorTug};
-use fenderline_sim::{BodySetup, LineEnd, MooringSetup, TugSetup, VesselSetup};
+use fenderline_sim::{TugSetup, VesselSetup};
 
 use super::orders::places;
-use super::vessel::Decks;
 use super::{Assembly, Checked, Names, listed};
 use crate::checked::{Item, Table};
 use crate::error::ScenarioError;
@@ -95,126 +89,4 @@ impl Assembly<'_, '_> {
             })
             .collect()
     }
-
-    pub(super) fn lines(
-        &self,
-        lines: &[(String, Table)],
-        start: (&[BodySetup], &Tide),
-        decks: &Decks<'_>,
-        names: &Names,
-    ) -> Checked<Vec<MooringSetup>> {
-        lines.iter().map(|(name, table)| self.line(name, table, start, decks, names)).collect()
-    }
-
-    fn line(
-        &self,
-        name: &str,
-        table: &Table,
-        (bodies, tide): (&[BodySetup], &Tide),
-        decks: &Decks<'_>,
-        names: &Names,
-    ) -> Checked<MooringSetup> {
-        let number = |name: &str| *table.given(name).number();
-        let (from, to) = (table.given("from"), table.given("to"));
-        let ship = self.body_named(table, from, from.name(), names)?;
-        let body = self.body_named(table, to, to.name(), names)?;
-        if ship == body {
-            let path = table.path_of("to");
-            let message = format!("`{path}`: both ends are on body {}", quoted(to.name()));
-            return Err(self.sources.error(&to.span, &path, message));
-        }
-        let (fairlead_m, fairlead_above_water_m) =
-            match self.one_of(table, "fairlead", "fairlead_height", "chock")? {
-                LinePoint::At(at_m, above_water_m) => (at_m, above_water_m),
-                LinePoint::Named(item) => self.chock(table, item, decks[ship])?,
-            };
-        let (bollard_m, bollard_above_water_m) =
-            match self.one_of(table, "bollard", "bollard_height", "bitts")? {
-                LinePoint::At(at_m, above_water_m) => (at_m, above_water_m),
-                LinePoint::Named(item) => self.bitts(table, item, decks[body])?,
-            };
-        let initial_length = match (table.item("length"), table.item("pretension")) {
-            (Some(length), None) => InitialLength::Outboard(*length.number()),
-            (None, Some(tension)) => InitialLength::FromPretension(*tension.number()),
-            (given, _) => {
-                let path = table.path_of("pretension");
-                let both = given.is_some();
-                let message = if both {
-                    format!("`{path}` does not go together with `length`")
-                } else {
-                    format!("`{path}` is missing")
-                };
-                let error = self.sources.error(&table.span, &path, message);
-                return Err(error.with_help("give the line a `length` or a `pretension`"));
-            }
-        };
-        let break_load_n = number("break_load");
-        let tail = table
-            .item("tail")
-            .map(Item::table)
-            .map(|tail| Tail { rope: rope(tail), length_m: *tail.given("length").number() });
-        let winch = Winch::of_design(break_load_n, 100.0);
-        let setup = MooringSetup {
-            line: LineSetup {
-                name: name.to_owned(),
-                kind: LineKind::Light { main: rope(table), tail },
-                inboard_end: match table.given("winch").flag() {
-                    true => InboardEnd::Winch(winch),
-                    false => InboardEnd::Bitts,
-                },
-                initial_length,
-            },
-            ship,
-            fairlead_m,
-            fairlead_above_water_m,
-            end: LineEnd::OnBody { body, at_m: bollard_m, above_water_m: bollard_above_water_m },
-            from_s: number("made_fast"),
-        };
-        if setup.from_s <= 0.0 {
-            setup.check_at_start(bodies, tide).map_err(|error| self.wrong(table, &error))?;
-        }
-        Ok(setup)
-    }
-
-    /// A line's end, by coordinates or by the name of a point of the vessel.
-    fn one_of<'t>(
-        &self,
-        table: &'t Table,
-        place: &str,
-        height: &str,
-        name: &str,
-    ) -> Checked<LinePoint<'t>> {
-        let height = table.given(height);
-        match (table.item(place), table.item(name)) {
-            (Some(at), None) => Ok(LinePoint::At(*at.vector(), *height.number())),
-            (None, Some(item)) if height.is_default => Ok(LinePoint::Named(item)),
-            (None, Some(_)) => Err(self.beside(table, height, name)),
-            (Some(_), Some(item)) => Err(self.beside(table, item, place)),
-            (None, None) => {
-                let path = table.path_of(place);
-                let error = self.sources.error(&table.span, &path, format!("`{path}` is missing"));
-                Err(error.with_help(format!("give it, or `{name}` by name")))
-            }
-        }
-    }
-
-    fn beside(&self, table: &Table, item: &Item, other: &str) -> ScenarioError {
-        let path = table.path_of(item.name);
-        let message = format!("`{path}` does not go together with `{other}`");
-        let error = self.sources.error(&item.key_span, &path, message);
-        error.with_help("keep one of the two")
-    }
-}
-
-/// Where a line ends.
-enum LinePoint<'t> {
-    /// From the body's origin, and above the water (m).
-    At(Vec2, f64),
-    /// A chock or bitts.
-    Named(&'t Item),
-}
-
-fn rope(table: &Table) -> Rope {
-    let curve: fn() -> RopeCurve = table.given("rope").choice();
-    Rope { break_load_n: *table.given("break_load").number(), curve: curve() }
 }

@@ -189,7 +189,9 @@ const fn kind_of(argument: &Argument) -> Kind {
             }
         }
         ArgumentKind::Name(Named::Body) => Kind::BodyName,
-        ArgumentKind::Name(Named::Thruster | Named::AzimuthUnit | Named::Line) => Kind::Text,
+        ArgumentKind::Name(Named::Thruster | Named::AzimuthUnit | Named::Line | Named::Bollard) => {
+            Kind::Text
+        }
     }
 }
 
@@ -213,6 +215,7 @@ const fn example(argument: &Argument) -> &'static [&'static str] {
         ArgumentKind::Name(Named::AzimuthUnit) => &["\"port\""],
         ArgumentKind::Name(Named::Body) => &["\"ship\""],
         ArgumentKind::Name(Named::Line) => &["\"tow\""],
+        ArgumentKind::Name(Named::Bollard) => &["\"b3\""],
     }
 }
 

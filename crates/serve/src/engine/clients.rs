@@ -105,6 +105,7 @@ impl Engine {
             vessels: &self.info.vessels,
             fenders: &self.info.fenders,
             lines: &self.info.lines,
+            bollards: &self.info.bollards,
             tugs: &self.info.tugs,
             orders: &self.info.orders,
             telegraph: &self.info.telegraph,

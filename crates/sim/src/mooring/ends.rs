@@ -9,6 +9,14 @@ pub struct LineEnds {
     pub shore_m: [f64; 3],
 }
 
+impl LineEnds {
+    /// The distance between the ends (m).
+    #[must_use]
+    pub fn distance_m(&self) -> f64 {
+        Span::of(self).distance_m
+    }
+}
+
 /// Distance and direction from the ship's end of a line to the other end.
 pub(super) struct Span {
     pub(super) distance_m: f64,

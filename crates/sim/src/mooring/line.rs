@@ -119,7 +119,7 @@ impl Line {
         let wanted_m = state.length_m + winch.ordered_m(order, step_s, &mut report);
         if wanted_m < state.length_m {
             let shortest_m = match self.length_for(winch.stall_n, ends) {
-                Some(stalled_m) => greater(stalled_m, self.shortest_m()),
+                Some(stalled_m) => greater(stalled_m, self.setup.kind.shortest_m()),
                 None => state.length_m,
             };
             report.stalled = wanted_m < shortest_m;
@@ -138,21 +138,13 @@ impl Line {
         report
     }
 
-    /// The shortest length outboard: the tail and one metre of rope (m).
-    fn shortest_m(&self) -> f64 {
-        1.0 + match &self.setup.kind {
-            LineKind::Light { tail: Some(tail), .. } => tail.length_m,
-            LineKind::Light { tail: None, .. } | LineKind::Heavy { .. } => 0.0,
-        }
-    }
-
     /// Length outboard at the start (m).
     fn initial_length_m(&self, ends: &LineEnds) -> Result<f64, MooringError> {
         let line = || self.setup.name.clone();
         match self.setup.initial_length {
             InitialLength::Outboard(length_m) => {
                 let span_m = Span::of(ends).distance_m;
-                if length_m < span_m || length_m < self.shortest_m() {
+                if length_m < span_m || length_m < self.setup.kind.shortest_m() {
                     return Err(MooringError::TooShort { line: line(), length_m, span_m });
                 }
                 Ok(length_m)
@@ -164,7 +156,7 @@ impl Line {
                     InboardEnd::Bitts => self.break_load_n,
                 };
                 let length_m = self.length_for(tension_n, ends).ok_or_else(error)?;
-                if tension_n > held_n || length_m < self.shortest_m() {
+                if tension_n > held_n || length_m < self.setup.kind.shortest_m() {
                     return Err(error());
                 }
                 Ok(length_m)

@@ -3,6 +3,7 @@
 use fenderline_contact::number::lesser;
 
 use super::ends::{LineEnds, Span};
+use super::error::MooringError;
 use super::rope::{Rope, RopeCurve};
 use super::winch::Winch;
 use crate::range::{OutOfRange, within};
@@ -70,7 +71,27 @@ pub enum InitialLength {
     FromPretension(f64),
 }
 
+impl LineSetup {
+    /// Checks the numbers of a line that is not made fast yet.
+    ///
+    /// # Errors
+    /// A number out of range; the error names the line.
+    pub fn check_alone(&self) -> Result<(), MooringError> {
+        let ends = LineEnds { ship_m: [0.0; 3], shore_m: [0.0; 3] };
+        let name = || self.name.clone();
+        check(self, &ends).map_err(|error| MooringError::OutOfRange { line: name(), error })
+    }
+}
+
 impl LineKind {
+    /// The shortest length outboard: the tail and one metre of rope (m).
+    pub(crate) fn shortest_m(&self) -> f64 {
+        1.0 + match self {
+            LineKind::Light { tail: Some(tail), .. } => tail.length_m,
+            LineKind::Light { tail: None, .. } | LineKind::Heavy { .. } => 0.0,
+        }
+    }
+
     /// Smallest break load of rope and tail (N).
     pub(super) fn break_load_n(&self) -> f64 {
         match self {

@@ -67,6 +67,11 @@ pub enum VesselAction {
 pub enum LineAction {
     /// An order to its winch.
     Winch(WinchOrder),
+    /// Send it to a bollard.
+    Send {
+        /// Index into [`crate::WorldSetup::bollards`].
+        bollard: usize,
+    },
     /// Let the line go.
     LetGo,
 }
@@ -141,6 +146,7 @@ impl Action {
             Action::Line(_, LineAction::Winch(WinchOrder::Hold)) => OrderName::Hold,
             Action::Line(_, LineAction::Winch(WinchOrder::Heave(_))) => OrderName::Heave,
             Action::Line(_, LineAction::Winch(WinchOrder::PayOut(_))) => OrderName::PayOut,
+            Action::Line(_, LineAction::Send { .. }) => OrderName::Send,
             Action::Line(_, LineAction::LetGo) => OrderName::LetGo,
         }
     }
@@ -221,6 +227,9 @@ impl OrderName {
             OrderName::Heave => winch(WinchOrder::Heave(given.number("rate")?)),
             OrderName::PayOut => winch(WinchOrder::PayOut(given.number("rate")?)),
             OrderName::Hold => winch(WinchOrder::Hold),
+            OrderName::Send => {
+                Action::Line(target, LineAction::Send { bollard: given.index("bollard")? })
+            }
             OrderName::LetGo => Action::Line(target, LineAction::LetGo),
         };
         check(&action, setup)?;
@@ -243,6 +252,9 @@ impl Action {
             Action::Line(_, LineAction::Winch(WinchOrder::Heave(rate_mps)))
             | Action::Line(_, LineAction::Winch(WinchOrder::PayOut(rate_mps))) => {
                 all.number("rate", *rate_mps)
+            }
+            Action::Line(_, LineAction::Send { bollard }) => {
+                all.with("bollard", Value::Index(*bollard))
             }
             Action::Line(_, LineAction::Winch(WinchOrder::Hold) | LineAction::LetGo) => all,
         }

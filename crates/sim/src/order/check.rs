@@ -1,6 +1,6 @@
 //! Checks that an order can be carried out in a set-up: one check for scenarios, sessions, Python and FMUs.
 
-use super::action::{Action, Order, Target, VesselAction};
+use super::action::{Action, LineAction, Order, Target, VesselAction};
 use super::arguments::Value;
 use super::error::OrderError;
 use super::table::{Argument, ArgumentKind, Named};
@@ -39,6 +39,16 @@ pub fn check(action: &Action, setup: &Setup) -> Result<(), OrderError> {
             Err(OrderError::Nothing)
         }
         Action::Vessel(tug, VesselAction::Assist(assist)) => check_assist(assist, *tug, setup),
+        Action::Line(line, LineAction::Send { bollard }) => {
+            let (line, bollard) = (&world.lines[*line], &world.bollards[*bollard]);
+            match line.ship == bollard.body {
+                true => Err(OrderError::OwnBollard {
+                    line: line.line.name.clone(),
+                    bollard: bollard.name.clone(),
+                }),
+                false => Ok(()),
+            }
+        }
         _ => Ok(()),
     }
 }
@@ -84,6 +94,7 @@ fn check_value(
                 Named::AzimuthUnit => vessel.map_or(0, |vessel| vessel.azimuths.len()),
                 Named::Body => setup.bodies.len(),
                 Named::Line => setup.world.lines.len(),
+                Named::Bollard => setup.world.bollards.len(),
             };
             match index < count {
                 true => Ok(()),
@@ -105,7 +116,9 @@ fn check_assist(assist: &Assist, vessel: usize, setup: &Setup) -> Result<(), Ord
             let elsewhere =
                 || OrderError::LineElsewhere { line: setup.world.lines[line].line.name.clone() };
             let towline = &setup.world.lines[line];
-            let LineEnd::OnBody { body: far, .. } = towline.end else { return Err(elsewhere()) };
+            let Some(LineEnd::OnBody { body: far, .. }) = towline.end else {
+                return Err(elsewhere());
+            };
             match (towline.ship == tug.body, far == tug.body) {
                 (true, false) => (far, force_n),
                 (false, true) => (towline.ship, force_n),

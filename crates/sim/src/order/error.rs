@@ -100,10 +100,52 @@ pub enum OrderError {
         /// The ship.
         ship: String,
     },
-    /// The line was let go already.
-    LineGone {
+    /// The line is on board, so there is nothing to heave, to pay out or to let go.
+    LineAboard {
         /// The line.
         line: String,
+    },
+    /// The line is on its way to a bollard.
+    LineUnderWay {
+        /// The line.
+        line: String,
+    },
+    /// The line has parted.
+    LineParted {
+        /// The line.
+        line: String,
+    },
+    /// The line is fast already, or will be made fast by itself.
+    LineInUse {
+        /// The line.
+        line: String,
+    },
+    /// The bollard is on the body that holds the line.
+    OwnBollard {
+        /// The line.
+        line: String,
+        /// The bollard.
+        bollard: String,
+    },
+    /// The bollard has as many lines as it takes.
+    BollardTaken {
+        /// The bollard.
+        bollard: String,
+        /// How many lines it takes.
+        most_lines: usize,
+    },
+    /// The bollard is farther away than the rope reaches, or than a heaving line reaches where there is no boat.
+    OutOfReach {
+        /// The line.
+        line: String,
+        /// The bollard.
+        bollard: String,
+        /// Distance from fairlead to bollard (m).
+        distance_m: f64,
+        /// The reach (m).
+        reach_m: f64,
+        /// What reaches no farther.
+        by: &'static str,
     },
     /// A station pilot of the ship uses the tug.
     TugOfStation {
@@ -127,13 +169,19 @@ impl OrderError {
                 Some("ship")
             }
             OrderError::LineElsewhere { .. } => Some("line"),
+            OrderError::OwnBollard { .. }
+            | OrderError::BollardTaken { .. }
+            | OrderError::OutOfReach { .. } => Some("bollard"),
             OrderError::BeyondBollardPull { .. } => Some("force"),
             OrderError::NoTarget { .. }
             | OrderError::NoGear { .. }
             | OrderError::Nothing
             | OrderError::NoPlace { .. }
             | OrderError::NoTowline { .. }
-            | OrderError::LineGone { .. }
+            | OrderError::LineAboard { .. }
+            | OrderError::LineUnderWay { .. }
+            | OrderError::LineParted { .. }
+            | OrderError::LineInUse { .. }
             | OrderError::TugOfStation { .. } => None,
         }
     }
@@ -195,7 +243,26 @@ impl fmt::Display for OrderError {
             ),
             OrderError::NoPlace { ship } => write!(f, "`{ship}` has no side there"),
             OrderError::NoTowline { ship } => write!(f, "she has no line to `{ship}`"),
-            OrderError::LineGone { line } => write!(f, "line `{line}` is gone"),
+            OrderError::LineAboard { line } => write!(f, "line `{line}` is on board"),
+            OrderError::LineUnderWay { line } => {
+                write!(f, "line `{line}` is on its way to a bollard")
+            }
+            OrderError::LineParted { line } => write!(f, "line `{line}` has parted"),
+            OrderError::LineInUse { line } => {
+                write!(f, "line `{line}` is not on board: let it go first")
+            }
+            OrderError::OwnBollard { line, bollard } => {
+                write!(f, "bollard `{bollard}` is on the body that holds line `{line}`")
+            }
+            OrderError::BollardTaken { bollard, most_lines } => write!(
+                f,
+                "bollard `{bollard}` takes {most_lines} line{} and has as many",
+                if *most_lines == 1 { "" } else { "s" }
+            ),
+            OrderError::OutOfReach { line, bollard, distance_m, reach_m, by } => write!(
+                f,
+                "bollard `{bollard}` is {distance_m:.0} m from the fairlead of line `{line}`, but {by} reaches {reach_m:.0} m"
+            ),
             OrderError::TugOfStation { ship } => write!(
                 f,
                 "the pilot that keeps `{ship}` on her station uses her tugs: steer her by hand first"

@@ -90,6 +90,8 @@ pub enum Named {
     Body,
     /// Any line of the scenario.
     Line,
+    /// Any bollard of the scenario.
+    Bollard,
 }
 
 /// The meaning of an absent argument.
@@ -220,7 +222,9 @@ orders! {
     PayOut = "pay_out" to Line with Winch: WINCH_RATE;
     /// Hold on the winch's brake.
     Hold = "hold" to Line with Winch: &[];
-    /// Let the line go.
+    /// Send the line to a bollard. Line handlers make it fast there.
+    Send = "send" to Line with None: &[name("bollard", Named::Bollard, "bollard")];
+    /// Let the line go. It is then hauled in.
     LetGo = "let_go" to Line with None: &[];
 }
 

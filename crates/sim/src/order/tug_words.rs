@@ -261,7 +261,7 @@ impl TugWords {
 #[must_use]
 pub fn towline(setup: &Setup, tug: usize, ship: usize) -> Option<(usize, Vec2)> {
     setup.world.lines.iter().enumerate().find_map(|(index, line)| {
-        let LineEnd::OnBody { body, at_m, .. } = line.end else { return None };
+        let Some(LineEnd::OnBody { body, at_m, .. }) = line.end else { return None };
         match (line.ship, body) {
             (own, far) if own == tug && far == ship => Some((index, at_m)),
             (own, far) if own == ship && far == tug => Some((index, line.fairlead_m)),

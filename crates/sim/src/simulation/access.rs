@@ -207,22 +207,37 @@ impl Simulation {
         Ok(())
     }
 
-    /// Checks that an order can be carried out in the present state: not if its line was let go, or if a station pilot uses
-    /// the tug. This check does not apply to orders for a later time.
+    /// Checks that an order can be carried out in the present state: not if its line is on board or has parted, if the bollard is
+    /// taken or out of reach, or if a station pilot uses the tug. This check does not apply to orders for a later time.
     ///
     /// # Errors
     /// Why the order cannot be carried out.
     pub fn check_now(&self, action: &Action) -> Result<(), OrderError> {
-        let is_there = |line: usize| {
-            if !self.world.lines.get(line).is_some_and(|line| line.gone) {
-                return Ok(());
+        let of_line = |line: usize, is_let_go: bool| {
+            let Some(own) = self.world.lines.get(line) else { return Ok(()) };
+            let line = self.setup.world.lines[line].line.name.clone();
+            if own.aboard {
+                return Err(OrderError::LineAboard { line });
             }
-            Err(OrderError::LineGone { line: self.setup.world.lines[line].line.name.clone() })
+            if own.sent.is_some() && !is_let_go {
+                return Err(OrderError::LineUnderWay { line });
+            }
+            if own.has_parted() && !is_let_go {
+                return Err(OrderError::LineParted { line });
+            }
+            Ok(())
         };
         match action {
-            Action::Line(line, LineAction::Winch(_) | LineAction::LetGo) => is_there(*line),
+            Action::Line(line, LineAction::Winch(_)) => of_line(*line, false),
+            Action::Line(line, LineAction::LetGo) => of_line(*line, true),
+            Action::Line(line, LineAction::Send { bollard }) => self.world.may_send(
+                &self.setup.world,
+                &self.states,
+                self.time_s(),
+                (*line, *bollard),
+            ),
             Action::Vessel(_, VesselAction::Assist(Assist { job: Job::Pull { line, .. }, .. })) => {
-                is_there(*line)
+                of_line(*line, false)
             }
             Action::Tug(tug, _) => {
                 let Some(tug) = self.setup.world.tugs.get(*tug) else { return Ok(()) };

@@ -54,8 +54,8 @@ pub(super) fn check_load(load: &Load, setup: &Setup) -> Result<(), SetupError> {
 pub(super) fn check_lines(setup: &Setup) -> Result<(), SetupError> {
     for line in &setup.world.lines {
         let far = match line.end {
-            LineEnd::OnBody { body, .. } => body,
-            LineEnd::Fixed(_) => line.ship,
+            Some(LineEnd::OnBody { body, .. }) => body,
+            Some(LineEnd::Fixed(_)) | None => line.ship,
         };
         for body in [line.ship, far] {
             if body >= setup.bodies.len() {
@@ -66,7 +66,17 @@ pub(super) fn check_lines(setup: &Setup) -> Result<(), SetupError> {
             let tide = &setup.world.environment.tide;
             line.check_at_start(&setup.bodies, tide).map_err(SetupError::Line)?;
         }
+        if !(1.0..=1e5).contains(&line.rope_m) {
+            return Err(SetupError::OutOfRange { field: "rope length [m]", value: line.rope_m });
+        }
     }
+    for bollard in &setup.world.bollards {
+        if bollard.body >= setup.bodies.len() {
+            return Err(SetupError::BadBody { owner: "bollard", body: bollard.body });
+        }
+    }
+    let out_of_range = |error| SetupError::LineHandling { error };
+    setup.world.line_handling.check().map_err(out_of_range)?;
     Ok(())
 }
 

@@ -207,8 +207,8 @@ impl AssistPilot {
 fn ends_for(line: &MooringSetup, own: usize) -> [(usize, Vec2); 2] {
     let near = (line.ship, line.fairlead_m);
     match line.end {
-        LineEnd::OnBody { body, at_m, .. } if body == own => [near, (body, at_m)],
-        LineEnd::OnBody { body, at_m, .. } => [(body, at_m), near],
-        LineEnd::Fixed(_) => unreachable!("a set-up with such an order is refused"),
+        Some(LineEnd::OnBody { body, at_m, .. }) if body == own => [near, (body, at_m)],
+        Some(LineEnd::OnBody { body, at_m, .. }) => [(body, at_m), near],
+        Some(LineEnd::Fixed(_)) | None => unreachable!("a set-up with such an order is refused"),
     }
 }

@@ -23,8 +23,11 @@ pub enum WorldEventKind {
     TugLimited,
     /// A tug refused an order with an invalid force or direction.
     TugOrderRefused,
-    /// A line could not be made fast between its ends: it is too short, or cannot have the pretension.
+    /// A line could not be made fast: it is too short for its ends, cannot have the pretension, or could not be sent to the
+    /// bollard.
     LineNotMadeFast,
+    /// A line that was sent to a bollard is fast.
+    LineMadeFast,
     /// A line parted.
     LineParted,
     /// The brake of the winch of a line renders.

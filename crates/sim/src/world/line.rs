@@ -1,11 +1,20 @@
 //! Mooring lines of a simulation: their ends on bodies, and when they are made fast.
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Vec2, Wrench, vec2};
 
+use super::bollard::BollardSetup;
 use super::event::{WorldEvent, WorldEventKind};
 use super::shore::Shore;
 use crate::environment::Tide;
-use crate::mooring::{Line, LineEnds, LineLoad, LineSetup, LineState, WinchOrder};
+use crate::mooring::{
+    InboardEnd, InitialLength, Line, LineEnds, LineLoad, LineSetup, LineState, WinchOrder,
+};
+
+/// Slack with which a line on a winch is made fast at a bollard, over the distance, and beside that (m).
+const SLACK: (f64, f64) = (0.02, 1.0);
+/// Rate at which a line on bitts is hauled in by hand (m/s); our assumption.
+const BY_HAND_MPS: f64 = 0.5;
 
 /// A mooring line of a set-up.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,10 +27,12 @@ pub struct MooringSetup {
     pub fairlead_m: Vec2,
     /// Height of the fairlead above the still water (m); above datum where that body is fixed.
     pub fairlead_above_water_m: f64,
-    /// The other end.
-    pub end: LineEnd,
-    /// When it is made fast (s).
+    /// Where it is made fast by itself; `None` if it is on board until an order sends it to a bollard.
+    pub end: Option<LineEnd>,
+    /// When it is made fast by itself (s).
     pub from_s: f64,
+    /// Length of the rope, for a line that an order sends to a bollard (m).
+    pub rope_m: f64,
 }
 
 /// The far end of a line.
@@ -49,9 +60,25 @@ pub struct Mooring {
     pub order: WinchOrder,
     /// Its forces in the last step.
     pub load: LineLoad,
-    /// It was let go, or could not be made fast.
-    pub gone: bool,
+    /// It is on board: not sent yet, let go, or it could not be made fast.
+    pub aboard: bool,
+    /// The bollard at which it is fast or to which it was sent, as an index into [`crate::WorldSetup::bollards`]. `None`: the
+    /// end of its set-up.
+    pub bollard: Option<usize>,
+    /// Its way to the bollard, while it is under way.
+    pub sent: Option<Sent>,
+    /// When it is hauled in after it was let go (s).
+    hauled_in_s: f64,
     rendering: bool,
+}
+
+/// A line on its way to a bollard.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sent {
+    /// When it was sent (s).
+    pub since_s: f64,
+    /// When it will be fast (s); `None` while it waits for line handlers.
+    pub fast_at_s: Option<f64>,
 }
 
 impl Mooring {
@@ -65,43 +92,96 @@ impl Mooring {
         *self = Mooring { line, ..*other };
     }
 
-    pub(crate) fn new() -> Mooring {
+    pub(crate) fn new(setup: &MooringSetup) -> Mooring {
         Mooring {
             line: None,
             order: WinchOrder::Hold,
             load: LineLoad::default(),
-            gone: false,
+            aboard: setup.end.is_none(),
+            bollard: None,
+            sent: None,
+            hauled_in_s: 0.0,
             rendering: false,
         }
     }
 
-    /// Lets the line go.
-    pub(crate) fn let_go(&mut self) {
-        (self.line, self.gone, self.load) = (None, true, LineLoad::default());
+    /// True if it has parted.
+    #[must_use]
+    pub fn has_parted(&self) -> bool {
+        self.line.as_ref().is_some_and(|(_, state)| state.parted)
+    }
+
+    /// Where its far end is or will be; `None` while it is on board.
+    #[must_use]
+    pub fn end(&self, setup: &MooringSetup, bollards: &[BollardSetup]) -> Option<LineEnd> {
+        match self.bollard {
+            Some(bollard) => Some(bollards[bollard].end()),
+            None if self.aboard => None,
+            None => setup.end,
+        }
+    }
+
+    /// Lets the line go at time `t_s`. It is then hauled in.
+    pub(crate) fn let_go(&mut self, setup: &MooringSetup, t_s: f64) {
+        let outboard_m = self.line.as_ref().map_or(0.0, |(_, state)| state.length_m);
+        let rate_mps = match setup.line.inboard_end {
+            InboardEnd::Winch(winch) => greater(winch.rate_mps, 0.01),
+            InboardEnd::Bitts => BY_HAND_MPS,
+        };
+        *self = Mooring {
+            aboard: true,
+            hauled_in_s: t_s + outboard_m / rate_mps,
+            ..Mooring::new(setup)
+        };
+    }
+
+    /// Sends the line to a bollard.
+    pub(crate) fn send(&mut self, bollard: usize, t_s: f64) {
+        self.aboard = false;
+        self.order = WinchOrder::Hold;
+        self.bollard = Some(bollard);
+        self.sent = Some(Sent { since_s: t_s, fast_at_s: None });
+    }
+
+    /// True if line handlers can take it: it was sent, and what was outboard before is hauled in.
+    pub(crate) fn waits_for_handlers(&self, t_s: f64) -> bool {
+        self.sent.is_some_and(|sent| sent.fast_at_s.is_none()) && t_s >= self.hauled_in_s
     }
 
     /// Makes the line fast at its time, moves the winch, and adds its forces to the bodies at both ends.
     pub(crate) fn step(
         &mut self,
         index: usize,
-        setup: &MooringSetup,
+        (setup, bollards): (&MooringSetup, &[BollardSetup]),
         (states, shore): (&[BodyState], Shore<'_>),
         (t_s, step_s): (f64, f64),
         loads: &mut [Wrench],
         events: &mut Vec<WorldEvent>,
     ) {
-        if self.gone || t_s + step_s <= setup.from_s {
+        if self.aboard || (self.bollard.is_none() && t_s + step_s <= setup.from_s) {
             return;
         }
-        let ends = setup.ends(states, shore);
+        let Some(end) = self.end(setup, bollards) else { return };
+        let ends = setup.ends(end, states, shore);
+        if let Some(sent) = self.sent {
+            if sent.fast_at_s.is_none_or(|at_s| t_s + step_s <= at_s) {
+                return;
+            }
+            self.sent = None;
+        }
         if self.line.is_none() {
-            match Line::new(setup.line.clone(), &ends) {
-                Ok(made) => self.line = Some(made),
-                Err(_) => {
-                    self.gone = true;
-                    events.push(WorldEvent { who: index, kind: WorldEventKind::LineNotMadeFast });
-                    return;
-                }
+            let made = match self.bollard {
+                Some(_) => setup.at_bollard(&ends).map(|line| Line::new(line, &ends)),
+                None => Some(Line::new(setup.line.clone(), &ends)),
+            };
+            let Some(Ok(made)) = made else {
+                (self.aboard, self.bollard) = (true, None);
+                events.push(WorldEvent { who: index, kind: WorldEventKind::LineNotMadeFast });
+                return;
+            };
+            self.line = Some(made);
+            if self.bollard.is_some() {
+                events.push(WorldEvent { who: index, kind: WorldEventKind::LineMadeFast });
             }
         }
         let Some((line, state)) = &mut self.line else { return };
@@ -115,7 +195,7 @@ impl Mooring {
             events.push(WorldEvent { who: index, kind: WorldEventKind::LineRenders });
         }
         self.rendering = renders;
-        for (body, at_m, force_n) in setup.ends_on(self) {
+        for (body, at_m, force_n) in setup.ends_on(self, bollards) {
             let arm_m = states[body].pose().rotation.apply(at_m);
             loads[body].force_n += force_n;
             loads[body].moment_nm += arm_m.cross(force_n);
@@ -125,32 +205,61 @@ impl Mooring {
 
 impl MooringSetup {
     /// The bodies at both ends, with position in the body's frame (m) and force on the body in the last step (N).
-    pub(crate) fn ends_on(&self, mooring: &Mooring) -> impl Iterator<Item = (usize, Vec2, Vec2)> {
+    pub(crate) fn ends_on(
+        &self,
+        mooring: &Mooring,
+        bollards: &[BollardSetup],
+    ) -> impl Iterator<Item = (usize, Vec2, Vec2)> {
         let LineLoad { on_ship_n, on_shore_n, .. } = mooring.load;
         let flat = |force_n: [f64; 3]| vec2(force_n[0], force_n[1]);
-        let far = match self.end {
-            LineEnd::OnBody { body, at_m, .. } => Some((body, at_m, flat(on_shore_n))),
-            LineEnd::Fixed(_) => None,
+        let far = match mooring.end(self, bollards) {
+            Some(LineEnd::OnBody { body, at_m, .. }) => Some((body, at_m, flat(on_shore_n))),
+            Some(LineEnd::Fixed(_)) | None => None,
         };
         core::iter::once((self.ship, self.fairlead_m, flat(on_ship_n))).chain(far)
     }
 
     /// Positions of both ends. Heave and roll are neglected: they are small compared with the length of a line.
-    fn ends(&self, states: &[BodyState], shore: Shore<'_>) -> LineEnds {
+    pub(crate) fn ends(&self, end: LineEnd, states: &[BodyState], shore: Shore<'_>) -> LineEnds {
         let at = |body: usize, at_m: Vec2, above_m: f64| {
             let place = states[body].pose().apply(at_m);
             [place.x, place.y, shore.above_water_m(body, above_m)]
         };
         LineEnds {
             ship_m: at(self.ship, self.fairlead_m, self.fairlead_above_water_m),
-            shore_m: match self.end {
+            shore_m: match end {
                 LineEnd::Fixed([north, east, up]) => [north, east, up - shore.level_m],
                 LineEnd::OnBody { body, at_m, above_water_m } => at(body, at_m, above_water_m),
             },
         }
     }
 
-    /// Checks that the line can be made fast at the start of a run.
+    /// The line as it is made fast at a bollard: with a little slack on a winch, hand-tight on bitts. `None` if the rope is too
+    /// short.
+    fn at_bollard(&self, ends: &LineEnds) -> Option<LineSetup> {
+        let span_m = ends.distance_m();
+        let mut line = self.line.clone();
+        let length_m = match &mut line.inboard_end {
+            InboardEnd::Winch(winch) => {
+                let length_m = span_m * (1.0 + SLACK.0) + SLACK.1;
+                winch.reserve_m = greater(self.rope_m - length_m, 0.0);
+                length_m
+            }
+            InboardEnd::Bitts => span_m,
+        };
+        line.initial_length = InitialLength::Outboard(greater(length_m, line.kind.shortest_m()));
+        (length_m <= self.rope_m).then_some(line)
+    }
+
+    /// The farthest bollard that the rope reaches (m).
+    pub(crate) fn reach_m(&self) -> f64 {
+        match self.line.inboard_end {
+            InboardEnd::Winch(_) => (self.rope_m - SLACK.1) / (1.0 + SLACK.0),
+            InboardEnd::Bitts => self.rope_m,
+        }
+    }
+
+    /// Checks that the line can be made fast at the start of a run; a line on board can.
     ///
     /// # Errors
     /// Why it cannot, with the name of the line.
@@ -165,6 +274,7 @@ impl MooringSetup {
         let states: Vec<BodyState> = bodies.iter().map(crate::rigid_body::initial_state).collect();
         let fixed: Vec<bool> = bodies.iter().map(crate::BodySetup::is_fixed).collect();
         let shore = Shore { fixed: &fixed, level_m: tide.level_m(0.0) };
-        Line::new(self.line.clone(), &self.ends(&states, shore)).map(|_| ())
+        let Some(end) = self.end else { return self.line.check_alone() };
+        Line::new(self.line.clone(), &self.ends(end, &states, shore)).map(|_| ())
     }
 }

@@ -9,10 +9,12 @@ mod assist;
 mod azimuth;
 mod azimuth_pilot;
 mod backup;
+mod bollard;
 mod environment;
 mod event;
 mod fault;
 mod line;
+mod line_work;
 mod pilot;
 mod setup;
 mod shore;
@@ -28,15 +30,16 @@ pub(crate) use self::shore::Shore;
 use crate::fender::FenderSetup;
 use crate::fixed_order::SumOrder;
 use crate::hull::{Heights, HullTouch, place_m};
-use crate::order::{Action, LineAction, Order};
+use crate::order::{Action, LineAction, Order, OrderError};
 use crate::setup::BodySetup;
 
 pub use assist::{Assist, AssistPilot, Job, NotAtTheSide, PushJob};
 pub use azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
+pub use bollard::{BollardSetup, LineHandling};
 pub use environment::Environment;
 pub use event::{WorldEvent, WorldEventKind};
 pub use fault::Faults;
-pub use line::{LineEnd, Mooring, MooringSetup};
+pub use line::{LineEnd, Mooring, MooringSetup, Sent};
 pub use pilot::Pilots;
 pub use setup::{ProviderSetup, WorldSetup};
 pub use tug::{TugAtWork, TugSetup};
@@ -73,7 +76,7 @@ impl World {
             vessels: setup.vessels.iter().map(VesselState::new).collect(),
             forces: vec![VesselForces::default(); setup.vessels.len()],
             water_inertia: vec![WaterInertia::default(); setup.vessels.len()],
-            lines: setup.lines.iter().map(|_| Mooring::new()).collect(),
+            lines: setup.lines.iter().map(Mooring::new).collect(),
             tugs: setup.tugs.iter().map(TugAtWork::new).collect(),
             events: Vec::new(),
             abilities: setup.vessels.iter().map(|v| Abilities::of(v, water)).collect(),
@@ -93,7 +96,9 @@ impl World {
         }
         self.forces.fill(VesselForces::default());
         self.water_inertia.fill(WaterInertia::default());
-        self.lines.fill_with(Mooring::new);
+        for (own, setup) in self.lines.iter_mut().zip(&setup.lines) {
+            *own = Mooring::new(setup);
+        }
         for (own, setup) in self.tugs.iter_mut().zip(&setup.tugs) {
             *own = TugAtWork::new(setup);
         }
@@ -173,12 +178,26 @@ impl World {
             loads[vessel.body].force_n += wrench.force_n;
             loads[vessel.body].moment_nm += wrench.moment_nm;
         }
+        let shore = Shore { fixed: &self.fixed, level_m: setup.environment.tide.level_m(t_s) };
+        line_work::take_lines(&mut self.lines, setup, (states, shore), t_s);
         for &index in &self.order.lines {
             let (mooring, line) = (&mut self.lines[index], &setup.lines[index]);
-            let shore = Shore { fixed: &self.fixed, level_m: setup.environment.tide.level_m(t_s) };
             let (times, events) = ((t_s, step_s), &mut self.events);
-            mooring.step(index, line, (states, shore), times, loads, events);
+            let of = (line, setup.bollards.as_slice());
+            mooring.step(index, of, (states, shore), times, loads, events);
         }
+    }
+
+    /// Checks that a line can be sent to a bollard at a time, both by index.
+    pub(crate) fn may_send(
+        &self,
+        setup: &WorldSetup,
+        states: &[BodyState],
+        t_s: f64,
+        (line, bollard): (usize, usize),
+    ) -> Result<(), OrderError> {
+        let shore = Shore { fixed: &self.fixed, level_m: setup.environment.tide.level_m(t_s) };
+        line_work::may_send(&self.lines, setup, (states, shore), line, bollard)
     }
 
     /// Adds an order. Orders that have been carried out are dropped, so that memory does not grow in a run of hours.
@@ -219,7 +238,18 @@ impl World {
                     }
                 }
                 Action::Line(line, LineAction::Winch(winch)) => self.lines[*line].order = *winch,
-                Action::Line(line, LineAction::LetGo) => self.lines[*line].let_go(),
+                Action::Line(line, LineAction::LetGo) => {
+                    self.lines[*line].let_go(&setup.lines[*line], t_s);
+                }
+                Action::Line(line, LineAction::Send { bollard }) => {
+                    let (line, to) = (*line, *bollard);
+                    if self.may_send(setup, states, t_s, (line, to)).is_ok() {
+                        self.lines[line].send(to, t_s);
+                    } else {
+                        let kind = WorldEventKind::LineNotMadeFast;
+                        self.events.push(WorldEvent { who: line, kind });
+                    }
+                }
             }
         }
     }

@@ -1,5 +1,6 @@
 //! The constant part of a world.
 
+use super::bollard::{BollardSetup, LineHandling};
 use super::environment::Environment;
 use super::line::MooringSetup;
 use super::tug::TugSetup;
@@ -19,6 +20,10 @@ pub struct WorldSetup {
     pub tugs: Vec<TugSetup>,
     /// Mooring lines.
     pub lines: Vec<MooringSetup>,
+    /// Bollards to which orders send lines.
+    pub bollards: Vec<BollardSetup>,
+    /// How lines come to a bollard.
+    pub line_handling: LineHandling,
     /// Programs that give forces on bodies.
     pub providers: Vec<ProviderSetup>,
 }

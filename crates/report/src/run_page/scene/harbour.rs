@@ -22,16 +22,16 @@ use fenderline_results::Outcome;
 fn lines(outcome: &Outcome<'_>, states: &[BodyState]) -> Vec<LineDrawn> {
     let lines = outcome.setup.world.lines.iter().zip(&outcome.world.lines);
     let drawn = lines.filter(|(_, totals)| totals.is_fast || totals.parted_s.is_some());
-    let drawn = drawn.map(|(line, totals)| LineDrawn {
-        ends_m: [
-            states[line.ship].pose().apply(line.fairlead_m),
-            match line.end {
-                LineEnd::Fixed([north_m, east_m, _]) => vec2(north_m, east_m),
-                LineEnd::OnBody { body, at_m, .. } => states[body].pose().apply(at_m),
-            },
-        ],
-        share: totals.share_of_break_load().unwrap_or(0.0),
-        has_parted: totals.parted_s.is_some(),
+    let drawn = drawn.filter_map(|(line, totals)| {
+        let far_m = match totals.end? {
+            LineEnd::Fixed([north_m, east_m, _]) => vec2(north_m, east_m),
+            LineEnd::OnBody { body, at_m, .. } => states[body].pose().apply(at_m),
+        };
+        Some(LineDrawn {
+            ends_m: [states[line.ship].pose().apply(line.fairlead_m), far_m],
+            share: totals.share_of_break_load().unwrap_or(0.0),
+            has_parted: totals.parted_s.is_some(),
+        })
     });
     drawn.collect()
 }

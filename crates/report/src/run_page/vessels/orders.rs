@@ -89,6 +89,7 @@ fn name_of(argument: &Argument, index: usize, order: &Action, setup: &Setup) -> 
         Named::AzimuthUnit => vessel.map_or_else(String::new, |v| v.azimuths[index].name.clone()),
         Named::Body => setup.bodies[index].name.clone(),
         Named::Line => format!("line {}", world.lines[index].line.name),
+        Named::Bollard => format!("bollard {}", world.bollards[index].name),
     }
 }
 

@@ -1,0 +1,225 @@
+//! Lines, bollards and line handlers.
+
+use fenderline_contact::Vec2;
+use fenderline_sim::environment::Tide;
+use fenderline_sim::mooring::{
+    InboardEnd, InitialLength, LineKind, LineSetup, Rope, RopeCurve, Tail, Winch,
+};
+use fenderline_sim::{BodySetup, BollardSetup, LineEnd, LineHandling, MooringSetup};
+
+use super::vessel::Decks;
+use super::{Assembly, Checked, Names};
+use crate::checked::{Item, Table};
+use crate::error::ScenarioError;
+use crate::keys::mooring::AT_THE_FAR_END;
+use crate::sources::quoted;
+
+/// Where a line is made fast by itself, and how long it then is.
+struct FarEnd {
+    end: LineEnd,
+    initial_length: InitialLength,
+}
+
+impl Assembly<'_, '_> {
+    pub(super) fn lines(
+        &self,
+        lines: &[(String, Table)],
+        start: (&[BodySetup], &Tide),
+        decks: &Decks<'_>,
+        names: &Names,
+    ) -> Checked<Vec<MooringSetup>> {
+        lines.iter().map(|(name, table)| self.line(name, table, start, decks, names)).collect()
+    }
+
+    fn line(
+        &self,
+        name: &str,
+        table: &Table,
+        (bodies, tide): (&[BodySetup], &Tide),
+        decks: &Decks<'_>,
+        names: &Names,
+    ) -> Checked<MooringSetup> {
+        let number = |name: &str| *table.given(name).number();
+        let from = table.given("from");
+        let ship = self.body_named(table, from, from.name(), names)?;
+        let (fairlead_m, fairlead_above_water_m) =
+            match self.one_of(table, "fairlead", "fairlead_height", "chock")? {
+                LinePoint::At(at_m, above_water_m) => (at_m, above_water_m),
+                LinePoint::Named(item) => self.chock(table, item, decks[ship])?,
+            };
+        let far = match table.item("to") {
+            Some(to) => Some(self.far_end(table, to, (ship, decks), names)?),
+            None => {
+                self.check_on_board(table)?;
+                None
+            }
+        };
+        let break_load_n = number("break_load");
+        let tail = table
+            .item("tail")
+            .map(Item::table)
+            .map(|tail| Tail { rope: rope(tail), length_m: *tail.given("length").number() });
+        let winch = Winch::of_design(break_load_n, 100.0);
+        let setup = MooringSetup {
+            line: LineSetup {
+                name: name.to_owned(),
+                kind: LineKind::Light { main: rope(table), tail },
+                inboard_end: match table.given("winch").flag() {
+                    true => InboardEnd::Winch(winch),
+                    false => InboardEnd::Bitts,
+                },
+                // A line on board has its length when it is made fast.
+                initial_length: far
+                    .as_ref()
+                    .map_or(InitialLength::Outboard(0.0), |far| far.initial_length),
+            },
+            ship,
+            fairlead_m,
+            fairlead_above_water_m,
+            end: far.map(|far| far.end),
+            from_s: number("made_fast"),
+            rope_m: number("rope_length"),
+        };
+        if setup.from_s <= 0.0 {
+            setup.check_at_start(bodies, tide).map_err(|error| self.wrong(table, &error))?;
+        }
+        Ok(setup)
+    }
+
+    /// The end of a line that is made fast by itself.
+    fn far_end(
+        &self,
+        table: &Table,
+        to: &Item,
+        (ship, decks): (usize, &Decks<'_>),
+        names: &Names,
+    ) -> Checked<FarEnd> {
+        let body = self.body_named(table, to, to.name(), names)?;
+        if ship == body {
+            let path = table.path_of("to");
+            let message = format!("`{path}`: both ends are on body {}", quoted(to.name()));
+            return Err(self.sources.error(&to.span, &path, message));
+        }
+        let (at_m, above_water_m) =
+            match self.one_of(table, "bollard", "bollard_height", "bitts")? {
+                LinePoint::At(at_m, above_water_m) => (at_m, above_water_m),
+                LinePoint::Named(item) => self.bitts(table, item, decks[body])?,
+            };
+        let initial_length = match (table.item("length"), table.item("pretension")) {
+            (Some(length), None) => InitialLength::Outboard(*length.number()),
+            (None, Some(tension)) => InitialLength::FromPretension(*tension.number()),
+            (given, _) => {
+                let path = table.path_of("pretension");
+                let both = given.is_some();
+                let message = if both {
+                    format!("`{path}` does not go together with `length`")
+                } else {
+                    format!("`{path}` is missing")
+                };
+                let error = self.sources.error(&table.span, &path, message);
+                return Err(error.with_help("give the line a `length` or a `pretension`"));
+            }
+        };
+        Ok(FarEnd { end: LineEnd::OnBody { body, at_m, above_water_m }, initial_length })
+    }
+
+    /// A line on board has no key that says where or how it is made fast.
+    fn check_on_board(&self, table: &Table) -> Checked<()> {
+        let given = AT_THE_FAR_END
+            .iter()
+            .find_map(|key| table.item_if_any(key).filter(|item| !item.is_default));
+        let Some(item) = given else { return Ok(()) };
+        let path = table.path_of(item.name);
+        let message = format!("`{path}` needs `to`: a line without `to` is on board");
+        let error = self.sources.error(&item.key_span, &path, message);
+        Err(error.with_help("name the body at the other end in `to`, or remove this key"))
+    }
+
+    pub(super) fn bollards(
+        &self,
+        bollards: &[(String, Table)],
+        names: &Names,
+    ) -> Checked<Vec<BollardSetup>> {
+        let bollard = |(name, table): &(String, Table)| {
+            let on = table.given("on");
+            Ok(BollardSetup {
+                name: name.clone(),
+                body: self.body_named(table, on, on.name(), names)?,
+                at_m: *table.given("at").vector(),
+                above_water_m: *table.given("height").number(),
+                most_lines: self.count(table, "lines")?,
+            })
+        };
+        bollards.iter().map(bollard).collect()
+    }
+
+    pub(super) fn line_handling(&self, table: &Table) -> Checked<LineHandling> {
+        let number = |name: &str| *table.given(name).number();
+        let (boat, speed) = (table.given("boat").flag(), table.given("boat_speed"));
+        if !boat && !speed.is_default {
+            let path = table.path_of("boat_speed");
+            let message = format!("`{path}` does not go together with `boat = false`");
+            return Err(self.sources.error(&speed.key_span, &path, message));
+        }
+        Ok(LineHandling {
+            gangs: self.count(table, "gangs")?,
+            heaving_line_m: number("heaving_line"),
+            heaving_line_s: number("time"),
+            boat_mps: boat.then(|| *speed.number()),
+        })
+    }
+
+    /// A whole number.
+    fn count(&self, table: &Table, key: &str) -> Checked<usize> {
+        let item = table.given(key);
+        let value = *item.number();
+        if value.fract() != 0.0 {
+            let path = table.path_of(key);
+            let message = format!("`{path}` must be a whole number, but is {value}");
+            return Err(self.sources.error(&item.span, &path, message));
+        }
+        Ok(value as usize)
+    }
+
+    /// A line's end, by coordinates or by the name of a point of the vessel.
+    fn one_of<'t>(
+        &self,
+        table: &'t Table,
+        place: &str,
+        height: &str,
+        name: &str,
+    ) -> Checked<LinePoint<'t>> {
+        let height = table.given(height);
+        match (table.item(place), table.item(name)) {
+            (Some(at), None) => Ok(LinePoint::At(*at.vector(), *height.number())),
+            (None, Some(item)) if height.is_default => Ok(LinePoint::Named(item)),
+            (None, Some(_)) => Err(self.beside(table, height, name)),
+            (Some(_), Some(item)) => Err(self.beside(table, item, place)),
+            (None, None) => {
+                let path = table.path_of(place);
+                let error = self.sources.error(&table.span, &path, format!("`{path}` is missing"));
+                Err(error.with_help(format!("give it, or `{name}` by name")))
+            }
+        }
+    }
+
+    fn beside(&self, table: &Table, item: &Item, other: &str) -> ScenarioError {
+        let path = table.path_of(item.name);
+        let message = format!("`{path}` does not go together with `{other}`");
+        let error = self.sources.error(&item.key_span, &path, message);
+        error.with_help("keep one of the two")
+    }
+}
+
+/// Where a line ends.
+enum LinePoint<'t> {
+    /// From the body's origin, and above the water (m).
+    At(Vec2, f64),
+    /// A chock or bitts.
+    Named(&'t Item),
+}
+
+fn rope(table: &Table) -> Rope {
+    let curve: fn() -> RopeCurve = table.given("rope").choice();
+    Rope { break_load_n: *table.given("break_load").number(), curve: curve() }
+}

@@ -1,0 +1,237 @@
+//! Keys of lines, bollards and line handlers.
+
+use fenderline_sim::mooring::RopeCurve;
+use serde_json::json;
+
+use super::quantities::{FORCE, LENGTH, PLACE, POSITION, TIME};
+use crate::choices::{Choice, Choices};
+use crate::spec::Absent::{Is, Means, Refused, Unless};
+use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::units::measures as unit;
+
+/// The keys of a line that say where and how it is made fast by itself. A line without `to` has none of them.
+pub(crate) const AT_THE_FAR_END: [&str; 6] =
+    ["bollard", "bollard_height", "bitts", "length", "pretension", "made_fast"];
+
+pub(super) static LINE: TableSpec = TableSpec {
+    what: "a line",
+    doc: "A mooring line from a body to a bollard or to another body. Its weight is neglected.",
+    keys: &[
+        key(
+            "from",
+            Kind::BodyName,
+            Refused,
+            "The body that holds the line, with a winch or bitts.",
+            &["\"ship\""],
+        ),
+        key(
+            "fairlead",
+            Kind::Point(POSITION),
+            Unless("`chock` is given"),
+            "Fairlead, forward and starboard of the body's origin.",
+            &["[140, 5]"],
+        ),
+        key(
+            "fairlead_height",
+            Kind::Quantity(PLACE),
+            Is("0"),
+            "Fairlead above the still water; on a fixed body above datum.",
+            &["\"12 m\""],
+        ),
+        key(
+            "chock",
+            Kind::Text,
+            Unless("`fairlead` is given"),
+            "A chock of the vessel that `from` is, instead of `fairlead` and `fairlead_height`.",
+            &["\"head\""],
+        ),
+        key(
+            "to",
+            Kind::BodyName,
+            Means("on board until an order sends it to a bollard"),
+            "The body at the other end: a quay, a ship.",
+            &["\"quay\""],
+        ),
+        key(
+            "bollard",
+            Kind::Point(POSITION),
+            Unless("`bitts` is given, or the line is on board"),
+            "Bollard, forward and starboard of that body's origin.",
+            &["[170, 4]"],
+        ),
+        key(
+            "bollard_height",
+            Kind::Quantity(PLACE),
+            Is("0"),
+            "Bollard above the still water; on a fixed body above datum.",
+            &["\"4 m\""],
+        ),
+        key(
+            "bitts",
+            Kind::Text,
+            Unless("`bollard` is given, or the line is on board"),
+            "Bitts of the vessel that `to` is, instead of `bollard` and `bollard_height`.",
+            &["\"fore\""],
+        ),
+        key("rope", Kind::Choice(&ROPES), Refused, "Material of the rope.", &["\"hmpe\""]),
+        key(
+            "break_load",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
+            Refused,
+            "Line design break force.",
+            &["\"1200 kN\""],
+        ),
+        key(
+            "tail",
+            Kind::Table(&TAIL),
+            Means("no tail"),
+            "A softer tail in series at the far end.",
+            &[],
+        ),
+        key(
+            "length",
+            Kind::Quantity(LENGTH),
+            Unless("`pretension` is given, or the line is on board"),
+            "Unstretched length outboard, tail included.",
+            &["\"45 m\""],
+        ),
+        key(
+            "pretension",
+            Kind::Quantity(FORCE),
+            Unless("`length` is given, or the line is on board"),
+            "Tension with which it is made fast.",
+            &["\"100 kN\""],
+        ),
+        key(
+            "winch",
+            Kind::Flag,
+            Is("false"),
+            "On a winch whose brake renders at 60 % of the break load, rather than on bitts.",
+            &["true"],
+        ),
+        key(
+            "rope_length",
+            Kind::Quantity(LENGTH),
+            Is("220"),
+            "Length of its rope, for a line that an order sends to a bollard. 220 m is from memory, not from a source.",
+            &["\"200 m\""],
+        ),
+        key("made_fast", Kind::Quantity(TIME), Is("0"), "When it is made fast.", &["\"25 min\""]),
+    ],
+    rules: Some(|| {
+        let either = |place: &str, height: &str, name: &str| {
+            let refused: serde_json::Map<String, serde_json::Value> =
+                [(height.to_owned(), json!(false))].into_iter().collect();
+            json!({ "oneOf": [
+                { "required": [place] }, { "required": [name], "properties": refused }
+            ] })
+        };
+        json!({
+            "allOf": [either("fairlead", "fairlead_height", "chock")],
+            "if": { "required": ["to"] },
+            "then": {
+                "oneOf": [{ "required": ["length"] }, { "required": ["pretension"] }],
+                "allOf": [either("bollard", "bollard_height", "bitts")]
+            },
+            "else": {
+                "properties": AT_THE_FAR_END.iter().map(|key| ((*key).to_owned(), json!(false)))
+                    .collect::<serde_json::Map<String, serde_json::Value>>()
+            }
+        })
+    }),
+};
+
+static TAIL: TableSpec = TableSpec {
+    what: "a tail",
+    doc: "A softer tail in series.",
+    keys: &[
+        key("rope", Kind::Choice(&ROPES), Is("\"nylon\""), "Material of the rope.", &["\"nylon\""]),
+        key(
+            "break_load",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
+            Refused,
+            "Its break force.",
+            &["\"1500 kN\""],
+        ),
+        key("length", Kind::Quantity(LENGTH), Is("11"), "Its length.", &["\"11 m\""]),
+    ],
+    rules: None,
+};
+
+static ROPES: Choices<fn() -> RopeCurve> = Choices(&[
+    Choice { word: "wire", value: RopeCurve::wire, doc: "steel wire with a steel core" },
+    Choice { word: "hmpe", value: RopeCurve::hmpe, doc: "high-modulus polyethylene" },
+    Choice { word: "polyester", value: RopeCurve::polyester, doc: "polyester" },
+    Choice { word: "nylon", value: RopeCurve::nylon, doc: "nylon, as tails are made of" },
+]);
+
+pub(super) static BOLLARD: TableSpec = TableSpec {
+    what: "a bollard",
+    doc: "A bollard to which the order `send` sends lines.",
+    keys: &[
+        key(
+            "on",
+            Kind::BodyName,
+            Refused,
+            "The body that it stands on: a quay, a dolphin, another ship.",
+            &["\"quay\""],
+        ),
+        key(
+            "at",
+            Kind::Point(POSITION),
+            Refused,
+            "Its place, forward and starboard of that body's origin.",
+            &["[60, 2]"],
+        ),
+        key(
+            "height",
+            Kind::Quantity(PLACE),
+            Is("0"),
+            "Its height above the still water; on a fixed body above datum.",
+            &["\"4 m\""],
+        ),
+        key("lines", Kind::Quantity(COUNT), Is("4"), "How many lines it takes at once.", &["2"]),
+    ],
+    rules: None,
+};
+
+pub(super) static LINE_HANDLING: TableSpec = TableSpec {
+    what: "the handling of lines",
+    doc: "How lines that an order sends come to a bollard. A gang takes one line at a time; further lines wait. The default \
+          values are assumptions, not from a source.",
+    keys: &[
+        key("gangs", Kind::Quantity(COUNT), Is("2"), "Number of gangs of line handlers.", &["1"]),
+        key(
+            "heaving_line",
+            Kind::Quantity(LENGTH),
+            Is("30"),
+            "Farthest distance from fairlead to bollard that a heaving line reaches.",
+            &["\"25 m\""],
+        ),
+        key(
+            "time",
+            Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 1e5 }),
+            Is("60"),
+            "Time with a heaving line, until the eye is over the bollard.",
+            &["\"90 s\""],
+        ),
+        key(
+            "boat",
+            Kind::Flag,
+            Is("true"),
+            "A boat carries lines that a heaving line does not reach.",
+            &["false"],
+        ),
+        key(
+            "boat_speed",
+            Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.01, high: 20.0 }),
+            Is("1"),
+            "Speed of the boat with a line; its time comes on top.",
+            &["\"2 kn\""],
+        ),
+    ],
+    rules: None,
+};
+
+/// A number of gangs, or of lines at a bollard.
+const COUNT: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 100.0 };
