@@ -24,11 +24,10 @@ use self::chart_output::ChartOutput;
 use self::client::Client;
 use self::event_log::EventLog;
 use self::predictor::Predictor;
-use super::MakeReport;
 use super::claims::{Claims, ClientId};
 use super::gallery::{Gallery, Opened};
 use super::hub::{Hub, Published, ToEngine};
-use super::opening::Work;
+use super::opening::{MakeReport, Work};
 use super::pacer::Pacer;
 use super::recorder::Recorder;
 

@@ -48,7 +48,6 @@ mod wire;
 use core::fmt;
 use std::net::{IpAddr, SocketAddr};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, mpsc};
 use std::thread::JoinHandle;
 
@@ -65,6 +64,7 @@ use self::http::Site;
 use self::hub::{Hub, ToEngine};
 use self::known_hosts::KnownHosts;
 pub use self::log::Notify;
+pub use self::opening::MakeReport;
 use self::page::Page;
 use self::saved::{Progress, ReplayFailure};
 
@@ -102,12 +102,6 @@ pub struct Options {
     /// Where notices about the server go.
     pub notify: Notify,
 }
-
-/// Makes the report of a recording, as a page of HTML: from the name of its file, its bytes, and a flag that asks to stop. The
-/// program gives it, because this crate knows no reports. It runs on a thread of its own.
-///
-/// The error is the reason for the user.
-pub type MakeReport = fn(&str, &[u8], &Arc<AtomicBool>) -> Result<String, String>;
 
 /// Why the server or a replay ended.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -11,11 +11,16 @@ use std::time::{Duration, Instant};
 
 use fenderline_live::message::{GalleryEntry, OpeningNow};
 
-use super::MakeReport;
 use super::claims::ClientId;
 use super::gallery::{self, Opened};
 use super::recorder::{Copy, Recorder, SoFar};
 use super::saved::Progress as ReplayProgress;
+
+/// Makes the report of a recording, as a page of HTML: from the name of its file, its bytes, and a flag that asks to stop. The
+/// program gives it, because this crate knows no reports. It runs on a thread of its own.
+///
+/// The error is the reason for the user.
+pub type MakeReport = fn(&str, &[u8], &Arc<AtomicBool>) -> Result<String, String>;
 
 /// Time limit of an opening. `fenderline replay` has none.
 const TIME_LIMIT: Duration = Duration::from_secs(600);
