@@ -125,6 +125,16 @@ export class App implements Page {
     return done;
   }
 
+  async report(): Promise<void> {
+    // Opened at once: after the answer a browser would take it for a pop-up.
+    const tab = window.open("", "_blank");
+    if (tab) tab.document.body.textContent = "Making the report of the session …";
+    const done = await this.order({ do: "report" });
+    if (!done) tab?.close();
+    else if (tab) tab.location.href = new URL(`/report${location.search}`, location.href).href;
+    else this.say("The browser has blocked the report's tab: allow it and press again.", "refusal");
+  }
+
   drag(control: string, action: Action): void {
     this.connection.drag(control, action, (reason) => this.answered(reason));
     this.hinted(action);

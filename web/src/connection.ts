@@ -14,6 +14,8 @@ const LONGEST_WAIT_MS = 4000;
 /** Time between two commands of a dragged control. Its last position is always sent. */
 const DRAG_MS = 100;
 const ANSWER_MS = 5000;
+/** The same for what the server works on for a while. */
+const WORK_MS = 600_000;
 
 interface Waiting {
   answer(reason: string | null): void;
@@ -72,7 +74,7 @@ export class Connection {
     return new Promise((answer) => {
       const timer = window.setTimeout(
         () => this.answered(id, "the server did not answer"),
-        ANSWER_MS,
+        action.do === "report" || action.do === "save" ? WORK_MS : ANSWER_MS,
       );
       this.waiting.set(id, { answer, timer });
       socket.send(JSON.stringify(command));

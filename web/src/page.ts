@@ -8,6 +8,8 @@ export interface Page {
   order(action: Action): Promise<boolean>;
   /** The same for a dragged control, at a limited rate; its last position is always sent. */
   drag(control: string, action: Action): void;
+  /** Has the server make the report of the session up to now, and opens it in a new tab. */
+  report(): Promise<void>;
   /** Shows a message for a while. */
   say(text: string, level?: "note" | "refusal"): void;
   /** Reports an action that a hint may wait for. */

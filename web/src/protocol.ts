@@ -453,8 +453,12 @@ export type OtherAction =
   | { do: "load"; file: string }
   | { do: "stop_opening" }
   | { do: "save"; name: string }
-  // Acknowledges an alarm: pilot and instructor any, a tugmaster those of the own tug.
+  /** Makes the report of the session up to now. When it is acknowledged, `/report` with the instructor's token has it. */
+  | { do: "report" }
+  /** Acknowledges an alarm: pilot and instructor any, a tugmaster those of the own tug. Recorded. */
   | { do: "acknowledge"; key: string }
+  /** The instructor's note for the debriefing: one line of at most 300 characters; without a text, a mark. Recorded. */
+  | { do: "note"; text?: string }
   /** The speed limit at the fenders, of docking board and alarms: by pilot and instructor. */
   | { do: "approach_limit"; speed_mps: number }
   | { do: "wind"; speed_mps: number; from_rad: number }

@@ -48,6 +48,11 @@ impl Interrupt {
         Interrupt(asked)
     }
 
+    /// Asked by a flag alone.
+    pub(crate) fn asked_by(flag: &Arc<AtomicBool>) -> Interrupt {
+        Interrupt(Arc::clone(flag))
+    }
+
     /// Whether the run shall end.
     pub(crate) fn is_asked(&self) -> bool {
         self.0.load(Ordering::Relaxed)

@@ -8,6 +8,7 @@ mod campaign;
 mod check;
 mod cli;
 mod columns;
+mod debrief;
 mod documents;
 mod engine_dump;
 mod failure;

@@ -26,8 +26,8 @@ pub(crate) struct Start {
     report: Vec<(&'static str, String)>,
     scenario_file: String,
     notices: Vec<String>,
-    /// Notices that were printed, with those of the start.
-    told: usize,
+    /// Notices for the terminal, with those of the start.
+    told: Vec<String>,
     driven: Driven,
 }
 
@@ -78,14 +78,12 @@ impl Start {
         overrides: &[Override],
     ) -> Result<Start, Failure> {
         if fenderline_serve::is_recording(path) {
-            let Recorded { scenario, scenario_file, repeat, about } =
-                Recorded::load(path, branch, overrides)?;
-            if let Some(missing) = &about.missing_at_end {
+            let recorded = Recorded::load(path, branch, overrides)?;
+            if let Some(missing) = &recorded.about.missing_at_end {
                 notice(format_args!("{}: {missing}", path.display()));
             }
-            let driven =
-                |setup: Setup| Ok(Driven::Session(Box::new(repeat), about, Box::new(setup)));
-            return Start::of(scenario, scenario_file, driven);
+            let start = Start::of_session(recorded)?;
+            return Ok(start.tell());
         }
         if branch.is_some() {
             return Err(Failure::input(format_args!(
@@ -96,6 +94,17 @@ impl Start {
         Start::load(path, overrides)
     }
 
+    /// A recorded session. Tells nothing.
+    ///
+    /// # Errors
+    /// A set-up that cannot be simulated.
+    pub(crate) fn of_session(recorded: Recorded) -> Result<Start, Failure> {
+        let Recorded { scenario, scenario_file, repeat, about } = recorded;
+        Start::of(scenario, scenario_file, |setup| {
+            Ok(Driven::Session(Box::new(repeat), about, Box::new(setup)))
+        })
+    }
+
     /// Reads the scenario and tells its notices.
     ///
     /// # Errors
@@ -103,10 +112,17 @@ impl Start {
     pub(crate) fn load(path: &Path, overrides: &[Override]) -> Result<Start, Failure> {
         let scenario = load(path, overrides)?;
         let scenario_file = file_name(path).to_string_lossy().into_owned();
-        Start::of(scenario, scenario_file, |setup| {
+        let start = Start::of(scenario, scenario_file, |setup| {
             let simulation = Simulation::new(setup).map_err(error)?;
             Ok(Driven::Scenario(Box::new(simulation)))
-        })
+        })?;
+        Ok(start.tell())
+    }
+
+    /// Tells the notices of the scenario and of its start.
+    fn tell(self) -> Start {
+        self.told.iter().for_each(notice);
+        self
     }
 
     fn of(
@@ -114,21 +130,19 @@ impl Start {
         scenario_file: String,
         driven: impl FnOnce(Setup) -> Result<Driven, Failure>,
     ) -> Result<Start, Failure> {
-        scenario.notices.iter().for_each(notice);
+        let mut told: Vec<String> = scenario.notices.iter().map(ToString::to_string).collect();
         let notices: Vec<String> = scenario.notices.iter().map(recorded).collect();
-        let mut told = notices.len();
         let Scenario { title, report, setup, output, .. } = scenario;
         let driven = driven(setup)?;
         for finding in driven.simulation().start_findings() {
-            told += 1;
-            notice(finding.sentence(driven.simulation().setup()));
+            told.push(finding.sentence(driven.simulation().setup()).to_string());
         }
         Ok(Start { title, output, report, scenario_file, notices, told, driven })
     }
 
     /// The number of notices, of the scenario and of its start.
     pub(crate) fn notices(&self) -> usize {
-        self.told
+        self.told.len()
     }
 
     pub(crate) fn setup(&self) -> &Setup {
@@ -146,10 +160,26 @@ impl Start {
     /// A provider that does not start, a step that the simulation cannot make, or the first error of `each`.
     pub(crate) fn play(
         self,
+        each: impl FnMut(&StepRecord<'_>) -> Result<(), Failure>,
+    ) -> Result<Played, Failure> {
+        self.play_until(each, &Interrupt::listen(), Progress::new)
+    }
+
+    /// As [`Start::play`], to its end or until it is interrupted, without a word on the terminal.
+    ///
+    /// # Errors
+    /// As [`Start::play`].
+    pub(crate) fn play_quietly(self, interrupt: &Interrupt) -> Result<Played, Failure> {
+        self.play_until(|_| Ok(()), interrupt, |_| Progress::none())
+    }
+
+    fn play_until(
+        self,
         mut each: impl FnMut(&StepRecord<'_>) -> Result<(), Failure>,
+        interrupt: &Interrupt,
+        progress: impl FnOnce(u64) -> Progress,
     ) -> Result<Played, Failure> {
         let Start { title, report, scenario_file, mut notices, driven, .. } = self;
-        let interrupt = Interrupt::listen();
         let start = driven.simulation();
         let mut recorder = Recorder::new(start.setup(), start.energy());
         let mut events = Events::default();
@@ -164,12 +194,14 @@ impl Start {
         };
         let (simulation, session, is_done, setup) = match driven {
             Driven::Scenario(mut simulation) => {
-                play(&mut simulation, &mut providers, &mut each, &interrupt)?;
+                let progress = progress(simulation.steps_total());
+                play(&mut simulation, &mut providers, &mut each, interrupt, progress)?;
                 let is_done = simulation.is_done();
                 (*simulation, None, is_done, None)
             }
             Driven::Session(mut repeat, mut about, setup) => {
-                step_through(&mut repeat, &mut each, &interrupt)?;
+                let progress = progress(repeat.steps_total());
+                step_through(&mut repeat, &mut each, interrupt, progress)?;
                 about.log = lines_of(repeat.log(), repeat.simulation().setup());
                 (repeat.simulation().clone(), Some(about), repeat.is_done(), Some(setup))
             }
@@ -251,9 +283,9 @@ fn play(
     notices: &mut ProviderNotices,
     each: &mut impl FnMut(&StepRecord<'_>) -> Result<(), Failure>,
     interrupt: &Interrupt,
+    mut progress: Progress,
 ) -> Result<(), Failure> {
     let mut providers = Providers::start(simulation)?;
-    let mut progress = Progress::new(simulation.steps_total());
     while !simulation.is_done() {
         providers.ask(simulation, notices);
         let step = simulation.step().map_err(|e| Failure::case(format_args!("error: {e}")))?;
@@ -274,8 +306,8 @@ fn step_through(
     repeat: &mut Repeat,
     each: &mut impl FnMut(&StepRecord<'_>) -> Result<(), Failure>,
     interrupt: &Interrupt,
+    mut progress: Progress,
 ) -> Result<(), Failure> {
-    let mut progress = Progress::new(repeat.steps_total());
     while !repeat.is_done() && !interrupt.is_asked() {
         let mut taken = Ok(());
         let stepped = repeat.step(|step| {

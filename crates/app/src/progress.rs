@@ -25,6 +25,11 @@ impl Progress {
         Progress::of(steps, "steps")
     }
 
+    /// No bar, whatever standard error is.
+    pub(crate) fn none() -> Progress {
+        Progress { bar: None, started: Instant::now(), is_shown: false }
+    }
+
     /// A bar for `count` things of this name.
     pub(crate) fn of(count: u64, what: &'static str) -> Progress {
         // The bar counts from the start while it is hidden, so that its estimate of the time left is right

@@ -3,6 +3,7 @@
 use fenderline_serve::{Options, Replayed, ServeError, Server};
 
 use crate::cli::{ReplayArgs, ServeArgs};
+use crate::debrief::debrief;
 use crate::engine_dump;
 use crate::failure::Failure;
 use crate::interrupt::stop_on_interrupt;
@@ -28,6 +29,7 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
         nmea_tcp: args.nmea_tcp,
         nmea_udp: args.nmea_udp,
         origin: args.origin,
+        report: debrief,
         notify: remark,
     };
     let server = with_progress(|progress| Server::start(&options, progress))?;

@@ -41,15 +41,29 @@ impl Recorded {
     ) -> Result<Recorded, Failure> {
         refuse_changes(overrides)?;
         let replayed = with_progress(|progress| fenderline_serve::replay(path, progress))?;
+        Recorded::of(replayed, &path.display().to_string(), branch, overrides)
+    }
+
+    /// Goes to the start of a branch of a replayed recording: by default the one that was steered last. `file` is its file, with
+    /// a path or without.
+    ///
+    /// # Errors
+    /// Bad input: a branch that it lacks, a change that does not fit.
+    pub(crate) fn of(
+        replayed: Replayed,
+        file: &str,
+        branch: Option<usize>,
+        overrides: &[Override],
+    ) -> Result<Recorded, Failure> {
         let Replayed { session, branches, incomplete, .. } = replayed;
         let mut scenario = session.source().scenario_with(overrides).map_err(Failure::input)?;
         let scenario_file = session.source().file.clone();
         let branch = branch.unwrap_or(session.current_branch());
         let repeat = Repeat::of(session, branch)
-            .map_err(|why| Failure::input(format_args!("error: {}: {why}", path.display())))?;
+            .map_err(|why| Failure::input(format_args!("error: {file}: {why}")))?;
         scenario.output = scenario.output_of_steps(repeat.steps_total());
         let about = RecordedSession {
-            file: file_name(path).to_string_lossy().into_owned(),
+            file: file_name(Path::new(file)).to_string_lossy().into_owned(),
             branch,
             branches,
             missing_at_end: incomplete,
@@ -74,37 +88,42 @@ fn refuse_changes(overrides: &[Override]) -> Result<(), Failure> {
 
 /// The log in words, in the order of time.
 pub(crate) fn lines_of(log: &SessionLog, setup: &Setup) -> Vec<LogLine> {
-    let commands = log.commands.iter().map(|command| LogLine {
-        t_s: command.t_s,
-        until_s: None,
-        kind: LogKind::Command,
-        who: command.who.clone(),
-        text: words_of(&command.action, setup),
-        key: String::new(),
+    let commands = log.commands.iter().map(|command| {
+        line(command.t_s, LogKind::Command, &command.who, words_of(&command.action, setup))
+    });
+    let acknowledgements = log.acknowledgements.iter();
+    let acknowledgements =
+        acknowledgements.map(|of| line(of.t_s, LogKind::Acknowledgement, &of.who, of.text.clone()));
+    let notes = log.notes.iter().map(|note| {
+        let text = if note.text.is_empty() { "mark".to_owned() } else { note.text.clone() };
+        line(note.t_s, LogKind::Note, &note.who, text)
     });
     let alarms = log.alarms.iter().map(|alarm| LogLine {
-        t_s: alarm.t_s,
         until_s: alarm.until_s,
-        kind: match alarm.level {
-            Level::Alarm => LogKind::Alarm,
-            Level::Caution => LogKind::Caution,
-        },
-        who: String::new(),
-        text: alarm.text.clone(),
+        acknowledged: alarm.acknowledged.clone(),
         key: alarm.key.clone(),
+        ..line(
+            alarm.t_s,
+            match alarm.level {
+                Level::Alarm => LogKind::Alarm,
+                Level::Caution => LogKind::Caution,
+            },
+            "",
+            alarm.text.clone(),
+        )
     });
-    let events = log.events.iter().map(|(t_s, text)| LogLine {
-        t_s: *t_s,
-        until_s: None,
-        kind: LogKind::Event,
-        who: String::new(),
-        text: text.clone(),
-        key: String::new(),
-    });
-    let mut lines: Vec<LogLine> = commands.chain(alarms).chain(events).collect();
-    // A stable sort: of one moment, commands come first.
+    let events = log.events.iter().map(|(t_s, text)| line(*t_s, LogKind::Event, "", text.clone()));
+    let people = commands.chain(acknowledgements).chain(notes);
+    let mut lines: Vec<LogLine> = people.chain(alarms).chain(events).collect();
+    // A stable sort: of one moment, what people did comes first.
     lines.sort_by(|one, other| one.t_s.total_cmp(&other.t_s));
     lines
+}
+
+/// A line of the log for a moment.
+fn line(t_s: f64, kind: LogKind, who: &str, text: String) -> LogLine {
+    let (who, key) = (who.to_owned(), String::new());
+    LogLine { t_s, until_s: None, kind, who, text, acknowledged: None, key }
 }
 
 /// A command in words.
@@ -130,6 +149,9 @@ fn words_of(action: &Action, setup: &Setup) -> String {
         }
         Action::Other(OtherAction::ApproachLimit { speed_mps }) => {
             format!("speed limit at the fenders {} m/s", plain(*speed_mps, 3))
+        }
+        Action::Other(OtherAction::Acknowledge { .. } | OtherAction::Note { .. }) => {
+            unreachable!("the log keeps them apart from commands")
         }
     }
 }

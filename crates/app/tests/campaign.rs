@@ -534,3 +534,62 @@ fn the_worked_campaigns_run() {
         contains_all(&place.text(&format!("out/{name}/report.html")), parts);
     }
 }
+
+/// A mistake in a value points at its line of the campaign's file, or of the file of measured values, not at a `--set` that nobody wrote.
+#[test]
+fn a_mistake_in_a_value_names_the_line_of_the_campaign() {
+    let place = place("campaign_lines", RANDOM);
+    let refused = |file: &str, fragments: &[&str]| {
+        place.write("bad.toml", file.as_bytes());
+        let run = place.run(&["campaign", "bad.toml"]);
+        assert_eq!(run.code, 2, "{file}: {}{}", run.stdout, run.stderr);
+        contains_all(&run.stderr, fragments);
+        assert!(!run.stderr.contains("--set"), "{}", run.stderr);
+    };
+    let values = "scenario = \"quay.toml\"\n[variable.speed]\nkey = \"body.ship.approach.speed_normal\"\nvalues = [\n    \"0.1 kN\",\n    \"0.2 kN\"]\n";
+    refused(values, &["must be a speed", "--> bad.toml:5:5", "5 |     \"0.1 kN\","]);
+    let key = values.replace("speed_normal", "sped_normal");
+    refused(&key, &["did you mean `speed_normal`?", "--> bad.toml:3:7"]);
+    let common =
+        format!("set = [\"time.step=0.1\", \"time.step=3 m\"]\n{values}").replace("kN", "m/s");
+    refused(&common, &["must be a time", "--> bad.toml:1:25"]);
+    let law = RANDOM.replace("cm/s", "kg");
+    refused(
+        &law,
+        &["must be a speed", "bad.toml:9:16", "distribution = \"lognormal\"", "run 1 sets"],
+    );
+    let formula =
+        RANDOM.replace("[variable.doubled]\n", "[variable.doubled]\nkey = \"time.step\"\n");
+    refused(&formula, &["bad.toml:23:14", "expression = \"2 * speed\""]);
+    let choice = RANDOM
+        .replace("berthing.draught=6.5 m", "berthing.draught=6.5 s")
+        .replace("set = [\"body.ship.mass=45000 t\"]", "set = [\"berthing.draught=6.5 s\"]");
+    refused(&choice, &["must be a length", "--> bad.toml:", "berthing.draught=6.5 s"]);
+    let table = "scenario = \"quay.toml\"\nplan = \"table\"\ntable = \"runs.csv\"\n[variable.speed]\nkey = \"body.ship.approach.speed_normal\"\n[variable.distance]\nkey = \"body.ship.approach.distance\"\n";
+    place.write("runs.csv", b"distance [m],speed [cm/s]\n\n2,-5\n2,-6\n");
+    refused(table, &["--> runs.csv:3:3", "3 | 2,-5", "run 1 sets", "no case of the campaign"]);
+    // One bad value among good ones is a row, which names file and line.
+    place.write("runs.csv", b"distance [m],speed [cm/s]\n2,5\n2,-6\n");
+    let run = place.run(&["campaign", "bad.toml"]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    contains_all(&run.stderr, &["case 2 did not run", "runs.csv, line 3"]);
+    contains_all(&place.text("out/bad/cases.csv"), &["runs.csv, line 3"]);
+    let law = "distribution = \"lognormal\"\nmean = \"7.1 cm/s\"\nstandard_deviation = \"4.47 cm/s\"\nat_most = \"40 cm/s\"";
+    let measured = RANDOM.replace(law, "distribution = \"empirical\"\nfile = \"speeds.csv\"");
+    place.write("speeds.csv", b"speed [kN]\n3\n4\n");
+    refused(
+        &measured.replace("unit = \"cm/s\"\n", ""),
+        &["must be a speed", "--> speeds.csv:", "run 1 sets"],
+    );
+}
+
+/// Where a line of the file stands is no part of what a campaign is: a comment more, and it goes on.
+#[test]
+fn a_comment_more_does_not_make_another_campaign() {
+    let place = place("campaign_comment", RANDOM);
+    let share = ["campaign", "study.toml", "--shard", "1/2", "--out", "share", "--resume"];
+    assert!(place.run(&share[..6]).code <= 1);
+    place.write("study.toml", format!("# A comment.\n{RANDOM}").as_bytes());
+    let again = place.run(&share);
+    assert!(again.code <= 1, "{}", again.stderr);
+}

@@ -417,6 +417,105 @@ fn an_alarm_is_acknowledged_for_all_clients_and_not_by_observers() {
     });
 }
 
+#[cfg(unix)]
+#[test]
+fn the_report_from_the_page_is_that_of_the_command_and_only_the_instructor_gets_it() {
+    block_on(async {
+        let server = Server::start(&["--paused"]);
+        let mut instructor = Client::join(&server, "instructor").await;
+        let mut pilot = Client::join(&server, "pilot").await;
+        let report = json!({ "do": "report" });
+        assert!(reason(&pilot.ask(report.clone()).await).contains("only the instructor"));
+        assert!(reason(&instructor.ask(report.clone()).await).contains("nothing is recorded yet"));
+        let address = |role: &str| {
+            let path = server.path(role);
+            format!("/report?token={}", path.split_once("token=").expect("a token").1)
+        };
+        let (master, observer) = (address("master of aft"), address("observer"));
+        let [own, pilots] = [address("instructor"), address("pilot")];
+        assert!(client::get(&server, &own).await.starts_with("HTTP/1.1 404"));
+        assert_eq!(instructor.ask(json!({ "do": "resume" })).await["type"], "ack");
+        assert_eq!(pilot.ask(rudder(0.2)).await["type"], "ack");
+        let note = json!({ "do": "note", "text": "well begun" });
+        assert_eq!(instructor.ask(note).await["type"], "ack");
+        let tick = pilot.next("frame").await["tick"].as_u64().expect("a tick");
+        pilot.frame_after(tick + 30).await;
+        // While the ship goes on.
+        assert_eq!(instructor.ask(report.clone()).await["type"], "ack");
+        assert!(client::get(&server, &own).await.contains("well begun"));
+        assert_eq!(instructor.ask(json!({ "do": "pause" })).await["type"], "ack");
+        assert_eq!(instructor.ask(report).await["type"], "ack");
+        for other in [&pilots, &master, &observer] {
+            let answer = client::get(&server, other).await;
+            assert!(answer.starts_with("HTTP/1.1 403") && !answer.contains("well begun"));
+        }
+        let answer = client::get(&server, &own).await;
+        let (head, page) = answer.split_once("\r\n\r\n").expect("a head");
+        assert!(head.contains("default-src 'none'") && head.contains("no-store"), "{head}");
+        let (recording, _) = server.interrupt();
+        // Under the name that it had.
+        let folder = recording.with_extension("report");
+        std::fs::create_dir_all(&folder).expect("a folder");
+        let named = folder.join("harbour-001.session.jsonl");
+        std::fs::copy(&recording, &named).expect("a copy");
+        let html = folder.join("report.html");
+        let ran = server::program()
+            .args(["report", "--allow-failures", "--html"])
+            .args([&html, &named])
+            .output()
+            .expect("it runs");
+        assert!(ran.status.success(), "{ran:?}");
+        let same = std::fs::read_to_string(&html).expect("a report");
+        assert!(page == same, "{} and {} bytes", page.len(), same.len());
+    });
+}
+
+#[test]
+fn acknowledgements_and_notes_are_there_again_when_the_server_starts_again() {
+    block_on(async {
+        let server = Server::start(&[]);
+        let mut instructor = Client::join(&server, "instructor").await;
+        let mut pilot = Client::join(&server, "pilot").await;
+        for fault in ["rudder_stuck", "thrusters_lost"] {
+            let fault = json!({ "do": "fault", "vessel": "ship", "fault": fault, "on": true });
+            assert_eq!(instructor.ask(fault).await["type"], "ack");
+        }
+        let acknowledged = |frame: &Value| -> Vec<(String, bool)> {
+            let all = frame["alarms"].as_array().expect("alarms").iter();
+            let pair = |alarm: &Value| {
+                (alarm["key"].as_str().expect("a key").to_owned(), alarm["acknowledged"] == true)
+            };
+            let is_fault = |(key, _): &(String, bool)| {
+                key.starts_with("rudder") || key.starts_with("thrusters")
+            };
+            all.map(pair).filter(is_fault).collect()
+        };
+        let both = |seen: bool| {
+            vec![("rudder stuck ship".to_owned(), seen), ("thrusters lost ship".to_owned(), false)]
+        };
+        while acknowledged(&pilot.next("frame").await) != both(false) {}
+        let ack = json!({ "do": "acknowledge", "key": "rudder stuck ship" });
+        assert_eq!(pilot.ask(ack).await["type"], "ack");
+        let note = json!({ "do": "note", "text": "rudder seen" });
+        assert!(reason(&pilot.ask(note.clone()).await).contains("only the instructor"));
+        assert_eq!(instructor.ask(note).await["type"], "ack");
+        assert_eq!(instructor.ask(json!({ "do": "note" })).await["type"], "ack");
+        let long = json!({ "do": "note", "text": "x".repeat(301) });
+        assert!(reason(&instructor.ask(long).await).contains("300 characters"));
+        let tick = pilot.next("frame").await["tick"].as_u64().expect("a tick");
+        pilot.frame_after(tick + 10).await;
+        let (recording, _) = server.kill();
+        let text = std::fs::read_to_string(&recording).expect("a recording");
+        for words in [r#""do":"note","text":"rudder seen""#, r#"{"do":"note"}"#] {
+            assert!(text.contains(words), "{words} in {text}");
+        }
+        let again = Server::start_with(&recording, &["--paused"]);
+        let mut observer = Client::join(&again, "observer").await;
+        assert_eq!(acknowledged(&observer.next("frame").await), both(true));
+        again.stop_and_check();
+    });
+}
+
 #[test]
 fn a_silent_client_is_disconnected() {
     block_on(async {

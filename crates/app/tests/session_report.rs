@@ -87,7 +87,7 @@ fn tables_of_a_session_are_those_of_a_scenario_with_the_same_orders() {
     assert_eq!(summary["session"]["log"].as_array().map(Vec::len), Some(3));
     assert_eq!(
         place.text("out/a/log.csv").lines().nth(2),
-        Some("2.0,,command,pilot 1,ship: rudder 17.2° to starboard")
+        Some("2.0,,command,pilot 1,ship: rudder 17.2° to starboard,")
     );
     assert!(!place.exists("out/same/log.csv"));
 }
@@ -104,6 +104,13 @@ fn a_report_of_a_session_has_its_commands_faults_and_alarms() {
     )
     .expect("an order in words");
     live.command("pilot 1", 0, tug).expect("an order to a tug");
+    steer(&mut live, 120);
+    let seen = OtherAction::Acknowledge { key: "rudder stuck ship".into() };
+    live.command("pilot 1", 0, seen.into()).expect("there is an alarm");
+    let note = OtherAction::Note { text: "late with the <tug>".into() };
+    live.command("instructor 1", 0, note.into()).expect("a note");
+    live.command("instructor 1", 0, OtherAction::Note { text: String::new() }.into())
+        .expect("a mark");
     steer(&mut live, TICKS);
     live.rewind(50).expect("it is there");
     live.branch().expect("a branch");
@@ -122,6 +129,10 @@ fn a_report_of_a_session_has_its_commands_faults_and_alarms() {
             "forward_tug: push 50 %, square",
             "instructor 1",
             "to the end",
+            "0:12.0, pilot 1",
+            "acknowledgement",
+            "late with the &lt;tug&gt;",
+            "2 notes",
             "The same recording gives this page again",
         ],
     );

@@ -6,7 +6,7 @@ mod support;
 use std::path::{Path, PathBuf};
 
 use fenderline_live::message::RunState;
-use fenderline_live::{AlarmBook, Info, Session, Source};
+use fenderline_live::{Session, Source};
 use serde_json::Value;
 use support::{Workplace, contains_all};
 
@@ -68,8 +68,7 @@ impl Case {
         while session.tick() < ticks {
             session.step().expect("a step");
         }
-        let info = Info::of(session.simulation().setup(), session.cast());
-        let frame = session.frame(&info, 0, RunState::default(), &AlarmBook::default());
+        let frame = session.frame(0, RunState::default());
         serde_json::to_value(frame.verdict).expect("JSON")
     }
 }

@@ -47,6 +47,13 @@ pub enum OtherAction {
     Fault { vessel: String, fault: Fault, on: bool },
     /// Sets the speed limit at the fenders: a greater closing speed is an alarm.
     ApproachLimit { speed_mps: f64 },
+    /// Acknowledges the alarm with this key. The simulated world does not change.
+    Acknowledge { key: String },
+    /// A note for the debriefing; without a text, a mark. The simulated world does not change.
+    Note {
+        #[serde(default, skip_serializing_if = "String::is_empty")]
+        text: String,
+    },
 }
 
 /// The limits of commands that are not in the table of orders: least and greatest value. Pages get them in `hello`.

@@ -72,19 +72,13 @@ impl AlarmBook {
         });
     }
 
-    /// Removes all alarms, because another run or another time is displayed.
-    pub fn clear(&mut self) {
-        self.0.clear();
-    }
-
-    /// Acknowledges an alarm and returns its text.
+    /// Checks that a role may acknowledge the alarm with this key, and returns its text.
     ///
     /// # Errors
-    /// There is no alarm with that key, or the role may not acknowledge it.
-    pub fn acknowledge(&mut self, key: &str, role: &Role) -> Result<String, Refusal> {
-        let at = self.0.iter().position(|entry| entry.alarm.key == key);
-        let at = at.ok_or_else(|| Refusal::new("there is no such alarm any more"))?;
-        let entry = &mut self.0[at];
+    /// There is no such alarm, somebody acknowledged it already, or the role may not acknowledge it.
+    pub fn may_acknowledge(&self, key: &str, role: &Role) -> Result<&str, Refusal> {
+        let entry = self.0.iter().find(|entry| entry.alarm.key == key);
+        let entry = entry.ok_or_else(|| Refusal::new("there is no such alarm any more"))?;
         match role {
             Role::Instructor | Role::Pilot => {}
             Role::Tugmaster { tug } if entry.alarm.about.contains(tug) => {}
@@ -95,12 +89,20 @@ impl AlarmBook {
             }
             Role::Observer => return Err(Refusal::new("an observer cannot acknowledge alarms")),
         }
-        entry.acknowledged = true;
-        let text = entry.alarm.text.clone();
-        if !entry.active {
+        if entry.acknowledged {
+            return Err(Refusal::new("somebody has acknowledged this alarm already"));
+        }
+        Ok(&entry.alarm.text)
+    }
+
+    /// Acknowledges the alarm with this key. Does nothing if there is none, so that a recording can be replayed by a version
+    /// whose alarms differ.
+    pub(crate) fn acknowledge(&mut self, key: &str) {
+        let Some(at) = self.0.iter().position(|entry| entry.alarm.key == key) else { return };
+        self.0[at].acknowledged = true;
+        if !self.0[at].active {
             self.0.remove(at);
         }
-        Ok(text)
     }
 
     /// The list for pages: alarms before cautions, then in the order in which they began.
@@ -162,6 +164,12 @@ mod tests {
         }
     }
 
+    fn acknowledge(book: &mut AlarmBook, role: &Role) -> Result<(), Refusal> {
+        book.may_acknowledge("touch ship quay", role)?;
+        book.acknowledge("touch ship quay");
+        Ok(())
+    }
+
     #[test]
     fn an_alarm_that_nobody_acknowledged_stays_when_its_cause_ends() {
         let mut book = AlarmBook::default();
@@ -172,9 +180,9 @@ mod tests {
         assert!(!alarms[0].stands && !alarms[0].acknowledged && alarms[0].since_s == 1.0);
         let on_quay = |name: &str| name == "quay";
         assert!(book.has_open_touch("ship", on_quay) && !book.has_open_touch("tug", on_quay));
-        book.acknowledge("touch ship quay", &Role::Pilot).expect("a pilot may");
+        acknowledge(&mut book, &Role::Pilot).expect("a pilot may");
         assert!(book.messages().is_empty());
-        let again = book.acknowledge("touch ship quay", &Role::Pilot);
+        let again = acknowledge(&mut book, &Role::Pilot);
         assert!(again.expect_err("it is gone").to_string().contains("no such alarm"));
     }
 
@@ -182,8 +190,10 @@ mod tests {
     fn acknowledged_alarms_and_cautions_are_removed_when_their_cause_ends() {
         let mut book = AlarmBook::default();
         book.update(vec![touch(Level::Alarm, "touches")], 1.0);
-        book.acknowledge("touch ship quay", &Role::Instructor).expect("an instructor may");
+        acknowledge(&mut book, &Role::Instructor).expect("an instructor may");
         assert!(book.messages()[0].acknowledged && book.messages()[0].stands);
+        let again = acknowledge(&mut book, &Role::Pilot).expect_err("it is acknowledged");
+        assert!(again.to_string().contains("already"));
         book.update(vec![], 2.0);
         assert!(book.messages().is_empty());
         book.update(vec![touch(Level::Caution, "near")], 3.0);
@@ -195,12 +205,12 @@ mod tests {
     fn a_caution_that_becomes_an_alarm_must_be_acknowledged_again_and_keeps_its_greatest_level() {
         let mut book = AlarmBook::default();
         book.update(vec![touch(Level::Caution, "80 %")], 1.0);
-        book.acknowledge("touch ship quay", &Role::Pilot).expect("a pilot may");
+        acknowledge(&mut book, &Role::Pilot).expect("a pilot may");
         book.update(vec![touch(Level::Alarm, "110 %")], 2.0);
         assert!(!book.messages()[0].acknowledged);
         book.update(vec![touch(Level::Caution, "90 %")], 3.0);
         assert_eq!((book.messages()[0].level, &*book.messages()[0].text), ("alarm", "110 %"));
-        book.acknowledge("touch ship quay", &Role::Pilot).expect("a pilot may");
+        acknowledge(&mut book, &Role::Pilot).expect("a pilot may");
         book.update(vec![touch(Level::Caution, "90 %")], 4.0);
         assert_eq!((book.messages()[0].level, &*book.messages()[0].text), ("caution", "90 %"));
         assert!(book.messages()[0].acknowledged);
@@ -211,10 +221,10 @@ mod tests {
         let mut book = AlarmBook::default();
         book.update(vec![touch(Level::Alarm, "touches")], 1.0);
         for role in [Role::Observer, Role::Tugmaster { tug: "forward".into() }] {
-            assert!(book.acknowledge("touch ship quay", &role).is_err());
+            assert!(acknowledge(&mut book, &role).is_err());
         }
         assert!(!book.messages()[0].acknowledged);
         let own = Role::Tugmaster { tug: "ship".into() };
-        assert!(book.acknowledge("touch ship quay", &own).is_ok());
+        assert!(acknowledge(&mut book, &own).is_ok());
     }
 }

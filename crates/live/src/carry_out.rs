@@ -11,6 +11,7 @@ use fenderline_sim::{Action as SimAction, Order, Setup, Simulation};
 use crate::action::{Action, COMMAND_LIMITS, OtherAction};
 use crate::approach::ApproachLimit;
 use crate::cast::Cast;
+use crate::limits::LONGEST_NOTE;
 use crate::refusal::Refusal;
 use crate::session::Now;
 
@@ -70,6 +71,11 @@ pub(crate) fn carry_out(action: &Action, cast: &Cast, now: &mut Now) -> Result<b
             now.approach = ApproachLimit { at_fenders_mps: *speed_mps };
             Ok(false)
         }
+        Action::Other(OtherAction::Acknowledge { key }) => {
+            now.alarms.acknowledge(key);
+            Ok(false)
+        }
+        Action::Other(OtherAction::Note { text }) => check_note(text).map(|()| false),
     }
 }
 
@@ -124,6 +130,17 @@ fn power_of(word: TugWord, power: Option<f64>) -> Result<f64, Refusal> {
             )))
         }
     }
+}
+
+/// A note is one line of limited length.
+fn check_note(text: &str) -> Result<(), Refusal> {
+    if text.chars().count() > LONGEST_NOTE {
+        return Err(Refusal::new(format_args!("a note has at most {LONGEST_NOTE} characters")));
+    }
+    if text.chars().any(char::is_control) {
+        return Err(Refusal::new("a note is one line, without control characters"));
+    }
+    Ok(())
 }
 
 fn within(what: &str, value: f64, [least, most]: [f64; 2]) -> Result<(), Refusal> {

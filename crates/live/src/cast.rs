@@ -38,6 +38,10 @@ pub enum Helm {
     World,
     /// The docking board and the alarms of an approach.
     Board,
+    /// An alarm of the list: the alarm book decides who may acknowledge it.
+    Alarm,
+    /// The notes for the debriefing.
+    Notes,
 }
 
 impl Cast {
@@ -113,6 +117,8 @@ impl Cast {
                 | OtherAction::Current { .. }
                 | OtherAction::Fault { .. } => Helm::World,
                 OtherAction::ApproachLimit { .. } => Helm::Board,
+                OtherAction::Acknowledge { .. } => Helm::Alarm,
+                OtherAction::Note { .. } => Helm::Notes,
             },
         }
     }

@@ -5,7 +5,7 @@
 //! ([`RecordingReader`]) and replayed ([`Replay`]). This crate also makes the messages to pages ([`message`]) and reads their
 //! requests ([`Request`]).
 //!
-//! After it, a [`Repeat`] steps through a branch from its start and keeps the log: commands, alarms and events.
+//! After it, a [`Repeat`] steps through a branch from its start and keeps the log: commands, alarms, acknowledgements, notes and events.
 //!
 //! A run that nobody steers gives the same messages by [`Watched`].
 //!
@@ -51,7 +51,9 @@ pub use recording::{
     begins_recording, copy_kept,
 };
 pub use refusal::Refusal;
-pub use repeat::{LoggedAlarm, LoggedCommand, Repeat, SessionLog};
+pub use repeat::{
+    LoggedAcknowledgement, LoggedAlarm, LoggedCommand, LoggedNote, Repeat, SessionLog,
+};
 pub use replay::{Replay, ReplayError, Replayed};
 pub use request::{Conduct, Control, Request};
 pub use session::{Branch, Session, SessionError, StepError};

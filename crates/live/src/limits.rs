@@ -19,6 +19,13 @@ pub(crate) const MOST_TICKS: u64 = 10_000_000;
 /// short file cannot cause a long run.
 pub(crate) const MARKS: u64 = 10;
 
+/// The longest note (characters).
+pub(crate) const LONGEST_NOTE: usize = 300;
+/// Most notes of a branch within [`NOTE_TICKS`].
+pub(crate) const MOST_NOTES: usize = 20;
+/// Ticks within which notes are counted: ten seconds at 0.1 s.
+pub(crate) const NOTE_TICKS: u64 = 100;
+
 /// The limit that a session has reached. It can still be displayed, rewound and saved, but not continued.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Full {

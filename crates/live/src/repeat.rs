@@ -1,13 +1,12 @@
-//! A branch of a session, stepped through again from its start, with the log of commands, alarms and events: what a report of
+//! A branch of a session, stepped through again from its start, with the log of commands, alarms, acknowledgements, notes and events: what a report of
 //! the session is made of.
 
 use fenderline_sim::{Simulation, StepRecord};
 
-use crate::action::Action;
+use crate::action::{Action, OtherAction};
 use crate::alarm_book::{Alarm, Level};
-use crate::info::Info;
 use crate::refusal::Refusal;
-use crate::session::{Session, StepError};
+use crate::session::{Given, Session, StepError};
 
 /// An alarm whose cause comes back within this time is the same alarm: a speed that varies about its limit makes one line of the
 /// log, not a hundred (s).
@@ -37,15 +36,43 @@ pub struct LoggedAlarm {
     pub level: Level,
     /// Its text when it reached that level.
     pub text: String,
+    /// When it was acknowledged at that level (s), and by whom; `None`: nobody did.
+    pub acknowledged: Option<(f64, String)>,
+}
+
+/// An acknowledgement in the log.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoggedAcknowledgement {
+    /// When it was (s).
+    pub t_s: f64,
+    /// Who acknowledged.
+    pub who: String,
+    /// The text of the alarm.
+    pub text: String,
+}
+
+/// A note in the log.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoggedNote {
+    /// When it was dropped (s).
+    pub t_s: f64,
+    /// Who dropped it.
+    pub who: String,
+    /// Its text; empty for a mark.
+    pub text: String,
 }
 
 /// What was done and what happened, each list in the order of time.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SessionLog {
-    /// The commands.
+    /// The commands that change the simulated world.
     pub commands: Vec<LoggedCommand>,
     /// The alarms and cautions.
     pub alarms: Vec<LoggedAlarm>,
+    /// The acknowledgements of alarms.
+    pub acknowledgements: Vec<LoggedAcknowledgement>,
+    /// The notes for the debriefing.
+    pub notes: Vec<LoggedNote>,
     /// Time (s) and text of the other events, such as a line that parted.
     pub events: Vec<(f64, String)>,
 }
@@ -54,7 +81,6 @@ pub struct SessionLog {
 #[derive(Clone, Debug)]
 pub struct Repeat {
     session: Session,
-    info: Info,
     log: SessionLog,
     /// Keys of all alarms so far, with their place in the log: the last of a key alone.
     known: Vec<(String, usize)>,
@@ -71,8 +97,9 @@ impl Repeat {
         if !session.is_rewound() {
             return Err(Refusal::new("the session has no steps"));
         }
-        let info = Info::of(session.simulation().setup(), session.cast());
-        Ok(Repeat { session, info, log: SessionLog::default(), known: Vec::new() })
+        let mut repeat = Repeat { session, log: SessionLog::default(), known: Vec::new() };
+        repeat.note_alarms(repeat.session.causes_for_alarm());
+        Ok(repeat)
     }
 
     /// The simulation in its present state.
@@ -102,18 +129,45 @@ impl Repeat {
     /// At the end of the branch.
     pub fn step(&mut self, each: impl FnOnce(&StepRecord<'_>)) -> Result<(), StepError> {
         assert!(!self.is_done(), "the branch is at its end");
-        let t_s = self.simulation().time_s();
-        let given = self.session.given_now().iter().map(|given| LoggedCommand {
-            t_s,
-            who: given.who.clone(),
-            action: given.action.clone(),
-        });
-        self.log.commands.extend(given);
+        self.note_given();
         self.session.step_with(each)?;
         self.log.events.extend(self.session.take_events());
-        let causes = self.session.causes_for_alarm(&self.info);
-        self.note_alarms(causes);
+        self.note_alarms(self.session.causes_for_alarm());
+        if self.is_done() {
+            // What was given at the end, before anybody went on.
+            self.note_given();
+        }
         Ok(())
+    }
+
+    /// Adds what was given at the present tick to the log.
+    fn note_given(&mut self) {
+        let t_s = self.simulation().time_s();
+        for Given { who, action, .. } in self.session.given_now() {
+            let who = who.clone();
+            match action {
+                Action::Other(OtherAction::Acknowledge { key }) => {
+                    let known = self.known.iter().find(|(other, _)| other == key);
+                    // None in a recording by a version whose alarms differ.
+                    let Some((_, at)) = known else { continue };
+                    let text = self.log.alarms[*at].text.clone();
+                    // With it those that ended earlier and waited; a caution does not wait.
+                    for (index, alarm) in self.log.alarms.iter_mut().enumerate() {
+                        let waits = index == *at || alarm.level == Level::Alarm;
+                        if alarm.key == *key && waits {
+                            alarm.acknowledged.get_or_insert_with(|| (t_s, who.clone()));
+                        }
+                    }
+                    self.log.acknowledgements.push(LoggedAcknowledgement { t_s, who, text });
+                }
+                Action::Other(OtherAction::Note { text }) => {
+                    self.log.notes.push(LoggedNote { t_s, who, text: text.clone() });
+                }
+                Action::Order(_) | Action::Other(_) => {
+                    self.log.commands.push(LoggedCommand { t_s, who, action: action.clone() });
+                }
+            }
+        }
     }
 
     /// The log up to the present state.
@@ -137,7 +191,8 @@ impl Repeat {
                     let alarm = &mut alarms[*at];
                     alarm.until_s = None;
                     if level > alarm.level {
-                        (alarm.level, alarm.text) = (level, text);
+                        // A greater level has to be acknowledged again.
+                        (alarm.level, alarm.text, alarm.acknowledged) = (level, text, None);
                     }
                 }
                 Some((_, at)) => *at = begin(alarms, t_s, key, level, text),
@@ -148,9 +203,11 @@ impl Repeat {
 }
 
 impl LoggedAlarm {
-    /// True if it is active, or ended so lately that it continues when its cause comes back.
+    /// True if it is active, or ended so lately that it continues when its cause comes back. One that was acknowledged and
+    /// ended is over.
     fn is_within(&self, t_s: f64) -> bool {
-        self.until_s.is_none_or(|until_s| t_s - until_s < SAME_ALARM_S)
+        self.until_s
+            .is_none_or(|until_s| self.acknowledged.is_none() && t_s - until_s < SAME_ALARM_S)
     }
 }
 
@@ -162,7 +219,7 @@ fn begin(
     level: Level,
     text: String,
 ) -> usize {
-    alarms.push(LoggedAlarm { t_s, until_s: None, key, level, text });
+    alarms.push(LoggedAlarm { t_s, until_s: None, key, level, text, acknowledged: None });
     alarms.len() - 1
 }
 

@@ -59,8 +59,8 @@ conducts! {
     Load = "load" { file: String },
     /// Cancel the opening of a file.
     StopOpening = "stop_opening" {},
-    /// Acknowledge an alarm.
-    Acknowledge = "acknowledge" { key: String },
+    /// Make the report of the session up to now; it can be fetched when this is acknowledged.
+    Report = "report" {},
     /// Save a copy of the recording under a name.
     Save = "save" { name: String },
 }

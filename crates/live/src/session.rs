@@ -6,14 +6,19 @@ use std::ops::Range;
 use fenderline_scenario::ScenarioError;
 use fenderline_sim::{SetupError, SimError, Simulation, StepRecord};
 
-use crate::action::Action;
+use crate::action::{Action, OtherAction};
+use crate::alarm_book::AlarmBook;
 use crate::approach::ApproachLimit;
 use crate::bits::fingerprint;
 use crate::carry_out::{ManualControl, carry_out};
 use crate::cast::Cast;
 use crate::checkpoints::Checkpoints;
-use crate::frame::Seen;
-use crate::limits::{Full, LONGEST_HEADER_BYTES, MARKS, MOST_BRANCHES, MOST_COMMANDS, MOST_TICKS};
+use crate::frame::{self, Seen};
+use crate::info::Info;
+use crate::limits::{
+    Full, LONGEST_HEADER_BYTES, MARKS, MOST_BRANCHES, MOST_COMMANDS, MOST_NOTES, MOST_TICKS,
+    NOTE_TICKS,
+};
 use crate::recording::{Line, Writer};
 use crate::refusal::Refusal;
 use crate::source::Source;
@@ -47,6 +52,7 @@ pub(crate) struct Now {
     pub(crate) manual: ManualControl,
     pub(crate) approach: ApproachLimit,
     pub(crate) seen: Seen,
+    pub(crate) alarms: AlarmBook,
     /// Number of steps taken.
     pub(crate) tick: u64,
 }
@@ -55,7 +61,13 @@ impl Now {
     pub(crate) fn before_the_first_step(simulation: Simulation) -> Now {
         let seen = Seen::before_the_first_step(&simulation);
         let (manual, approach) = (ManualControl::default(), ApproachLimit::default());
-        Now { simulation, manual, approach, seen, tick: 0 }
+        Now { simulation, manual, approach, seen, alarms: AlarmBook::default(), tick: 0 }
+    }
+
+    /// Updates the alarms. After every tick, not every frame: a touch of one tick raises an alarm too.
+    pub(crate) fn note_alarms(&mut self, cast: &Cast, info: &Info) {
+        let causes = frame::causes(self, cast, info);
+        self.alarms.update(causes, self.simulation.time_s());
     }
 }
 
@@ -65,6 +77,7 @@ pub struct Session {
     source: Source,
     title: String,
     cast: Cast,
+    info: Info,
     branches: Vec<Branch>,
     current: usize,
     commands: usize,
@@ -134,12 +147,15 @@ impl Session {
         let scenario = source.scenario().map_err(|e| SessionError::Scenario(Box::new(e)))?;
         let simulation = Simulation::new(scenario.setup).map_err(SessionError::Setup)?;
         let cast = Cast::of(simulation.setup());
-        let now = Now::before_the_first_step(simulation);
+        let info = Info::of(simulation.setup(), &cast);
+        let mut now = Now::before_the_first_step(simulation);
+        now.note_alarms(&cast, &info);
         let first = Branch { parent: None, from_tick: 0, ends_tick: 0, commands: Vec::new() };
         Ok(Session {
             source,
             title: scenario.title,
             cast,
+            info,
             branches: vec![first],
             current: 0,
             commands: 0,
@@ -167,6 +183,18 @@ impl Session {
     #[must_use]
     pub fn cast(&self) -> &Cast {
         &self.cast
+    }
+
+    /// What does not change while the session runs, for pages.
+    #[must_use]
+    pub fn info(&self) -> &Info {
+        &self.info
+    }
+
+    /// The alarms after the present tick.
+    #[must_use]
+    pub fn alarms(&self) -> &AlarmBook {
+        &self.now.alarms
     }
 
     /// The simulation in its present state.
@@ -224,6 +252,9 @@ impl Session {
                 "a session has at most {MOST_COMMANDS} commands"
             )));
         }
+        if matches!(action, Action::Other(OtherAction::Note { .. })) {
+            self.has_room_for_note()?;
+        }
         let (branch, tick) = (self.current, self.now.tick);
         let line =
             Line::Command { branch, tick, who: who.to_owned(), at_ms, action: action.clone() };
@@ -239,6 +270,20 @@ impl Session {
         self.writer.put(&line);
         self.branches[branch].commands.push(Given { tick, who: who.to_owned(), action });
         Ok(tick)
+    }
+
+    /// Checks that the limits allow one more note.
+    fn has_room_for_note(&self) -> Result<(), Refusal> {
+        let commands = self.branches[self.current].commands.iter().rev();
+        let lately = commands.take_while(|given| given.tick + NOTE_TICKS > self.now.tick);
+        let is_note =
+            |given: &&Given| matches!(given.action, Action::Other(OtherAction::Note { .. }));
+        if lately.filter(is_note).count() >= MOST_NOTES {
+            return Err(Refusal::new(format_args!(
+                "there are {MOST_NOTES} notes within {NOTE_TICKS} ticks: wait before the next"
+            )));
+        }
+        Ok(())
     }
 
     /// Takes one step. While the session is rewound, the step repeats the recorded commands.
@@ -293,6 +338,8 @@ impl Session {
         seen.keep(&record);
         each(&record);
         *tick += 1;
+        self.now.note_alarms(&self.cast, &self.info);
+        let Now { simulation, seen, .. } = &self.now;
         self.events.extend(seen.events(simulation.setup()).map(|text| (t_s, text)));
         let (segment, _) = self.segment(self.current, self.now.tick);
         self.checkpoints.offer(segment, self.now.tick, &self.now);

@@ -3,7 +3,6 @@
 use fenderline_sim::{SimError, Simulation, StepRecord};
 
 use crate::action::COMMAND_LIMITS;
-use crate::alarm_book::AlarmBook;
 use crate::cast::Cast;
 use crate::frame;
 use crate::info::Info;
@@ -18,7 +17,6 @@ pub struct Watched {
     cast: Cast,
     info: Info,
     now: Now,
-    alarms: AlarmBook,
     /// Since the last frame.
     events: Vec<EventNow>,
 }
@@ -30,8 +28,7 @@ impl Watched {
         let cast = Cast::of(simulation.setup());
         let info = Info::of(simulation.setup(), &cast);
         let now = Now::before_the_first_step(simulation);
-        let (alarms, events) = (AlarmBook::default(), Vec::new());
-        Watched { title, file, cast, info, now, alarms, events }
+        Watched { title, file, cast, info, now, events: Vec::new() }
     }
 
     /// The simulation in its present state.
@@ -60,8 +57,7 @@ impl Watched {
         let t_s = simulation.time_s();
         let texts = seen.events(simulation.setup());
         self.events.extend(texts.map(|text| EventNow { t_s, text }));
-        let causes = frame::causes(&self.now, &self.cast, &self.info);
-        self.alarms.update(causes, t_s);
+        self.now.note_alarms(&self.cast, &self.info);
     }
 
     /// The message that a page is built from, as text.
@@ -108,7 +104,7 @@ impl Watched {
             clients: 0,
             opening: None,
         };
-        let frame = frame::frame(&self.now, &self.cast, &self.info, 0, run, &self.alarms);
+        let frame = frame::frame(&self.now, &self.cast, &self.info, 0, run);
         let events = std::mem::take(&mut self.events);
         message::with_events(&message::text(&frame), &events)
     }

@@ -4,7 +4,7 @@
 mod support;
 
 use fenderline_live::message::{BerthEnd, BerthNow, Role, RunState};
-use fenderline_live::{AlarmBook, Info, Session};
+use fenderline_live::{OtherAction, Session};
 
 /// The line of the fenders of the scenario is at this east coordinate (m), and the concrete 1.9 m behind it.
 const FENDERS_M: f64 = 28.5;
@@ -31,25 +31,20 @@ fn lying(along_m: f64, off_m: f64, heading_deg: f64) -> Session {
 /// A session with alarms that are updated every tick, as in the server.
 struct Run {
     session: Session,
-    info: Info,
-    book: AlarmBook,
 }
 
 impl Run {
     fn of(session: Session) -> Run {
-        let info = Info::of(session.simulation().setup(), session.cast());
-        Run { session, info, book: AlarmBook::default() }
+        Run { session }
     }
 
     fn step(&mut self) -> BerthNow {
         support::go(&mut self.session, 1);
-        let causes = self.session.causes_for_alarm(&self.info);
-        self.book.update(causes, self.session.simulation().time_s());
         self.berth()
     }
 
     fn berth(&self) -> BerthNow {
-        let frame = self.session.frame(&self.info, 0, RunState::default(), &self.book);
+        let frame = self.session.frame(0, RunState::default());
         frame.vessels[0].berth.expect("there is a berth")
     }
 }
@@ -104,9 +99,10 @@ fn a_contact_with_the_quay_stays_on_the_board_until_it_is_acknowledged() {
     until_over(&mut run, BerthEnd::Structure);
     let now = run.berth();
     assert_eq!((now.bow, now.stern), (BerthEnd::Touched, BerthEnd::Touched), "{now:?}");
-    let (key, alarms) = ("touch ship quay", run.book.messages());
+    let (key, alarms) = ("touch ship quay", run.session.alarms().messages());
     assert!(alarms.iter().any(|alarm| alarm.key == key && !alarm.stands), "{alarms:?}");
-    run.book.acknowledge(key, &Role::Pilot).expect("a pilot acknowledges it");
+    run.session.alarms().may_acknowledge(key, &Role::Pilot).expect("a pilot may");
+    support::command(&mut run.session, OtherAction::Acknowledge { key: key.into() }.into());
     let now = run.berth();
     assert!(now.bow < BerthEnd::Touched && now.stern < BerthEnd::Touched, "{now:?}");
 }

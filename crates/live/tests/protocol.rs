@@ -5,7 +5,7 @@ mod support;
 use std::collections::{BTreeMap, BTreeSet};
 
 use fenderline_live::message::{self, Hello, Role, RunState};
-use fenderline_live::{Alarm, AlarmBook, COMMAND_LIMITS, Conduct, Info, Level, Request, Session};
+use fenderline_live::{COMMAND_LIMITS, Conduct, Fault, OtherAction, Request, Session};
 use fenderline_sim::OrderName;
 use fenderline_sim::order::Argument;
 use serde_json::Value;
@@ -83,19 +83,10 @@ fn each<'v>(value: &'v Value, key: &str) -> impl Iterator<Item = &'v Value> {
     list.iter()
 }
 
-/// A cause, so that there is an alarm in the frame.
-fn cause() -> Alarm {
-    let (key, text) = ("touch ship quay".into(), "ship touches quay".into());
-    Alarm { level: Level::Alarm, key, text, about: vec!["ship".into(), "quay".into()] }
-}
-
 fn messages(session: &Session) -> (Value, Value) {
-    let info = Info::of(session.simulation().setup(), session.cast());
-    let mut book = AlarmBook::default();
-    book.update(session.causes_for_alarm(&info), 1.0);
-    book.update(vec![cause()], 2.0);
+    let info = session.info();
     let run = RunState { pace: 1.0, ..RunState::default() };
-    let frame = message::text(&session.frame(&info, 7, run, &book));
+    let frame = message::text(&session.frame(7, run));
     let events = [message::EventNow { t_s: 1.0, text: "x".into() }];
     let frame = message::with_events(&frame, &events);
     let claims: Vec<message::Claim> = session
@@ -139,6 +130,10 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
     let mut session = support::harbour();
     // Until she lies at the fenders, so that every part of a frame is filled.
     support::go(&mut session, 21_000);
+    // So that there is an alarm in the frame.
+    let fault = OtherAction::Fault { vessel: "ship".into(), fault: Fault::RudderStuck, on: true };
+    support::command(&mut session, fault.into());
+    support::go(&mut session, 1);
     let (frame, hello) = messages(&session);
     assert_eq!((&frame["type"], &hello["type"]), (&"frame".into(), &"hello".into()));
     has_fields(&frame, "Frame", &known);

@@ -24,10 +24,12 @@ pub struct LogLine {
     pub until_s: Option<f64>,
     /// Its kind.
     pub kind: LogKind,
-    /// Who gave the command; empty for what happened.
+    /// Who gave the command, acknowledged or dropped the note; empty for what happened.
     pub who: String,
     /// What it was.
     pub text: String,
+    /// When an alarm was acknowledged (s), and by whom; `None` if nobody did, and for all else.
+    pub acknowledged: Option<(f64, String)>,
     /// Equal for alarms of one kind about the same things; empty for all else.
     pub key: String,
 }
@@ -41,6 +43,10 @@ pub enum LogKind {
     Alarm,
     /// A caution: it needed attention.
     Caution,
+    /// Somebody acknowledged an alarm.
+    Acknowledgement,
+    /// A note for the debriefing.
+    Note,
     /// Any other event.
     Event,
 }
@@ -53,6 +59,8 @@ impl LogKind {
             LogKind::Command => "command",
             LogKind::Alarm => "alarm",
             LogKind::Caution => "caution",
+            LogKind::Acknowledgement => "acknowledgement",
+            LogKind::Note => "note",
             LogKind::Event => "event",
         }
     }

@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::origin::Origin;
 use crate::printable::printable_line;
 
 /// Where an error or a notice points.
@@ -51,11 +52,12 @@ struct Content {
     key: Option<String>,
     message: String,
     help: Option<String>,
+    note: Option<String>,
     snippet: Option<Snippet>,
 }
 
 /// A line of the file, cut to what a terminal shows.
-#[derive(Clone, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Snippet {
     pub(crate) line: String,
     /// Characters of `line` before the marked ones.
@@ -66,11 +68,26 @@ pub(crate) struct Snippet {
 
 impl ScenarioError {
     pub(crate) fn new(place: Place, key: Option<String>, message: String) -> ScenarioError {
-        ScenarioError(Box::new(Content { place, key, message, help: None, snippet: None }))
+        ScenarioError(Box::new(Content {
+            place,
+            key,
+            message,
+            help: None,
+            note: None,
+            snippet: None,
+        }))
     }
 
     pub(crate) fn with_help(mut self, help: impl Into<String>) -> ScenarioError {
         self.0.help = Some(help.into());
+        self
+    }
+
+    /// Puts the error where a key or value from outside of the file comes from.
+    pub(crate) fn at_origin(mut self, origin: &Origin) -> ScenarioError {
+        self.0.place = origin.place.clone();
+        self.0.snippet.clone_from(&origin.snippet);
+        self.0.note.clone_from(&origin.note);
         self
     }
 
@@ -107,6 +124,12 @@ impl ScenarioError {
         &self.0.message
     }
 
+    /// What the place does not show, as the value that a campaign drew.
+    #[must_use]
+    pub fn note(&self) -> Option<&str> {
+        self.0.note.as_deref()
+    }
+
     /// What to write instead.
     #[must_use]
     pub fn help(&self) -> Option<&str> {
@@ -116,13 +139,16 @@ impl ScenarioError {
 
 impl fmt::Display for ScenarioError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Content { place, message, help, snippet, .. } = &*self.0;
+        let Content { place, message, help, note, snippet, .. } = &*self.0;
         let line = self.line().map_or(String::new(), |line| line.to_string());
         let indent = " ".repeat(line.len().max(1));
         write!(f, "error: {}\n{indent}--> {place}", printable_line(message))?;
         if let Some(Snippet { line: text, before, marked }) = snippet {
             let (space, marks) = (" ".repeat(*before), "^".repeat(*marked));
             write!(f, "\n{indent} |\n{line} | {text}\n{indent} | {space}{marks}")?;
+        }
+        if let Some(note) = note {
+            write!(f, "\n{indent} = note: {}", printable_line(note))?;
         }
         if let Some(help) = help {
             write!(f, "\n{indent} = help: {}", printable_line(help))?;

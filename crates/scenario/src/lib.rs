@@ -70,6 +70,7 @@ mod load;
 mod nesting;
 mod option_value;
 mod order;
+mod origin;
 mod overrides;
 mod printable;
 mod rating;
@@ -91,7 +92,7 @@ pub use bounded_file::{
 pub use campaign::law::{Law, LawFamily};
 pub use campaign::{
     Campaign, Change, Choice, Correlation, Design, Draw, MOST_CASES, Output, Plan, Statistic, Stop,
-    Target, Variable,
+    Target, TargetOrigins, Variable,
 };
 pub use error::{Notice, Place, ScenarioError};
 pub use fenderline_sim::hydro::vessels::Standing;
@@ -105,6 +106,7 @@ pub use library::{
 pub use load::{LoadError, read_stream, read_text};
 pub use option_value::{LengthOrShare, force_n, length_m, length_or_share, percent};
 pub use order::order;
+pub use origin::Origin;
 pub use overrides::{Override, set_keys};
 pub use printable::{escaped_json, printable_line, printable_number, printable_text};
 pub use scenario::Scenario;

@@ -10,6 +10,7 @@ use self::pattern::{is_pattern, with_quotes};
 use crate::error::{Place, ScenarioError};
 use crate::key_path;
 use crate::keys::SCENARIO;
+use crate::origin::Origin;
 use crate::reader::{respan, unknown_key};
 use crate::sources::{Sources, quoted};
 use crate::spec::{Kind, TableSpec};
@@ -33,6 +34,8 @@ pub struct Override {
     shown: String,
     path: Vec<String>,
     value: String,
+    /// Where key and value come from, if not from the command line.
+    origins: Option<Box<[Origin; 2]>>,
 }
 
 impl Override {
@@ -65,7 +68,31 @@ impl Override {
             let message = format!("there is no value for `{key}`");
             return Err(option_error(&shown, Some(key), message));
         }
-        Ok(Override { shown, path, value: value.to_owned() })
+        Ok(Override { shown, path, value: value.to_owned(), origins: None })
+    }
+
+    /// An override of a key by a value that come from other files: errors about the one point at `key_origin`, about the other at
+    /// `origin`.
+    ///
+    /// # Errors
+    /// As [`Override::new`].
+    pub fn from_files(
+        (key, key_origin): (&str, Origin),
+        (value, origin): (&str, Origin),
+    ) -> Result<Override, ScenarioError> {
+        let read = Override::new(&format!("--set {key}={value}"), key, value);
+        let is_of_value = !key.trim().is_empty() && value.trim().is_empty();
+        match read {
+            Ok(read) => Ok(Override { origins: Some(Box::new([key_origin, origin])), ..read }),
+            Err(error) if is_of_value => Err(error.at_origin(&origin)),
+            Err(error) => Err(error.at_origin(&key_origin)),
+        }
+    }
+
+    /// The same without the files that it comes from.
+    #[must_use]
+    pub fn without_origins(self) -> Override {
+        Override { origins: None, ..self }
     }
 
     /// The names of the dotted path.
@@ -85,15 +112,28 @@ impl Override {
         &self.shown
     }
 
+    /// Where the key comes from.
+    pub(crate) fn key_origin(&self) -> Option<&Origin> {
+        self.origins.as_ref().map(|origins| &origins[0])
+    }
+
+    /// Where the value comes from.
+    pub(crate) fn origin(&self) -> Option<&Origin> {
+        self.origins.as_ref().map(|origins| &origins[1])
+    }
+
     /// The value as TOML, or as a text if it is not TOML.
     pub(crate) fn value(&self) -> Result<Spanned<DeValue<'_>>, ScenarioError> {
         match DeValue::parse(&self.value) {
             Ok(value) => Ok(value),
-            Err(error) if self.value.starts_with(['[', '{', '"', '\'']) => Err(option_error(
-                &self.shown,
-                None,
-                format!("the value is not TOML: {}", error.message()),
-            )),
+            Err(error) if self.value.starts_with(['[', '{', '"', '\'']) => {
+                let message = format!("the value is not TOML: {}", error.message());
+                let error = option_error(&self.shown, None, message);
+                Err(match self.origin() {
+                    Some(origin) => error.at_origin(origin),
+                    None => error,
+                })
+            }
             Err(_) => Ok(Spanned::new(0..0, DeValue::String(self.value.as_str().into()))),
         }
     }
@@ -138,8 +178,8 @@ pub(crate) fn apply<'a>(
 ) -> Result<Vec<(Vec<String>, usize)>, ScenarioError> {
     let mut set = Vec::new();
     for (index, change) in sources.overrides.iter().enumerate() {
-        let span = sources.override_span(index);
-        let value = respan(&change.value()?, &span);
+        let value = respan(&change.value()?, &sources.override_span(index));
+        let span = sources.override_key_span(index);
         let refused = |message: String| {
             let key = change.path.join(".");
             sources.error(&span, &key, format!("`{key}` {message}"))
@@ -196,7 +236,7 @@ impl<'a> Setter<'_, 'a> {
         at: &str,
         (name, deeper): Names<'_>,
     ) -> Result<(), ScenarioError> {
-        let span = self.sources.override_span(self.index);
+        let span = self.sources.override_key_span(self.index);
         let Some(key) = spec.key(name) else {
             return Err(unknown_key(self.sources, spec, at, name, &span));
         };
@@ -279,7 +319,7 @@ impl<'a> Setter<'_, 'a> {
 
     /// Sets a key to the value. A key of the file keeps its place there.
     fn set(self, table: &mut DeTable<'a>, name: &str) {
-        let span = self.sources.override_span(self.index);
+        let span = self.sources.override_key_span(self.index);
         match table.get_mut(name) {
             Some(node) => *node = self.value,
             None => {
@@ -298,6 +338,6 @@ impl<'a> Setter<'_, 'a> {
     }
 
     fn error(&self, key: &str, message: String) -> ScenarioError {
-        self.sources.error(&self.sources.override_span(self.index), key, message)
+        self.sources.error(&self.sources.override_key_span(self.index), key, message)
     }
 }

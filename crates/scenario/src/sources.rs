@@ -1,14 +1,15 @@
-//! The texts that a scenario comes from, on one axis of positions: first the bytes of the file, then one position for
-//! each override. The start of a span tells which of them it belongs to.
+//! The texts that a scenario comes from, on one axis of positions: first the bytes of the file, then two positions for
+//! each override, of its key and of its value. The start of a span tells which of them it belongs to.
 
 use core::cell::OnceCell;
 use core::ops::Range;
 
 use crate::error::{Place, ScenarioError, Snippet};
+use crate::origin::Origin;
 use crate::overrides::Override;
 use crate::printable::printable_char;
 
-/// A range of positions: bytes of the file, or the one position of an override.
+/// A range of positions: bytes of the file, or the position of an override's key or value.
 pub(crate) type Span = Range<usize>;
 
 /// The file and the overrides on top of it.
@@ -62,16 +63,37 @@ impl<'a> Sources<'a> {
 }
 
 impl Sources<'_> {
-    /// The span of everything in the override of this index.
-    pub(crate) fn override_span(&self, index: usize) -> Span {
-        let position = self.text.len() + 1 + index;
+    /// The span of the key of the override of this index.
+    pub(crate) fn override_key_span(&self, index: usize) -> Span {
+        let position = self.text.len() + 1 + 2 * index;
         position..position
+    }
+
+    /// The span of everything in the value of the override of this index.
+    pub(crate) fn override_span(&self, index: usize) -> Span {
+        let position = self.text.len() + 2 + 2 * index;
+        position..position
+    }
+
+    /// The override that a span belongs to, and where its key or value comes from if it is known.
+    fn override_of(&self, span: &Span) -> Option<(&Override, Option<&Origin>)> {
+        let position = span.start.checked_sub(self.text.len() + 1)?;
+        let own = &self.overrides[position / 2];
+        let origin = if position % 2 == 0 { own.key_origin() } else { own.origin() };
+        Some((own, origin))
+    }
+
+    /// Where a span of the file is, for errors about another file that takes its values from here.
+    pub(crate) fn origin(&self, span: &Span) -> Origin {
+        Origin { place: self.place(span), snippet: self.snippet(span), note: None }
     }
 
     /// Where a span starts.
     pub(crate) fn place(&self, span: &Span) -> Place {
-        if let Some(index) = span.start.checked_sub(self.text.len() + 1) {
-            return Place::Option { text: self.overrides[index].shown().to_owned() };
+        match self.override_of(span) {
+            Some((_, Some(origin))) => return origin.place.clone(),
+            Some((own, None)) => return Place::Option { text: own.shown().to_owned() },
+            None => {}
         }
         let at = self.boundary(span.start);
         let marks = self.marks.get_or_init(|| marks(self.text));
@@ -101,7 +123,11 @@ impl Sources<'_> {
         key: Option<String>,
         message: String,
     ) -> ScenarioError {
-        ScenarioError::new(self.place(span), key, message).with_snippet(self.snippet(span))
+        let error = ScenarioError::new(self.place(span), key, message);
+        match self.override_of(span) {
+            Some((_, Some(origin))) => error.at_origin(origin),
+            _ => error.with_snippet(self.snippet(span)),
+        }
     }
 
     /// An error about the file as a whole.
@@ -132,7 +158,7 @@ impl Sources<'_> {
 }
 
 /// A line in three parts, cut on both sides so that the marked part fits a line of a terminal.
-fn cut(before: &str, marked: &str, after: &str) -> Snippet {
+pub(crate) fn cut(before: &str, marked: &str, after: &str) -> Snippet {
     const BEFORE: usize = 40;
     const MARKED: usize = 40;
     const AFTER: usize = 30;

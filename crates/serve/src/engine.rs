@@ -17,7 +17,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use fenderline_live::message::{self, RunState};
-use fenderline_live::{AlarmBook, Info, Session, StepError};
+use fenderline_live::{Session, StepError};
 use fenderline_nautical::ChartOrigin;
 
 use self::chart_output::ChartOutput;
@@ -27,7 +27,7 @@ use self::predictor::Predictor;
 use super::claims::{Claims, ClientId};
 use super::gallery::{Gallery, Opened};
 use super::hub::{Hub, Published, ToEngine};
-use super::opening::Work;
+use super::opening::{MakeReport, Work};
 use super::pacer::Pacer;
 use super::recorder::Recorder;
 
@@ -42,20 +42,20 @@ const BETWEEN_PROGRESS_FRAMES: Duration = Duration::from_millis(200);
 pub(crate) struct Engine {
     hub: Arc<Hub>,
     session: Session,
-    info: Info,
     gallery: Gallery,
     /// Folder of the recordings.
     sessions: PathBuf,
+    make_report: MakeReport,
     recorder: Recorder,
     recording_failed: bool,
-    /// Work on another thread: a scenario or a session is being opened, or one is being saved.
+    /// Work on another thread: a scenario or a session is being opened, one is being saved, or a report is being
+    /// made.
     work: Option<Work>,
     pacer: Pacer,
     paused: bool,
     /// Paused until the first client joins.
     starts_with_first_client: bool,
     claims: Claims,
-    alarms: AlarmBook,
     clients: BTreeMap<ClientId, Client>,
     events: EventLog,
     /// When the last frame was published.
@@ -75,35 +75,33 @@ impl Engine {
         mut opened: Opened,
         gallery: Gallery,
         sessions: PathBuf,
+        make_report: MakeReport,
         paused: bool,
         chart: Option<ChartOrigin>,
     ) -> Result<Engine, String> {
         let file = opened.session.source().file.clone();
         let recorder = Recorder::begin(&sessions, &file, &mut opened)?;
         let session = opened.session;
-        let info = Info::of(session.simulation().setup(), session.cast());
         let now = Instant::now();
-        let mut engine = Engine {
+        let engine = Engine {
             pacer: Pacer::new(session.simulation().setup().step_s, now),
             hub,
             session,
-            info,
             gallery,
             sessions,
+            make_report,
             recorder,
             recording_failed: false,
             work: None,
             paused: true,
             starts_with_first_client: !paused,
             claims: Claims::default(),
-            alarms: AlarmBook::default(),
             clients: BTreeMap::new(),
             events: EventLog::new(),
             published: now,
             predictor: Predictor::default(),
             chart: chart.map(ChartOutput::new),
         };
-        engine.restart_alarms();
         engine.make_tokens().map_err(|e| format!("no random numbers for the links: {e}"))?;
         Ok(engine)
     }
@@ -182,23 +180,10 @@ impl Engine {
             self.paused = true;
             self.notify_all("The recorded part has ended: resume to go on from here.");
         }
-        self.note_alarms();
         self.record();
         if self.paused || self.published.elapsed() >= BETWEEN_FRAMES {
             self.publish_frame();
         }
-    }
-
-    /// Every tick, not every frame: a touch of one tick raises an alarm too.
-    fn note_alarms(&mut self) {
-        let causes = self.session.causes_for_alarm(&self.info);
-        self.alarms.update(causes, self.session.simulation().time_s());
-    }
-
-    /// Drops the alarms of another session, branch or time, and notes those of the present state.
-    fn restart_alarms(&mut self) {
-        self.alarms.clear();
-        self.note_alarms();
     }
 
     /// Publishes the present state to all clients.
@@ -216,7 +201,7 @@ impl Engine {
             opening: self.work.as_ref().and_then(Work::now),
             ..RunState::default()
         };
-        let frame = self.session.frame(&self.info, unix_ms(), run, &self.alarms);
+        let frame = self.session.frame(unix_ms(), run);
         let frame = message::text(&frame).into();
         self.hub.frames.send_replace(Some(Published { frame, events: self.events.latest() }));
         self.published = Instant::now();

@@ -15,6 +15,7 @@ use axum::http::{HeaderMap, Method, StatusCode, Uri};
 use axum::response::{IntoResponse as _, Response};
 use axum::routing::any;
 use axum::{Extension, Router};
+use fenderline_live::message::Role;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
 use tokio::net::{TcpListener, TcpStream};
@@ -55,7 +56,11 @@ impl Site {
 
 /// Serves until the task is dropped.
 pub(crate) async fn serve(listener: TcpListener, site: Arc<Site>) {
-    let app = Router::new().route("/live", any(live)).fallback(file).with_state(Arc::clone(&site));
+    let app = Router::new()
+        .route("/live", any(live))
+        .route("/report", any(report))
+        .fallback(file)
+        .with_state(Arc::clone(&site));
     let connections = Connections::of(MOST_CONNECTIONS);
     loop {
         let (stream, peer) = match listener.accept().await {
@@ -121,12 +126,7 @@ async fn live(
         .read_buffer_size(LARGEST_MESSAGE)
         .write_buffer_size(0)
         .max_write_buffer_size(MOST_WAITING);
-    let token = uri.query().unwrap_or("").split('&').find_map(|pair| pair.strip_prefix("token="));
-    let role = {
-        let tokens = site.hub.tokens.read().unwrap_or_else(PoisonError::into_inner);
-        tokens.role(token.unwrap_or(""))
-    };
-    let Some(role) = role else {
+    let Some(role) = role(&site, &uri) else {
         site.hub.log.refused("refused a websocket: unknown token");
         return upgrade.on_upgrade(turn_away(&site, peer, client::turn_away));
     };
@@ -139,6 +139,46 @@ async fn live(
         client::serve(socket, hub, role).await;
         drop(seat);
     })
+}
+
+/// The role that the token of an address opens.
+fn role(site: &Site, uri: &Uri) -> Option<Role> {
+    let token = uri.query().unwrap_or("").split('&').find_map(|pair| pair.strip_prefix("token="));
+    let tokens = site.hub.tokens.read().unwrap_or_else(PoisonError::into_inner);
+    tokens.role(token.unwrap_or(""))
+}
+
+/// The report that the instructor asked for last. It is made by the command `report`, so that nobody who fetches it costs
+/// more than its bytes.
+async fn report(State(site): State<Arc<Site>>, request: Request) -> Response {
+    if let Err(why) = site.known_hosts.host(request.headers()) {
+        return refused(&site, why);
+    }
+    if !matches!(*request.method(), Method::GET | Method::HEAD) {
+        return plain(StatusCode::METHOD_NOT_ALLOWED, "only GET and HEAD are allowed");
+    }
+    if role(&site, request.uri()) != Some(Role::Instructor) {
+        return refused(&site, "only the instructor's link opens the report");
+    }
+    let latest = site.hub.report.read().unwrap_or_else(PoisonError::into_inner).clone();
+    let Some(latest) = latest else {
+        return plain(
+            StatusCode::NOT_FOUND,
+            "no report was made yet: the instructor's page asks for it",
+        );
+    };
+    // The report carries its style and script, and loads nothing.
+    let policy = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; \
+                  base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+    let headers = [
+        (CONTENT_TYPE, "text/html; charset=utf-8"),
+        (CONTENT_SECURITY_POLICY, policy),
+        (X_CONTENT_TYPE_OPTIONS, "nosniff"),
+        (REFERRER_POLICY, "no-referrer"),
+        (CACHE_CONTROL, "no-store"),
+        (CONNECTION, "close"),
+    ];
+    (headers, Body::from(latest.as_bytes().to_vec())).into_response()
 }
 
 /// Closes a websocket with `close`, which tells it why; at once if too many others are being closed.

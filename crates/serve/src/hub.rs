@@ -63,6 +63,8 @@ pub(crate) struct Hub {
     /// The latest sentences for chart programs.
     pub(crate) sentences: watch::Sender<Sentences>,
     pub(crate) tokens: RwLock<Tokens>,
+    /// The latest report, as HTML.
+    pub(crate) report: RwLock<Option<Text>>,
     watching: Arc<Seats>,
     steering: Arc<Seats>,
     pub(crate) log: Log,
@@ -78,6 +80,7 @@ impl Hub {
             predictions: watch::Sender::new(None),
             sentences: watch::Sender::new(None),
             tokens: RwLock::new(Tokens::default()),
+            report: RwLock::default(),
             watching: Seats::of(MOST_WATCHING),
             steering: Seats::of(MOST_STEERING),
             log: Log::new(notify),

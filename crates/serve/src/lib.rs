@@ -64,6 +64,7 @@ use self::http::Site;
 use self::hub::{Hub, ToEngine};
 use self::known_hosts::KnownHosts;
 pub use self::log::Notify;
+pub use self::opening::MakeReport;
 use self::page::Page;
 use self::saved::{Progress, ReplayFailure};
 
@@ -96,6 +97,8 @@ pub struct Options {
     pub nmea_udp: Option<SocketAddr>,
     /// The scenario's origin on the chart.
     pub origin: ChartOrigin,
+    /// Makes the report of a session for the page.
+    pub report: MakeReport,
     /// Where notices about the server go.
     pub notify: Notify,
 }
@@ -187,6 +190,7 @@ impl Server {
             opened,
             gallery(options),
             options.sessions.clone(),
+            options.report,
             options.is_paused,
             has_charts.then_some(options.origin),
         )
@@ -390,18 +394,39 @@ pub fn replay(session: &Path, mut progress: impl FnMut(u64, u64)) -> Result<Repl
         }
         Ok(())
     });
-    let replayed = replayed.map_err(|why| match why {
+    replayed.map(Replayed::of).map_err(|why| match why {
         ReplayFailure::Differs(error) => ServeError::failed(format_args!("error: {name}, {error}")),
         other => ServeError::input(format_args!("error: {name}, {other}")),
-    })?;
-    let saved::Replayed { session, equal_states, outline, .. } = replayed;
-    Ok(Replayed {
-        session,
-        branches: outline.branches,
-        ticks: outline.ticks,
-        equal_states,
-        incomplete: saved::missing_at_end(outline.ending),
     })
+}
+
+/// As [`replay`], of a recording in memory. `stop` is asked from time to time.
+///
+/// # Errors
+/// As [`replay`], without a name; it was stopped.
+pub fn replay_bytes(
+    recording: &[u8],
+    mut stop: impl FnMut() -> bool,
+) -> Result<Replayed, ServeError> {
+    let watch = &mut |_| if stop() { Err("stopped".to_owned()) } else { Ok(()) };
+    let replayed = saved::replay(std::io::Cursor::new(recording), watch);
+    replayed.map(Replayed::of).map_err(|why| match why {
+        ReplayFailure::Differs(error) => ServeError::failed(error),
+        other => ServeError::input(other),
+    })
+}
+
+impl Replayed {
+    fn of<R>(replayed: saved::Replayed<R>) -> Replayed {
+        let saved::Replayed { session, equal_states, outline, .. } = replayed;
+        Replayed {
+            session,
+            branches: outline.branches,
+            ticks: outline.ticks,
+            equal_states,
+            incomplete: saved::missing_at_end(outline.ending),
+        }
+    }
 }
 
 impl fmt::Debug for Server {

@@ -1,4 +1,4 @@
-//! Opening a scenario or a session, and saving one, on a thread of their own, so that the simulation goes on. One at a time;
+//! Opening a scenario or a session, saving one, and making a report, on a thread of their own, so that the simulation goes on. One at a time;
 //! the simulation's thread sees the progress and can stop an opening.
 
 use std::io;
@@ -13,8 +13,14 @@ use fenderline_live::message::{GalleryEntry, OpeningNow};
 
 use super::claims::ClientId;
 use super::gallery::{self, Opened};
-use super::recorder::{Copy, Recorder};
+use super::recorder::{Copy, Recorder, SoFar};
 use super::saved::Progress as ReplayProgress;
+
+/// Makes the report of a recording, as a page of HTML: from the name of its file, its bytes, and a flag that asks to stop. The
+/// program gives it, because this crate knows no reports. It runs on a thread of its own.
+///
+/// The error is the reason for the user.
+pub type MakeReport = fn(&str, &[u8], &Arc<AtomicBool>) -> Result<String, String>;
 
 /// Time limit of an opening. `fenderline replay` has none.
 const TIME_LIMIT: Duration = Duration::from_secs(600);
@@ -33,6 +39,8 @@ pub(crate) enum Outcome {
     Opened(Box<Result<(Opened, Recorder), String>>),
     /// The path of a copy and its entry in the gallery; or why it could not be saved.
     Saved(Result<(PathBuf, Option<GalleryEntry>), String>),
+    /// The report of the session, as HTML; or why there is none.
+    Reported(Result<String, String>),
     /// The thread panicked, which is a bug; the panic is on standard error. The present session goes on.
     Panicked,
 }
@@ -48,14 +56,24 @@ struct Progress {
     /// Share that is done, times [`PARTS`].
     parts: AtomicU64,
     /// The work shall stop.
-    stop: AtomicBool,
+    stop: Arc<AtomicBool>,
+}
+
+/// What is done on the other thread.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Task {
+    /// A file is opened.
+    Open(String),
+    /// The session is saved.
+    Save,
+    /// The report of the session is made.
+    Report,
 }
 
 /// Work on another thread.
 pub(crate) struct Work {
     pub(crate) requester: Requester,
-    /// The file that is opened; `None` while a session is saved.
-    pub(crate) file: Option<String>,
+    pub(crate) task: Task,
     progress: Arc<Progress>,
     thread: JoinHandle<()>,
 }
@@ -98,7 +116,7 @@ impl Work {
             })
         };
         let done = move |opened| Outcome::Opened(Box::new(opened));
-        Work::start(send, requester, Some(file), progress, move || done(open()))
+        Work::start(send, requester, Task::Open(file), progress, move || done(open()))
     }
 
     /// Begins to save a copy of a recording.
@@ -117,13 +135,32 @@ impl Work {
                 (path, entry)
             }))
         };
-        Work::start(send, requester, None, Arc::default(), save)
+        Work::start(send, requester, Task::Save, Arc::default(), save)
+    }
+
+    /// Begins to make the report of a recording.
+    ///
+    /// # Errors
+    /// The system gives no thread.
+    pub(crate) fn report(
+        send: impl FnOnce(Outcome) + Send + 'static,
+        requester: Requester,
+        recording: SoFar,
+        make: MakeReport,
+    ) -> io::Result<Work> {
+        let progress = Arc::new(Progress::default());
+        let stop = Arc::clone(&progress.stop);
+        let report = move || {
+            let read = recording.read();
+            Outcome::Reported(read.and_then(|(name, bytes)| make(&name, &bytes, &stop)))
+        };
+        Work::start(send, requester, Task::Report, progress, report)
     }
 
     fn start(
         send: impl FnOnce(Outcome) + Send + 'static,
         requester: Requester,
-        file: Option<String>,
+        task: Task,
         progress: Arc<Progress>,
         work: impl FnOnce() -> Outcome + Send + 'static,
     ) -> io::Result<Work> {
@@ -131,30 +168,42 @@ impl Work {
             let outcome = catch_unwind(AssertUnwindSafe(work));
             send(outcome.unwrap_or(Outcome::Panicked));
         })?;
-        Ok(Work { requester, file, progress, thread })
+        Ok(Work { requester, task, progress, thread })
     }
 
     /// The progress, if something is being opened.
     pub(crate) fn now(&self) -> Option<OpeningNow> {
+        let file = self.file()?.to_owned();
         let at = if self.progress.is_replaying.load(Ordering::Relaxed) { "plays" } else { "reads" };
         let parts = self.progress.parts.load(Ordering::Relaxed);
         let share = parts as f64 / PARTS as f64;
-        Some(OpeningNow { file: self.file.clone()?, at, share })
+        Some(OpeningNow { file, at, share })
     }
 
-    /// Asks the work to stop. Returns false if a session is being saved, which cannot be stopped.
+    /// The file that is opened, if one is.
+    pub(crate) fn file(&self) -> Option<&str> {
+        match &self.task {
+            Task::Open(file) => Some(file),
+            Task::Save | Task::Report => None,
+        }
+    }
+
+    /// Asks an opening to stop. Returns false if nothing is being opened.
     pub(crate) fn stop(&self) -> bool {
-        self.progress.stop.store(true, Ordering::Relaxed);
-        self.file.is_some()
+        let is_opening = self.file().is_some();
+        if is_opening {
+            self.progress.stop.store(true, Ordering::Relaxed);
+        }
+        is_opening
     }
 
     pub(crate) fn is_stopped(&self) -> bool {
         self.progress.stop.load(Ordering::Relaxed)
     }
 
-    /// Waits until a session is saved, so that no partial copy is left. An opening is not waited for.
+    /// Waits until a session is saved, so that no partial copy is left. Nothing else is waited for.
     pub(crate) fn finish(self) {
-        if self.file.is_none() {
+        if self.task == Task::Save {
             let _ = self.thread.join();
         }
     }

@@ -21,9 +21,14 @@ pub(crate) enum Needs {
 pub(crate) fn for_action(role: &Role, action: &Action, cast: &Cast) -> Result<Needs, Refusal> {
     let helm = cast.helm(action);
     match (role, helm) {
+        // The alarm book knows whose alarm it is.
+        (_, Helm::Alarm) => Ok(Needs::Nothing),
         (Role::Observer, _) => Err(Refusal::new("an observer gives no commands")),
         (Role::Instructor, Helm::Of(control)) => Ok(Needs::NobodyAt(control)),
-        (Role::Instructor, Helm::Line(_) | Helm::World | Helm::Board) => Ok(Needs::Nothing),
+        (Role::Instructor, Helm::Line(_) | Helm::World | Helm::Board | Helm::Notes) => {
+            Ok(Needs::Nothing)
+        }
+        (_, Helm::Notes) => Err(Refusal::new("only the instructor drops notes")),
         (_, Helm::World) => Err(Refusal::new("only the instructor sets weather and faults")),
         (_, Helm::Of(control)) if may_claim(role, &control, cast) => Ok(Needs::Helm(control)),
         (Role::Pilot, Helm::Of(control)) => Ok(Needs::NobodyAt(control)),
@@ -55,16 +60,12 @@ pub(crate) fn may_order(role: &Role, control: &Control, cast: &Cast) -> bool {
     }
 }
 
-/// Checks whether a role may give this command about the session. Claims are checked where they are taken, alarms by the
-/// alarm book.
+/// Checks whether a role may give this command about the session. Claims are checked where they are taken.
 ///
 /// # Errors
 /// The reason of the refusal.
 pub(crate) fn for_conduct(role: &Role, conduct: &Conduct) -> Result<(), Refusal> {
-    let own = matches!(
-        conduct,
-        Conduct::Claim { .. } | Conduct::Release { .. } | Conduct::Acknowledge { .. }
-    );
+    let own = matches!(conduct, Conduct::Claim { .. } | Conduct::Release { .. });
     if own || *role == Role::Instructor {
         return Ok(());
     }
@@ -91,6 +92,7 @@ mod tests {
         let hands = |name: &str| NamedOrder::new(OrderName::Hands, name).into();
         let wind = Action::from(OtherAction::Wind { speed_mps: 1.0, from_rad: 0.0 });
         let limit = Action::from(OtherAction::ApproachLimit { speed_mps: 0.2 });
+        let note = Action::from(OtherAction::Note { text: String::new() });
         let line = Action::from(NamedOrder::new(OrderName::LetGo, "none"));
         for (role, action, needs) in [
             (&Role::Pilot, rudder("ship"), Some(Needs::Helm(vessel("ship")))),
@@ -98,6 +100,9 @@ mod tests {
             (&Role::Pilot, line.clone(), Some(Needs::Nothing)),
             (&Role::Pilot, wind.clone(), None),
             (&Role::Pilot, limit.clone(), Some(Needs::Nothing)),
+            (&Role::Pilot, note.clone(), None),
+            (&Role::Observer, note.clone(), None),
+            (&Role::Instructor, note, Some(Needs::Nothing)),
             (&master, limit, None),
             (&master, hands("forward_tug"), Some(Needs::Helm(vessel("forward_tug")))),
             (&master, hands("after_tug"), None),

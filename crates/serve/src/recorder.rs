@@ -76,6 +76,11 @@ impl Recorder {
         Ok(())
     }
 
+    /// The recording so far, to be read on another thread; `end_line` is its last line.
+    pub(crate) fn so_far(&self, end_line: String) -> SoFar {
+        SoFar { from: self.path.clone(), bytes: self.bytes, end_line }
+    }
+
     /// Prepares a copy of the recording so far, under a name of letters, digits, `-` and `_`; `end_line` is its last line.
     ///
     /// # Errors
@@ -90,6 +95,33 @@ impl Recorder {
             return Err(format!("there is a session named {name} already"));
         }
         Ok(Copy { from: self.path.clone(), bytes: self.bytes, end_line, to })
+    }
+}
+
+/// A recording up to a moment, not yet read.
+#[derive(Debug)]
+pub(crate) struct SoFar {
+    from: PathBuf,
+    bytes: u64,
+    end_line: String,
+}
+
+impl SoFar {
+    /// Name of its file, and its bytes with the last line.
+    ///
+    /// # Errors
+    /// An error of the file system; a file that is shorter than what was written to it.
+    pub(crate) fn read(self) -> Result<(String, Vec<u8>), String> {
+        let name = self.from.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let from = open_regular(&self.from, LARGEST_RECORDING_BYTES).map_err(|e| e.to_string())?;
+        let mut bytes = Vec::new();
+        let read = from.take(self.bytes).read_to_end(&mut bytes);
+        read.map_err(|e| with_path(&self.from, &e))?;
+        if (bytes.len() as u64) < self.bytes {
+            return Err(format!("{name}: the recording is shorter than what was written to it"));
+        }
+        bytes.extend_from_slice(self.end_line.as_bytes());
+        Ok((name, bytes))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 use std::fs::File;
-use std::io::{BufReader, Read as _, Seek as _};
+use std::io::{BufReader, Read, Seek, SeekFrom};
 use std::path::Path;
 
 use fenderline_live::{
@@ -32,14 +32,15 @@ pub(crate) enum Progress {
 pub(crate) type Watch<'w> = &'w mut dyn FnMut(Progress) -> Result<(), String>;
 
 /// A recording that was replayed to its end.
-pub(crate) struct Replayed {
+pub(crate) struct Replayed<R> {
     pub(crate) session: Session,
     /// Number of recorded states that the replay met bit for bit.
     pub(crate) equal_states: u64,
     pub(crate) outline: Outline,
     /// Version of the program that recorded it.
     pub(crate) version: String,
-    pub(crate) file: File,
+    /// What was read, not at its start.
+    pub(crate) file: R,
 }
 
 /// Why a recording was not replayed to its end; without its name.
@@ -85,27 +86,31 @@ pub(crate) fn title(file: &File) -> Option<String> {
 ///
 /// # Errors
 /// [`ReplayFailure`].
-pub(crate) fn replay(file: File, watch: Watch<'_>) -> Result<Replayed, ReplayFailure> {
+pub(crate) fn replay<R: Read + Seek>(
+    mut file: R,
+    watch: Watch<'_>,
+) -> Result<Replayed<R>, ReplayFailure> {
     let unreadable = |e: std::io::Error| ReplayFailure::Stopped(e.to_string());
-    let all = file.metadata().map_err(unreadable)?.len();
+    let all = file.seek(SeekFrom::End(0)).map_err(unreadable)?;
+    file.rewind().map_err(unreadable)?;
     let mut stopped = None;
     let read = |bytes: u64| {
         watch(Progress::Reading(bytes, all)).inspect_err(|why| stopped = Some(why.clone()))
     };
-    let outline = Outline::read(BufReader::with_capacity(BLOCK, &file), read);
+    let outline = Outline::read(BufReader::with_capacity(BLOCK, &mut file), read);
     let outline = match (outline, stopped) {
         (_, Some(why)) => return Err(ReplayFailure::Stopped(why)),
         (Err(error), None) => return Err(ReplayFailure::Bad(error)),
         (Ok(outline), None) => outline,
     };
-    (&file).rewind().map_err(unreadable)?;
-    let input = BufReader::with_capacity(BLOCK, &file);
+    file.rewind().map_err(unreadable)?;
+    let input = BufReader::with_capacity(BLOCK, &mut file);
     let version = {
         let reader = RecordingReader::open(input).map_err(ReplayFailure::Bad)?;
         reader.version().to_owned()
     };
-    (&file).rewind().map_err(unreadable)?;
-    let input = BufReader::with_capacity(BLOCK, &file);
+    file.rewind().map_err(unreadable)?;
+    let input = BufReader::with_capacity(BLOCK, &mut file);
     let mut replay = Replay::begin(input, outline.clone()).map_err(ReplayFailure::Differs)?;
     while !replay.play(SLICE).map_err(ReplayFailure::Differs)? {
         watch(Progress::Replaying(replay.done(), outline.ticks)).map_err(ReplayFailure::Stopped)?;

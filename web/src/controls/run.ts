@@ -5,6 +5,8 @@ import { button, choices, h, setAttribute, setClass, setText } from "../ui/dom";
 import { clock } from "../units";
 import type { Group, KeyAction } from "./group";
 
+/** The server's limit (characters). */
+const LONGEST_NOTE = 300;
 const PACES = [0.25, 0.5, 1, 2, 4, 8];
 
 export class Run implements Group {
@@ -31,6 +33,12 @@ export class Run implements Group {
   });
   private readonly lanes = h("div", { class: "lanes", role: "group", "aria-label": "Branches" });
   private readonly late = h("p", { class: "note" });
+  private readonly note = h("input", {
+    type: "text",
+    "aria-label": "Note for the debriefing",
+    placeholder: "note for the debriefing",
+    maxlength: LONGEST_NOTE,
+  });
   private run: RunState | null = null;
   private tickNow = 0;
   private step_s = 0.1;
@@ -74,6 +82,21 @@ export class Run implements Group {
           button("Step", () => void page.order({ do: "single_step" }), { name: "Single step (.)" }),
         ),
         this.pace.root,
+        h(
+          "form",
+          {
+            class: "row note-form",
+            onsubmit: (event) => {
+              event.preventDefault();
+              void this.drop(this.note.value.trim());
+            },
+          },
+          this.note,
+          h("button", { type: "submit", title: "Drop the note, or a mark (N)" }, "Note"),
+          button("Report", () => void this.page.report(), {
+            name: "Report of the session up to now, in a new tab",
+          }),
+        ),
         this.late,
       ),
       h(
@@ -98,12 +121,21 @@ export class Run implements Group {
     );
     this.keys = [
       { key: "k", text: "Pause or go on", run: () => this.pause() },
+      { key: "n", text: "Mark this moment for the debriefing", run: () => void this.drop("") },
       { key: ".", text: "Single step", run: () => void page.order({ do: "single_step" }) },
     ];
   }
 
   private pause(): void {
     void this.page.order({ do: this.run?.paused ? "resume" : "pause" });
+  }
+
+  /** Drops a note; without a text, a mark. */
+  private async drop(text: string): Promise<void> {
+    const done = await this.page.order(text === "" ? { do: "note" } : { do: "note", text });
+    if (!done) return;
+    if (text === "") this.page.say("Marked for the debriefing.");
+    else if (this.note.value.trim() === text) this.note.value = "";
   }
 
   private rewind(tick: number): void {

@@ -5,6 +5,7 @@ mod copula;
 mod formula;
 mod plan;
 mod prepared;
+mod source;
 
 pub use self::formula::Formula;
 pub use self::prepared::{Drawn, Draws};

@@ -1,16 +1,16 @@
 //! The draws of a campaign.
 
-use std::path::Path;
-
 use fenderline_contact::hash::Fnv1a;
-use fenderline_scenario::{Campaign, Change, Choice, Draw, Law, Override, Plan, Target, Variable};
+use fenderline_scenario::{
+    Campaign, Change, Draw, Override, Plan, ScenarioError, Target, Variable,
+};
 
 use super::copula::Copula;
 use super::formula::Formula;
 use super::plan::Probabilities;
+use super::source::{Column, Measured, Source, open, rows, source};
 use crate::error::CampaignError;
 use crate::row::{Cell, Head};
-use crate::table::Table;
 
 /// The values of the variables of every run.
 pub struct Draws {
@@ -24,23 +24,6 @@ pub struct Draws {
     runs: u64,
 }
 
-/// Where a variable's value comes from.
-enum Source {
-    Choices {
-        choices: Vec<Choice>,
-        /// Their numbers; `None` for names.
-        numbers: Option<Vec<f64>>,
-        /// Sums of the weights up to each choice, over the whole.
-        cumulative: Vec<f64>,
-    },
-    Law(Law, Target),
-    /// Measured values, rising.
-    Measured(Vec<f64>, Target),
-    Formula(Target),
-    Numbers(Vec<f64>, Target),
-    Texts(Vec<String>, Target),
-}
-
 /// What a run draws.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn {
@@ -48,6 +31,8 @@ pub struct Drawn {
     pub values: Vec<Cell>,
     /// The changes of the scenario as `--set` takes them, KEY=VALUE.
     pub settings: Vec<String>,
+    /// Of each variable the number of the choice, or the row of its file, both from 0; 0 for others.
+    picked: Vec<usize>,
 }
 
 impl Drawn {
@@ -79,7 +64,7 @@ impl Draws {
         for variable in variables {
             let (source, unit) = source(variable, table.as_ref())?;
             let is_text =
-                matches!(source, Source::Choices { numbers: None, .. } | Source::Texts(..));
+                matches!(source, Source::Choices { numbers: None, .. } | Source::Texts(_));
             let head = Head::new(&variable.name, &unit, "value of the variable");
             heads.push(Head { is_text, ..head });
             sources.push(source);
@@ -120,17 +105,23 @@ impl Draws {
     pub(crate) fn add_values(&self, hash: &mut Fnv1a) {
         for source in &self.sources {
             match source {
-                Source::Measured(all, target) | Source::Numbers(all, target) => {
+                Source::Measured(Measured { values, target, .. })
+                | Source::Numbers(Column { values, target, .. }) => {
                     hash.bytes(target.unit.as_bytes());
-                    all.iter().for_each(|value| hash.word(value.to_bits()));
+                    values.iter().for_each(|value| hash.word(value.to_bits()));
                 }
-                Source::Texts(all, _) => all.iter().for_each(|text| {
+                Source::Texts(all) => all.values.iter().for_each(|text| {
                     hash.bytes(text.as_bytes());
                     hash.bytes(&[0]);
                 }),
                 Source::Choices { .. } | Source::Law(..) | Source::Formula(_) => {}
             }
         }
+    }
+
+    /// Whether values come from this file.
+    pub(crate) fn reads(&self, file: &str) -> bool {
+        self.sources.iter().filter_map(Source::file).any(|own| own.display().to_string() == file)
     }
 
     /// Names and units of the variables.
@@ -181,7 +172,7 @@ impl Draws {
 
     fn at(&self, run: u64, probabilities: Option<&[f64]>) -> Drawn {
         let mut values: Vec<Cell> = Vec::with_capacity(self.sources.len());
-        let mut chosen = vec![0; self.sources.len()];
+        let mut picked = vec![0; self.sources.len()];
         for (index, source) in self.sources.iter().enumerate() {
             let p = probabilities.map(|all| all[index]);
             values.push(match source {
@@ -192,7 +183,7 @@ impl Draws {
                         }
                         None => self.combination(run, index),
                     };
-                    chosen[index] = own;
+                    picked[index] = own;
                     match numbers {
                         Some(numbers) => Cell::Number(numbers[own]),
                         None => Cell::Text(choices[own].label.clone()),
@@ -201,13 +192,21 @@ impl Draws {
                 Source::Law(law, _) => {
                     Cell::Number(law.quantile(p.expect("laws go with random plans")))
                 }
-                Source::Measured(all, _) => {
+                Source::Measured(Measured { values, rows, .. }) => {
                     let p = p.expect("measured values go with random plans");
-                    Cell::Number(all[((p * all.len() as f64) as usize).min(all.len() - 1)])
+                    let own = ((p * values.len() as f64) as usize).min(values.len() - 1);
+                    picked[index] = rows[own];
+                    Cell::Number(values[own])
                 }
                 Source::Formula(_) => Cell::Empty,
-                Source::Numbers(all, _) => Cell::Number(all[run as usize]),
-                Source::Texts(all, _) => Cell::Text(all[run as usize].clone()),
+                Source::Numbers(all) => {
+                    picked[index] = run as usize;
+                    Cell::Number(all.values[run as usize])
+                }
+                Source::Texts(all) => {
+                    picked[index] = run as usize;
+                    Cell::Text(all.values[run as usize].clone())
+                }
             });
         }
         for (index, formula, inputs) in &self.formulas {
@@ -219,25 +218,44 @@ impl Draws {
         for (index, (source, value)) in self.sources.iter().zip(&values).enumerate() {
             match source {
                 Source::Choices { choices, .. } => {
-                    let changes: &[Change] = &choices[chosen[index]].changes;
+                    let changes: &[Change] = &choices[picked[index]].changes;
                     settings.extend(changes.iter().map(|change| change.text.clone()));
                 }
-                Source::Law(_, target)
-                | Source::Measured(_, target)
-                | Source::Formula(target)
-                | Source::Numbers(_, target)
-                | Source::Texts(_, target) => {
-                    let text = match value {
-                        Cell::Number(number) => target.value(*number),
-                        Cell::Text(text) => text.clone(),
-                        // A formula without a value: the scenario refuses it, and the row says so.
-                        Cell::Empty => "nan".to_owned(),
-                    };
+                _ => {
+                    let target = source.target().expect("only choices have none");
+                    let text = text_of(target, value);
                     settings.extend(target.keys.iter().map(|key| format!("{key}={text}")));
                 }
             }
         }
-        Drawn { values, settings }
+        Drawn { values, settings, picked }
+    }
+
+    /// The changes of what was drawn, each with its place in the campaign's file or in the file of its values: errors about them point
+    /// there. `run` counts from 0; it is for the words below the place. Slower than [`Drawn::overrides`].
+    ///
+    /// # Errors
+    /// A value that cannot stand in a scenario, such as the empty text of a table.
+    pub fn located(&self, drawn: &Drawn, run: Option<u64>) -> Result<Vec<Override>, ScenarioError> {
+        let mut all = Vec::new();
+        for (index, source) in self.sources.iter().enumerate() {
+            if let Source::Choices { choices, .. } = source {
+                let changes = choices[drawn.picked[index]].changes.iter();
+                all.extend(changes.map(|change| change.set.clone()));
+                continue;
+            }
+            let target = source.target().expect("only choices have none");
+            let text = text_of(target, &drawn.values[index]);
+            for (key, key_origin) in target.keys.iter().zip(&target.origins.keys) {
+                let of_run = run.map_or(String::new(), |run| format!("run {} sets ", run + 1));
+                let note = format!("{of_run}{key}={text}");
+                let origin =
+                    source.origin(drawn.picked[index]).unwrap_or_else(|| key_origin.clone());
+                let value = (text.as_str(), origin.with_note(note));
+                all.push(Override::from_files((key, key_origin.clone()), value)?);
+            }
+        }
+        Ok(all)
     }
 
     /// The choice of a variable in a case of a full factorial, the last variable fastest.
@@ -247,110 +265,14 @@ impl Draws {
     }
 }
 
-fn open(file: &Path) -> Result<Table, CampaignError> {
-    Table::open(file).map_err(CampaignError::from)
-}
-
-/// The numbers of a column, none of them missing.
-fn numbers(table: &Table, file: &Path, column: &str) -> Result<(Vec<f64>, String), CampaignError> {
-    let read = table.numbers(column)?;
-    if let Some(row) = read.values.iter().position(|value| value.is_nan()) {
-        // The heads are line 1 of a text.
-        let why = format!(
-            "column `{column}` has no value in row {}, line {} of a text",
-            row + 1,
-            row + 2
-        );
-        return Err(CampaignError::values(file, why));
+/// The value of a target's keys, as `--set` takes it.
+fn text_of(target: &Target, value: &Cell) -> String {
+    match value {
+        Cell::Number(number) => target.value(*number),
+        Cell::Text(text) => text.clone(),
+        // A formula without a value: the scenario refuses it, and the row says so.
+        Cell::Empty => "nan".to_owned(),
     }
-    if read.values.is_empty() {
-        return Err(CampaignError::values(file, format!("column `{column}` has no rows")));
-    }
-    let unit =
-        table.heads().iter().find(|head| head.name == column).map_or("", |head| head.unit.as_str());
-    Ok((read.values, unit.to_owned()))
-}
-
-/// A target with the unit of the file's head, where the campaign names none.
-///
-/// # Errors
-/// Two units that differ.
-fn with_unit(variable: &Variable, target: &Target, unit: String) -> Result<Target, CampaignError> {
-    match (target.unit.as_str(), unit.as_str()) {
-        ("", _) => Ok(Target { unit, ..target.clone() }),
-        (_, "") => Ok(target.clone()),
-        (own, other) if own == other => Ok(target.clone()),
-        (own, other) => {
-            let why = format!("its `unit` is {own}, but the file's head says {other}");
-            Err(CampaignError::part(format!("variable.{}", variable.name), why))
-        }
-    }
-}
-
-fn source(variable: &Variable, table: Option<&Table>) -> Result<(Source, String), CampaignError> {
-    Ok(match &variable.draw {
-        Draw::Choices(choices) => {
-            let whole: f64 = choices.iter().map(|choice| choice.weight).sum();
-            let mut sum = 0.0;
-            let cumulative = choices
-                .iter()
-                .map(|choice| {
-                    sum += choice.weight;
-                    sum / whole
-                })
-                .collect();
-            let found = variable.numbers();
-            let unit = found.as_ref().map_or(String::new(), |(_, unit)| (*unit).to_owned());
-            let numbers = found.map(|(numbers, _)| numbers);
-            (Source::Choices { choices: choices.clone(), numbers, cumulative }, unit)
-        }
-        Draw::Law(law, target) => (Source::Law(*law, target.clone()), target.unit.clone()),
-        Draw::Measured { file, column, target } => {
-            let (mut values, unit) = numbers(&open(file)?, file, column)?;
-            values.sort_by(f64::total_cmp);
-            let target = with_unit(variable, target, unit)?;
-            if target.unit.is_empty() && !target.is_plain && !target.keys.is_empty() {
-                let why = format!(
-                    "column `{column}` of {} has no unit: write it in its head, as in `{column} [cm/s]`, or give `unit`; \
-                     `unit = \"\"` says that the numbers have none",
-                    file.display()
-                );
-                return Err(CampaignError::part(format!("variable.{}", variable.name), why));
-            }
-            let unit = target.unit.clone();
-            (Source::Measured(values, target), unit)
-        }
-        Draw::Expression { target, .. } => (Source::Formula(target.clone()), target.unit.clone()),
-        Draw::Column { column, target } => {
-            let table = table.expect("columns are of the plan \"table\"");
-            let file = table.path();
-            match numbers(table, file, column) {
-                Ok((values, unit)) => {
-                    let target = with_unit(variable, target, unit)?;
-                    let unit = target.unit.clone();
-                    (Source::Numbers(values, target), unit)
-                }
-                Err(error) => {
-                    // Names, such as those of vessels, or numbers with their units.
-                    let texts = table.texts(column).map_err(|_| error.clone())?;
-                    let texts: Vec<String> = texts.iter().map(str::to_owned).collect();
-                    if texts.iter().any(|text| text.trim().is_empty()) || !target.unit.is_empty() {
-                        return Err(error);
-                    }
-                    (Source::Texts(texts, target.clone()), String::new())
-                }
-            }
-        }
-    })
-}
-
-/// The number of rows of a table's columns.
-fn rows(sources: &[Source]) -> Option<u64> {
-    sources.iter().find_map(|source| match source {
-        Source::Numbers(all, _) => Some(all.len() as u64),
-        Source::Texts(all, _) => Some(all.len() as u64),
-        _ => None,
-    })
 }
 
 /// The formulas, each after those that it uses.
@@ -373,7 +295,7 @@ fn formulas(
                 let near = near.map_or(String::new(), |near| format!("; did you mean `{near}`?"));
                 return Err(refused(format!("there is no variable `{name}`{near}")));
             };
-            if matches!(sources[input], Source::Choices { numbers: None, .. } | Source::Texts(..)) {
+            if matches!(sources[input], Source::Choices { numbers: None, .. } | Source::Texts(_)) {
                 return Err(refused(format!("the values of `{name}` are names, not numbers")));
             }
             inputs.push(input);

@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use fenderline_contact::hash::Fnv1a;
 use fenderline_results::WorldTotals;
 use fenderline_scenario::{
-    Campaign, Draw, LoadError, Override, Plan, Scenario, ScenarioError, read_text,
+    Campaign, Change, Draw, LoadError, Notice, Override, Place, Plan, Scenario, ScenarioError,
+    TargetOrigins, read_text,
 };
 use fenderline_sim::{Simulation, Start};
 
@@ -85,8 +86,7 @@ impl Runs {
         let draws = Draws::new(&campaign)?;
         let changes: Vec<Override> =
             campaign.changes.iter().map(|change| change.set.clone()).collect();
-        let first =
-            draws.of_run(0).overrides().map_err(|why| CampaignError::part("variable", why))?;
+        let first = draws.located(&draws.of_run(0), Some(0)).map_err(LoadError::Refused)?;
         let (source, base, is_common) = Source::load(&campaign.scenario, &changes, &first)?;
         if !base.setup.world.providers.is_empty() {
             let why = "it has a [[provider]], which only `fenderline run` starts";
@@ -172,27 +172,44 @@ impl Runs {
     fn refuse_hopeless(&self) -> Result<(), CampaignError> {
         let mut first = None;
         for run in 0..self.count().min(TRIED) {
-            let drawn = self.draws.of_run(run);
-            let overrides = match drawn.overrides() {
-                Ok(overrides) => overrides,
-                Err(why) => {
-                    first.get_or_insert(CampaignError::part("variable", why));
-                    continue;
-                }
-            };
-            match self.scenario(&overrides) {
-                Ok(scenario) => match Simulation::new(scenario.setup) {
-                    Ok(_) => return Ok(()),
-                    Err(error) => {
-                        first.get_or_insert(CampaignError::part("scenario", error.to_string()));
-                    }
-                },
+            match self.begun(run) {
+                Ok(_) => return Ok(()),
                 Err(error) => {
-                    first.get_or_insert(LoadError::Refused(error).into());
+                    first.get_or_insert(error);
                 }
             }
         }
         first.map_or(Ok(()), |first| Err(CampaignError::Hopeless(Box::new(first))))
+    }
+
+    /// The simulation of a run before its first step, and the notices of its scenario; counted from 0.
+    ///
+    /// # Errors
+    /// The scenario that the run's values make is refused, at its place in the campaign's file, or in the file of the values; or it
+    /// cannot start.
+    pub fn begun(&self, run: u64) -> Result<(Simulation, Vec<Notice>), CampaignError> {
+        let own =
+            self.draws.located(&self.draws.of_run(run), Some(run)).map_err(LoadError::Refused)?;
+        let Scenario { setup, notices, .. } = self.scenario(&own).map_err(LoadError::Refused)?;
+        let simulation = Simulation::new(setup)
+            .map_err(|why| CampaignError::part("scenario", format!("run {}: {why}", run + 1)))?;
+        Ok((simulation, notices))
+    }
+
+    /// Why a scenario was refused, with the file and line of the value where it came from a file of values.
+    fn with_row(&self, drawn: &Drawn, why: String) -> String {
+        let refused = match self.draws.located(drawn, None) {
+            Ok(overrides) => self.scenario(&overrides).err(),
+            Err(error) => Some(error),
+        };
+        match refused.as_ref().map(ScenarioError::place) {
+            Some(Place::File { name, line, .. }) if self.draws.reads(name) => {
+                // Without its folder: a table has the same bytes on every machine.
+                let file = Path::new(name).file_name().unwrap_or_default().to_string_lossy();
+                format!("{why}; {file}, line {line}")
+            }
+            _ => why,
+        }
     }
 
     /// The scenario of a run.
@@ -209,16 +226,31 @@ fn rows_of(campaign: &Campaign) -> Campaign {
     campaign.title = String::new();
     campaign.scenario = PathBuf::new();
     (campaign.design, campaign.success) = (None, None);
+    campaign.changes.iter_mut().for_each(unplaced);
     if let Plan::Table { file } = &mut campaign.plan {
         *file = PathBuf::new();
     }
     for variable in &mut campaign.variables {
         variable.source = None;
-        if let Draw::Measured { file, .. } = &mut variable.draw {
-            *file = PathBuf::new();
+        match &mut variable.draw {
+            Draw::Choices(choices) => {
+                choices.iter_mut().flat_map(|choice| &mut choice.changes).for_each(unplaced);
+            }
+            Draw::Measured { file, target, .. } => {
+                *file = PathBuf::new();
+                target.origins = TargetOrigins::default();
+            }
+            Draw::Law(_, target)
+            | Draw::Expression { target, .. }
+            | Draw::Column { target, .. } => target.origins = TargetOrigins::default(),
         }
     }
     campaign
+}
+
+/// Forgets the line of the campaign's file.
+fn unplaced(change: &mut Change) {
+    change.set = change.set.clone().without_origins();
 }
 
 /// Runs of which one must be able to start.
@@ -300,9 +332,10 @@ impl<'r> Runner<'r> {
 
     /// Puts the simulation of a run before its first step into `own`; the number of the scenario's notices.
     fn begin(&mut self, drawn: &Drawn) -> Result<usize, String> {
-        let overrides = drawn.overrides()?;
-        let base = &self.runs.base;
-        if self.runs.is_common
+        let runs = self.runs;
+        let overrides = drawn.overrides().map_err(|why| runs.with_row(drawn, why))?;
+        let base = &runs.base;
+        if runs.is_common
             && base.setup.restarts_in_place()
             && base.start_with(&overrides, &mut self.start)
         {
@@ -315,7 +348,8 @@ impl<'r> Runner<'r> {
             own.restart(&self.start).map_err(|error| one_line(&error))?;
             return Ok(base.notices.len());
         }
-        let scenario = self.runs.scenario(&overrides).map_err(|error| one_line(&error))?;
+        let scenario =
+            runs.scenario(&overrides).map_err(|error| runs.with_row(drawn, one_line(&error)))?;
         let notices = scenario.notices.len();
         self.is_of_base = false;
         self.own = Some(Simulation::new(scenario.setup).map_err(|error| one_line(&error))?);

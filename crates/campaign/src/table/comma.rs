@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::fs::File;
+use std::io::{BufRead as _, BufReader};
 use std::path::Path;
 
 use fenderline_scenario::open_regular;
@@ -87,6 +88,41 @@ fn each(
             Err(why) => return Err(damaged(path, &why)),
         }
     }
+}
+
+/// A line of a text, and where a cell is in it.
+pub(super) struct Line {
+    /// From 1.
+    pub(super) number: usize,
+    pub(super) text: String,
+    /// Of the cell, from 1, in characters.
+    pub(super) column: usize,
+    /// Of the cell, in characters.
+    pub(super) length: usize,
+}
+
+/// The line of a row, from 0, and the cell of a column in it; `None` where the file cannot be read any more or has no such row.
+pub(super) fn line_of_row(path: &Path, separator: u8, place: usize, row: usize) -> Option<Line> {
+    let mut reader = reader(path, separator).ok()?;
+    let record = reader.byte_records().nth(row)?.ok()?;
+    let after = usize::try_from(record.position()?.line()).ok()?;
+    // The reader counts from before the empty lines that it passes over.
+    let lines = BufReader::new(open(path).ok()?).split(b'\n').enumerate().skip(after - 1);
+    let is_empty = |line: &[u8]| line.iter().all(|byte| *byte == b'\r');
+    let (index, line) = lines
+        .map_while(|(index, line)| Some((index, line.ok()?)))
+        .find(|(_, line)| !is_empty(line))?;
+    let text = text_of(&line).trim_end().to_owned();
+    let cells: Vec<&str> = text.split(char::from(separator)).collect();
+    let (before, length) = match cells.get(place) {
+        // A separator may be in quotes.
+        Some(cell) if !text.contains('"') => {
+            let earlier = cells[..place].iter().map(|cell| cell.chars().count() + 1);
+            (earlier.sum(), cell.chars().count())
+        }
+        _ => (0, text.chars().count()),
+    };
+    Some(Line { number: index + 1, text, column: before + 1, length })
 }
 
 /// The text of a cell. What is not UTF-8 is Latin-1, as older programs write it.

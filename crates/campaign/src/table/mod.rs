@@ -12,6 +12,8 @@ mod texts;
 
 use std::path::{Path, PathBuf};
 
+use fenderline_scenario::Origin;
+
 pub use error::{TableError, TableFault};
 pub use head::Head;
 pub use texts::Texts;
@@ -126,6 +128,24 @@ impl Table {
         match self.form {
             Form::Text { separator } => comma::texts(&self.path, separator, place),
             Form::Parquet => parquet_file::texts(&self.path, place, &self.heads[place].name),
+        }
+    }
+
+    /// Where a row is, from 0, for errors about its value of this column: the line of a text; a Parquet file as a whole, with no line.
+    #[must_use]
+    pub fn origin(&self, column: &str, row: usize) -> Origin {
+        let name = self.path.display().to_string();
+        let found = match (self.form, self.place(column)) {
+            (Form::Text { separator }, Ok(place)) => {
+                comma::line_of_row(&self.path, separator, place, row)
+            }
+            _ => None,
+        };
+        match found {
+            Some(comma::Line { number, text, column, length }) => {
+                Origin::line(&name, number, column, &text, length)
+            }
+            None => Origin::file(&format!("{name}, row {}", row + 1)),
         }
     }
 

@@ -37,23 +37,22 @@ struct BoardInput<'a> {
 }
 
 impl Session {
-    /// The causes of alarms after this tick, for the alarm book.
-    #[must_use]
-    pub fn causes_for_alarm(&self, info: &Info) -> Vec<Alarm> {
-        causes(self.now(), self.cast(), info)
+    /// The causes of alarms after this tick.
+    pub(crate) fn causes_for_alarm(&self) -> Vec<Alarm> {
+        causes(self.now(), self.cast(), self.info())
     }
 
-    /// The frame of this tick. The owner of the session gives `run` with pause, pace and clients, and the alarm book; this
-    /// function fills in the branches.
+    /// The frame of this tick. The owner of the session gives `run` with pause, pace and clients; this function fills in the
+    /// branches.
     #[must_use]
-    pub fn frame(&self, info: &Info, at_ms: u64, run: RunState, book: &AlarmBook) -> Frame {
+    pub fn frame(&self, at_ms: u64, run: RunState) -> Frame {
         let run = RunState {
             branch: self.current_branch(),
             branches: self.branches().iter().enumerate().map(branch_now).collect(),
             last_tick: self.branches()[self.current_branch()].ends_tick,
             ..run
         };
-        frame(self.now(), self.cast(), info, at_ms, run, book)
+        frame(self.now(), self.cast(), self.info(), at_ms, run)
     }
 }
 
@@ -73,21 +72,14 @@ pub(crate) fn causes(now: &Now, cast: &Cast, info: &Info) -> Vec<Alarm> {
 }
 
 /// The frame of a state.
-pub(crate) fn frame(
-    now: &Now,
-    cast: &Cast,
-    info: &Info,
-    at_ms: u64,
-    run: RunState,
-    book: &AlarmBook,
-) -> Frame {
+pub(crate) fn frame(now: &Now, cast: &Cast, info: &Info, at_ms: u64, run: RunState) -> Frame {
     let simulation = &now.simulation;
     let (states, t_s) = (simulation.states(), simulation.time_s());
     let (fenders, contacts) = (now.seen.fenders(simulation), now.seen.contacts());
     let own = cast.own;
     let mut vessels = vessels(now, cast, info);
     if let Some(berth) = &info.berth {
-        let approach = now.approach;
+        let (approach, book) = (now.approach, &now.alarms);
         let of = BoardInput { simulation, contacts, fenders: &fenders, book, approach };
         fill_in_signals(&of, berth, &mut vessels);
     }
@@ -115,7 +107,7 @@ pub(crate) fn frame(
         current: current_now(simulation, t_s, place),
         waves: waves_now(simulation),
         approach_mps: now.approach.at_fenders_mps,
-        alarms: book.messages(),
+        alarms: now.alarms.messages(),
         verdict: verdict(simulation),
     }
 }

@@ -32,7 +32,7 @@ pub use series::{Decimator, Point, Series};
 pub use system::{
     Chain, ConeDrawn, Face, FaceFender, Hull, Level, LevelKind, PanelPlan, Section, Side,
 };
-pub use timeline::{Lane, Timeline};
+pub use timeline::{Fill, Lane, Span, Timeline};
 pub use tornado::{Tornado, Whisker};
 
 /// Colours that the colour-blind can tell apart (Okabe and Ito, 2008), in the order in which

@@ -27,8 +27,54 @@ pub struct Lane {
     pub name: String,
     /// Draws its bars and marks dark.
     pub is_grave: bool,
-    /// Where each begins and ends on the axis; a mark begins and ends at the same place.
-    pub spans: Vec<[f64; 2]>,
+    /// Its bars and marks.
+    pub spans: Vec<Span>,
+}
+
+/// A bar or a mark of a lane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Span {
+    /// Where it begins on the axis.
+    pub from: f64,
+    /// Where it ends; a mark ends where it begins.
+    pub to: f64,
+    /// How a bar is filled.
+    pub fill: Fill,
+}
+
+/// The fill of a bar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fill {
+    /// The lane's colour.
+    Full,
+    /// The lane's colour, faint.
+    Faint,
+    /// None: the outline alone, dashed.
+    Hollow,
+}
+
+impl Span {
+    /// A mark.
+    #[must_use]
+    pub fn mark(at: f64) -> Span {
+        Span { from: at, to: at, fill: Fill::Full }
+    }
+
+    /// The span with its ends divided by a unit.
+    #[must_use]
+    pub fn over(self, unit: f64) -> Span {
+        Span { from: self.from / unit, to: self.to / unit, ..self }
+    }
+
+    fn is_mark(&self) -> bool {
+        self.from >= self.to
+    }
+}
+
+impl Lane {
+    fn ends(&self) -> impl Iterator<Item = f64> {
+        self.spans.iter().flat_map(|span| [span.from, span.to])
+    }
 }
 
 const WIDTH: f64 = 720.0;
@@ -48,7 +94,7 @@ const TICKS: u32 = 8;
 impl Timeline {
     /// The lanes as a `figure`.
     pub fn render(&self) -> Markup {
-        let axis = self.x.fit(self.lanes.iter().flat_map(|lane| lane.spans.concat()), TICKS);
+        let axis = self.x.fit(self.lanes.iter().flat_map(Lane::ends), TICKS);
         let names = self.lanes.iter().map(|lane| lane.name.chars().count().min(NAME)).max();
         let left = 14.0 + LETTER * names.and_then(|n| u32::try_from(n).ok()).map_or(8.0, f64::from);
         let base = TOP + PITCH * self.lanes.len() as f64;
@@ -85,18 +131,32 @@ impl Timeline {
 fn drawn(lane: &Lane, middle: f64, left: f64, px: &dyn Fn(f64) -> f64) -> Markup {
     let fill = if lane.is_grave { "#7a0019" } else { "#e0a030" };
     let (mut marks, half) = (String::new(), 0.5 * BAR);
-    for [at, _] in lane.spans.iter().filter(|[from, to]| from >= to) {
-        let _ = write!(marks, "M{:.1},{:.1}v{BAR}", px(*at), middle - half);
+    for span in lane.spans.iter().filter(|span| span.is_mark()) {
+        let _ = write!(marks, "M{:.1},{:.1}v{BAR}", px(span.from), middle - half);
     }
     html! {
         text class="axis" x=(format!("{:.1}", left - 6.0)) y=(format!("{:.1}", middle + 3.5))
             text-anchor="end" { (shortened(&lane.name, NAME)) }
-        @for [from, to] in lane.spans.iter().filter(|[from, to]| from < to) {
-            rect x=(format!("{:.1}", px(*from))) y=(format!("{:.1}", middle - half)) height=(BAR)
-                width=(format!("{:.1}", fenderline_contact::number::greater(px(*to) - px(*from), LEAST)))
-                fill=(fill) stroke="#1b2430" stroke-width="0.5" {}
+        @for span in lane.spans.iter().filter(|span| !span.is_mark()) {
+            (bar(span, fill, px(span.from), px(span.to), middle - half))
         }
         @if !marks.is_empty() { path d=(marks) fill="none" stroke="#0b3a5b" stroke-width="2" {} }
+    }
+}
+
+fn bar(span: &Span, colour: &str, from_px: f64, to_px: f64, top: f64) -> Markup {
+    let opacity = match span.fill {
+        Fill::Full => "1",
+        Fill::Faint => "0.35",
+        Fill::Hollow => "0",
+    };
+    let (stroke, dashes) =
+        if span.fill == Fill::Hollow { (colour, "3 2") } else { ("#1b2430", "none") };
+    let wide = fenderline_contact::number::greater(to_px - from_px, LEAST);
+    html! {
+        rect x=(format!("{from_px:.1}")) y=(format!("{top:.1}")) height=(BAR) width=(format!("{wide:.1}"))
+            fill=(colour) fill-opacity=(opacity) stroke=(stroke) stroke-dasharray=(dashes)
+            stroke-width="0.7" {}
     }
 }
 
@@ -111,15 +171,22 @@ mod tests {
             title: "<b>".to_owned(),
             x: Axis::new("time", "s").including(0.0).including(100.0).tight(),
             lanes: vec![
-                lane("<pilot>", vec![[5.0, 5.0], [60.0, 60.0]]),
-                lane("speed", vec![[10.0, 90.0]]),
+                lane("<pilot>", vec![Span::mark(5.0), Span::mark(60.0)]),
+                lane(
+                    "speed",
+                    vec![
+                        Span { from: 10.0, to: 50.0, fill: Fill::Full },
+                        Span { from: 50.0, to: 90.0, fill: Fill::Hollow },
+                    ],
+                ),
             ],
             note: String::new(),
         }
         .render()
         .into_string();
         assert!(!svg.contains("<pilot>") && !svg.contains("NaN"), "{svg}");
-        assert_eq!(svg.matches("<rect").count(), 1);
+        assert_eq!(svg.matches("<rect").count(), 2);
         assert_eq!(svg.matches("v11").count(), 2);
+        assert_eq!(svg.matches("fill-opacity=\"0\"").count(), 1);
     }
 }

@@ -1,11 +1,12 @@
 //! The session that a run repeats: who did what and when, and the alarms, on one time axis and as a list.
 
+use fenderline_contact::number::lesser;
 use fenderline_results::{LogKind, LogLine, Outcome, RecordedSession};
 use maud::{Markup, html};
 
 use super::charts::Charts;
 use super::tables::number;
-use crate::plot::{Lane, Timeline, counted, fixed};
+use crate::plot::{Fill, Lane, Span, Timeline, counted, fixed};
 use crate::{Head, table_head};
 
 /// Most lanes of the picture for each kind: more cannot be read.
@@ -42,40 +43,46 @@ pub(super) fn name(session: &RecordedSession) -> String {
 fn sentence(session: &RecordedSession) -> String {
     let count = |kind| session.log.iter().filter(|line| line.kind == kind).count() as u64;
     format!(
-        "{}: {}, {}, {}.",
+        "{}: {}, {}, {}, {}.",
         name(session),
         counted(count(LogKind::Command), "command", "commands"),
         counted(count(LogKind::Alarm), "alarm", "alarms"),
-        counted(count(LogKind::Caution), "caution", "cautions")
+        counted(count(LogKind::Caution), "caution", "cautions"),
+        counted(count(LogKind::Note), "note", "notes")
     )
 }
 
-/// A lane for each person with marks for the commands, then one for each alarm and caution.
+/// A lane for the notes, one for each person with marks for the commands, then one for each alarm and caution with its states.
 fn picture(outcome: &Outcome<'_>, session: &RecordedSession) -> Markup {
     let charts = Charts::new(outcome);
     let (_, unit_s) = charts.unit();
     let end_s = charts.end_s();
+    let mut notes: Vec<Span> = Vec::new();
     let mut people: Vec<Lane> = Vec::new();
     let mut alarms: Vec<(&str, Lane)> = Vec::new();
     for line in &session.log {
-        let span = |until_s: f64| [line.t_s / unit_s, until_s / unit_s];
+        let mark = Span::mark(line.t_s / unit_s);
         match line.kind {
             LogKind::Command => match people.iter_mut().find(|lane| lane.name == line.who) {
-                Some(lane) => lane.spans.push(span(line.t_s)),
-                None => people.push(lane(&line.who, false, span(line.t_s))),
+                Some(lane) => lane.spans.push(mark),
+                None => people.push(lane(&line.who, false, vec![mark])),
             },
             LogKind::Alarm | LogKind::Caution => {
-                let span = span(line.until_s.unwrap_or(end_s));
+                let spans = states(line, end_s).into_iter().map(|span| span.over(unit_s));
                 let is_grave = line.kind == LogKind::Alarm;
                 let same =
                     |(key, lane): &&mut (&str, Lane)| *key == line.key && lane.is_grave == is_grave;
                 match alarms.iter_mut().find(same) {
-                    Some((_, lane)) => lane.spans.push(span),
-                    None => alarms.push((&line.key, lane(&line.text, is_grave, span))),
+                    Some((_, lane)) => lane.spans.extend(spans),
+                    None => alarms.push((&line.key, lane(&line.text, is_grave, spans.collect()))),
                 }
             }
-            LogKind::Event => {}
+            LogKind::Note => notes.push(mark),
+            LogKind::Acknowledgement | LogKind::Event => {}
         }
+    }
+    if !notes.is_empty() {
+        people.insert(0, lane("notes", false, notes));
     }
     let mut alarms: Vec<Lane> = alarms.into_iter().map(|(_, lane)| lane).collect();
     // A stable sort: alarms before cautions, each in the order of time.
@@ -84,7 +91,8 @@ fn picture(outcome: &Outcome<'_>, session: &RecordedSession) -> Markup {
     people.truncate(LANES);
     alarms.truncate(LANES);
     let mut note =
-        "Marks: commands. Dark bars: alarms. Light bars: cautions, from begin to end. The text is that of the first."
+        "Marks: commands and notes. Dark red: alarms; amber: cautions; the text is that of the first. Full bar: active and not \
+         acknowledged. Faint bar: active, acknowledged. Dashed outline: the cause is over, but nobody has acknowledged it."
             .to_owned();
     if left_out > 0 {
         note += &format!(" {left_out} more are in the list only.");
@@ -97,8 +105,23 @@ fn picture(outcome: &Outcome<'_>, session: &RecordedSession) -> Markup {
     Timeline { title, x: charts.time_axis(), lanes, note }.render()
 }
 
-fn lane(name: &str, is_grave: bool, span: [f64; 2]) -> Lane {
-    Lane { name: name.to_owned(), is_grave, spans: vec![span] }
+fn lane(name: &str, is_grave: bool, spans: Vec<Span>) -> Lane {
+    Lane { name: name.to_owned(), is_grave, spans }
+}
+
+/// The states of an alarm as bars (s). A caution is removed when its cause ends; an alarm waits until it is acknowledged.
+fn states(line: &LogLine, end_s: f64) -> Vec<Span> {
+    let over_s = line.until_s.unwrap_or(end_s);
+    let seen_s = line.acknowledged.as_ref().map_or(f64::INFINITY, |(at_s, _)| *at_s);
+    let mut spans = vec![Span { from: line.t_s, to: lesser(seen_s, over_s), fill: Fill::Full }];
+    if seen_s < over_s {
+        spans.push(Span { from: seen_s, to: over_s, fill: Fill::Faint });
+    } else if line.kind == LogKind::Alarm && over_s < end_s {
+        spans.push(Span { from: over_s, to: lesser(seen_s, end_s), fill: Fill::Hollow });
+    }
+    // An alarm that was acknowledged in the tick in which it began has no full bar.
+    spans.retain(|span| span.from < span.to);
+    spans
 }
 
 fn list(log: &[LogLine]) -> Markup {
@@ -111,6 +134,7 @@ fn list(log: &[LogLine]) -> Markup {
                     Head::Name("Who"),
                     Head::Name("What"),
                     Head::Number("Lasted", "s"),
+                    Head::Name("Acknowledged"),
                 ]))
                 tbody {
                     @for line in log.iter().take(LINES) {
@@ -120,6 +144,7 @@ fn list(log: &[LogLine]) -> Markup {
                             td class="name" { (line.who) }
                             td class="name" { (line.text) }
                             (number(&lasted(line)))
+                            td class="name" { (acknowledged(line)) }
                         }
                     }
                 }
@@ -129,16 +154,28 @@ fn list(log: &[LogLine]) -> Markup {
             p class="note" { "and " (log.len() - LINES) " more lines, in summary.json" }
         }
         p class="note" {
-            "A command takes effect at its time. An alarm whose cause comes back within ten seconds is one line."
+            "A command takes effect at its time. An alarm whose cause comes back within ten seconds, before anybody \
+            acknowledged it, is one line."
         }
     }
 }
 
 fn lasted(line: &LogLine) -> String {
     match (line.kind, line.until_s) {
-        (LogKind::Command | LogKind::Event, _) => String::new(),
+        (LogKind::Command | LogKind::Acknowledgement | LogKind::Note | LogKind::Event, _) => {
+            String::new()
+        }
         (_, Some(until_s)) => fixed(until_s - line.t_s, 1),
         (_, None) => "to the end".to_owned(),
+    }
+}
+
+/// When and by whom an alarm was acknowledged.
+fn acknowledged(line: &LogLine) -> String {
+    match (&line.acknowledged, line.kind) {
+        (Some((at_s, who)), _) => format!("{}, {who}", clock(*at_s)),
+        (None, LogKind::Alarm) => "by nobody".to_owned(),
+        (None, _) => String::new(),
     }
 }
 
@@ -152,7 +189,10 @@ fn clock(t_s: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::clock;
+    use fenderline_results::{LogKind, LogLine};
+
+    use super::{clock, states};
+    use crate::plot::Fill;
 
     #[test]
     fn a_time_that_rounds_up_to_a_minute_is_a_minute() {
@@ -160,5 +200,41 @@ mod tests {
         assert_eq!(clock(59.96), "1:00.0");
         assert_eq!(clock(754.3), "12:34.3");
         assert_eq!(clock(7325.0), "122:05.0");
+    }
+
+    #[test]
+    fn an_alarm_has_three_states_on_the_axis() {
+        let alarm = |kind, until_s, seen_s: Option<f64>| LogLine {
+            t_s: 10.0,
+            until_s,
+            kind,
+            who: String::new(),
+            text: "touches".to_owned(),
+            acknowledged: seen_s.map(|at_s| (at_s, "pilot 1".to_owned())),
+            key: "touch".to_owned(),
+        };
+        let bars = |line: &LogLine| -> Vec<(f64, f64, Fill)> {
+            states(line, 100.0).iter().map(|span| (span.from, span.to, span.fill)).collect()
+        };
+        let (grave, light) = (LogKind::Alarm, LogKind::Caution);
+        for (line, expected) in [
+            (alarm(grave, None, None), vec![(10.0, 100.0, Fill::Full)]),
+            (
+                alarm(grave, Some(30.0), Some(20.0)),
+                vec![(10.0, 20.0, Fill::Full), (20.0, 30.0, Fill::Faint)],
+            ),
+            (
+                alarm(grave, Some(30.0), Some(50.0)),
+                vec![(10.0, 30.0, Fill::Full), (30.0, 50.0, Fill::Hollow)],
+            ),
+            (
+                alarm(grave, Some(30.0), None),
+                vec![(10.0, 30.0, Fill::Full), (30.0, 100.0, Fill::Hollow)],
+            ),
+            (alarm(light, Some(30.0), None), vec![(10.0, 30.0, Fill::Full)]),
+            (alarm(grave, Some(30.0), Some(10.0)), vec![(10.0, 30.0, Fill::Faint)]),
+        ] {
+            assert_eq!(bars(&line), expected, "{line:?}");
+        }
     }
 }

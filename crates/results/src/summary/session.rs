@@ -16,13 +16,17 @@ pub(super) fn session_json(session: &RecordedSession) -> Value {
 }
 
 fn line_json(line: &LogLine) -> Value {
-    let LogLine { t_s, until_s, kind, who, text, .. } = line;
+    let LogLine { t_s, until_s, kind, who, text, acknowledged, .. } = line;
     let mut object = json!({ "t_s": t_s, "kind": kind.word(), "text": text });
     if let Some(until_s) = until_s {
         object["until_s"] = json!(until_s);
     }
     if !who.is_empty() {
         object["who"] = json!(who);
+    }
+    if let Some((at_s, by)) = acknowledged {
+        object["acknowledged_s"] = json!(at_s);
+        object["acknowledged_by"] = json!(by);
     }
     object
 }

@@ -12,7 +12,7 @@ pub(crate) use self::keys::CAMPAIGN_FILE;
 use self::law::LawFamily;
 pub use self::plan::{Correlation, Design, Output, Plan, Statistic, Stop};
 use self::variable::changes;
-pub use self::variable::{Change, Choice, Draw, Target, Variable};
+pub use self::variable::{Change, Choice, Draw, Target, TargetOrigins, Variable};
 use crate::checked::Table;
 use crate::error::ScenarioError;
 use crate::load::{LoadError, read_text};

@@ -2,11 +2,15 @@
 
 use std::path::PathBuf;
 
+use toml::Spanned;
+use toml::de::DeValue;
+
 use super::law::{Law, LawFamily};
 use super::{FamilyKind, PlanKind, Read, number};
 use crate::checked::{Item, Table};
+use crate::origin::Origin;
 use crate::overrides::Override;
-use crate::sources::{Sources, quoted};
+use crate::sources::{Sources, Span, quoted};
 
 /// What differs from run to run.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,6 +64,17 @@ pub struct Target {
     pub unit: String,
     /// Whether the file says by an empty unit that the numbers have none.
     pub is_plain: bool,
+    /// Where the campaign's file has keys and law, for errors.
+    pub origins: TargetOrigins,
+}
+
+/// Where the campaign's file has the keys of a variable, and what gives it its values.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct TargetOrigins {
+    /// Of each key.
+    pub keys: Vec<Origin>,
+    /// Of the distribution, the expression or the column; `None` only where the campaign was not read from a file.
+    pub values: Option<Origin>,
 }
 
 impl Target {
@@ -174,12 +189,14 @@ impl Reader<'_, '_> {
             Some("choice") => self.several().map(Draw::Choices),
             Some("distribution") => self.distribution(plan),
             Some(_) => {
-                let text = self.table.given("expression").text().to_owned();
-                Ok(Draw::Expression { text, target: self.target(None)? })
+                let item = self.table.given("expression");
+                let text = item.text().to_owned();
+                Ok(Draw::Expression { text, target: self.target(None, &item.span)? })
             }
             None if plan == PlanKind::Table => {
                 let column = self.table.item("column").map_or(self.name, Item::text).to_owned();
-                Ok(Draw::Column { column, target: self.target(None)? })
+                let span = self.given("column").map_or(&self.table.span, |item| &item.span);
+                Ok(Draw::Column { column, target: self.target(None, span)? })
             }
             None => self.missing(),
         }
@@ -204,22 +221,25 @@ impl Reader<'_, '_> {
         ))
     }
 
-    fn keys(&self) -> Read<Vec<String>> {
+    fn keys(&self) -> Read<Vec<(String, Origin)>> {
         let several = self.table.given("keys");
         match self.table.item("key") {
             Some(_) if !several.texts().is_empty() => {
                 self.refused(several, "does not go together with `key`".to_owned())
             }
-            Some(key) => Ok(vec![key.text().to_owned()]),
-            None => Ok(several.texts().to_vec()),
+            Some(key) => Ok(vec![(key.text().to_owned(), self.sources.origin(&key.span))]),
+            None => {
+                Ok(several.texts().iter().cloned().zip(origins(self.sources, several)).collect())
+            }
         }
     }
 
-    /// Keys and unit; `found` is the unit of the numbers that were read.
-    fn target(&self, found: Option<String>) -> Read<Target> {
-        let keys = self.keys()?;
-        for key in &keys {
-            Override::new(&format!("key {key}"), key, "0")?;
+    /// Keys and unit; `found` is the unit of the numbers that were read, `values` the place of what gives them.
+    fn target(&self, found: Option<String>, values: &Span) -> Read<Target> {
+        let (keys, key_origins): (Vec<String>, Vec<Origin>) = self.keys()?.into_iter().unzip();
+        let values = self.sources.origin(values);
+        for (key, origin) in keys.iter().zip(&key_origins) {
+            Override::from_files((key, origin.clone()), ("0", values.clone()))?;
         }
         let own = self.table.item("unit");
         if let (Some(item), Some(found)) = (own, &found)
@@ -232,7 +252,8 @@ impl Reader<'_, '_> {
         }
         let is_plain = own.is_some_and(|item| item.text().is_empty());
         let unit = own.map(|item| item.text().to_owned()).or(found).unwrap_or_default();
-        Ok(Target { keys, unit, is_plain })
+        let origins = TargetOrigins { keys: key_origins, values: Some(values) };
+        Ok(Target { keys, unit, is_plain, origins })
     }
 
     fn values(&self) -> Read<Vec<Choice>> {
@@ -264,16 +285,17 @@ impl Reader<'_, '_> {
                 item.texts().iter().map(one).collect::<Read<Vec<f64>>>()?
             }
         };
-        let one = |(value, weight): (&String, f64)| {
-            let change = |key: &String| {
+        let one = |((value, origin), weight): ((&String, Origin), f64)| {
+            let change = |(key, key_origin): &(String, Origin)| {
                 let text = format!("{key}={value}");
-                let set = Override::new(&format!("--set {text}"), key, value)?;
+                let set = Override::from_files((key, key_origin.clone()), (value, origin.clone()))?;
                 Ok(Change { text, set })
             };
             let changes = keys.iter().map(change).collect::<Read<Vec<Change>>>()?;
             Ok(Choice { label: value.clone(), changes, weight })
         };
-        let choices = values.texts().iter().zip(weights).map(one).collect::<Read<Vec<Choice>>>()?;
+        let each = values.texts().iter().zip(origins(self.sources, values));
+        let choices = each.zip(weights).map(one).collect::<Read<Vec<Choice>>>()?;
         self.checked(choices, values)
     }
 
@@ -333,7 +355,7 @@ impl Reader<'_, '_> {
                 Ok(Draw::Measured {
                     file: PathBuf::from(file.text()),
                     column,
-                    target: self.target(None)?,
+                    target: self.target(None, &file.span)?,
                 })
             }
             FamilyKind::Law(family) => {
@@ -344,7 +366,7 @@ impl Reader<'_, '_> {
                 let mut numbers = Numbers { reader: self, unit: None };
                 let law = numbers.law(item, family)?;
                 let unit = numbers.unit;
-                Ok(Draw::Law(law, self.target(unit)?))
+                Ok(Draw::Law(law, self.target(unit, &item.span)?))
             }
         }
     }
@@ -493,13 +515,36 @@ impl Numbers<'_, '_, '_> {
 
 /// The changes of a list of KEY=VALUE.
 pub(super) fn changes(sources: &Sources<'_>, path: &str, item: &Item) -> Read<Vec<Change>> {
-    let one = |text: &String| {
-        let read = Override::parse(text).map(|set| Change { text: text.clone(), set });
+    let one = |(text, origin): (&String, Origin)| {
+        let read = match text.split_once('=') {
+            Some((key, value)) => {
+                Override::from_files((key, origin.clone()), (value, origin.clone()))
+            }
+            None => Override::parse(text),
+        };
+        let read = read.map(|set| Change { text: text.clone(), set });
         read.map_err(|error| {
             let message = format!("`{path}`: {}: {}", quoted(text), error.message());
             let help = "write KEY=VALUE, as in \"time.step=0.5 s\"";
-            sources.error(&item.span, path, message).with_help(help)
+            sources.error(&item.span, path, message).with_help(help).at_origin(&origin)
         })
     };
-    item.texts().iter().map(one).collect()
+    item.texts().iter().zip(origins(sources, item)).map(one).collect()
+}
+
+/// Where each text of a list is.
+fn origins(sources: &Sources<'_>, item: &Item) -> Vec<Origin> {
+    let whole = || vec![sources.origin(&item.span); item.texts().len()];
+    if item.is_default {
+        return whole();
+    }
+    match DeValue::parse(&sources.text[item.span.clone()]).map(Spanned::into_inner) {
+        Ok(DeValue::Array(nodes)) => {
+            let start = item.span.start;
+            let one = |span: Span| sources.origin(&(start + span.start..start + span.end));
+            nodes.iter().map(|node| one(node.span())).collect()
+        }
+        // The reader took it for a list.
+        _ => whole(),
+    }
 }

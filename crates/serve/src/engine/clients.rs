@@ -101,16 +101,16 @@ impl Engine {
             title: self.session.title(),
             file: &self.session.source().file,
             step_s: self.session.simulation().setup().step_s,
-            bodies: &self.info.bodies,
-            vessels: &self.info.vessels,
-            fenders: &self.info.fenders,
-            lines: &self.info.lines,
-            bollards: &self.info.bollards,
-            tugs: &self.info.tugs,
-            orders: &self.info.orders,
-            telegraph: &self.info.telegraph,
+            bodies: &self.session.info().bodies,
+            vessels: &self.session.info().vessels,
+            fenders: &self.session.info().fenders,
+            lines: &self.session.info().lines,
+            bollards: &self.session.info().bollards,
+            tugs: &self.session.info().tugs,
+            orders: &self.session.info().orders,
+            telegraph: &self.session.info().telegraph,
             limits: COMMAND_LIMITS,
-            places: &self.info.places,
+            places: &self.session.info().places,
             mine: controls
                 .iter()
                 .filter(|control| is_mine(control))
@@ -119,8 +119,8 @@ impl Engine {
                 .collect(),
             claims: &claims,
             gallery: self.gallery.entries(),
-            berth: self.info.berth.map(|berth| berth.info()),
-            depth_m: self.info.depth_m,
+            berth: self.session.info().berth.map(|berth| berth.info()),
+            depth_m: self.session.info().depth_m,
             links: links.as_deref(),
         };
         of.hello.send_replace(Some(message::text(&hello).into()));

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use fenderline_live::message::{Reply, Role};
-use fenderline_live::{Action, COMMAND_LIMITS, Conduct, Control, Refusal, Request};
+use fenderline_live::{Action, COMMAND_LIMITS, Conduct, Control, OtherAction, Refusal, Request};
 
 use super::Engine;
 use crate::claims::ClientId;
@@ -59,6 +59,7 @@ impl Engine {
         if let Needs::Helm(control) | Needs::NobodyAt(control) = &needs {
             self.claims.may_use(control, client)?;
         }
+        let event = self.event_of(label, role, &action)?;
         let tick = self.session.command(label, super::unix_ms(), action)?;
         if let Needs::Helm(control) = needs
             && !self.claims.holds(&control, client)
@@ -66,12 +67,38 @@ impl Engine {
             self.claims.take(control, (client, label), false)?;
             self.greet_all();
         }
+        if let Some(text) = event {
+            self.events.add(self.session.simulation().time_s(), text);
+        }
         self.record();
         // While paused, the frame and a new prediction show the effect of the order.
         if self.paused {
             self.predictor.reset();
         }
         Ok(Done::AtTick { tick, shows: self.paused })
+    }
+
+    /// The event that pages show for an acknowledgement and a note.
+    ///
+    /// # Errors
+    /// The role may not acknowledge this alarm.
+    fn event_of(
+        &self,
+        label: &str,
+        role: &Role,
+        action: &Action,
+    ) -> Result<Option<String>, Refusal> {
+        Ok(match action {
+            Action::Other(OtherAction::Acknowledge { key }) => {
+                let text = self.session.alarms().may_acknowledge(key, role)?;
+                Some(format!("{label} acknowledges: {text}"))
+            }
+            Action::Other(OtherAction::Note { text }) if text.is_empty() => {
+                Some(format!("{label} marks this moment"))
+            }
+            Action::Other(OtherAction::Note { text }) => Some(format!("{label} notes: {text}")),
+            Action::Order(_) | Action::Other(_) => None,
+        })
     }
 
     /// Carries out a command about the session itself: pause, rewind, load, save, claims.
@@ -137,10 +164,9 @@ impl Engine {
                     return Err(Refusal::new("nothing is being opened"));
                 }
             }
-            Conduct::Acknowledge { key } => {
-                let text = self.alarms.acknowledge(&key, role)?;
-                let t_s = self.session.simulation().time_s();
-                self.events.add(t_s, format!("{label} acknowledges: {text}"));
+            Conduct::Report {} => {
+                self.report(requester)?;
+                return Ok(Done::AnswerFollows);
             }
             Conduct::Save { name } => {
                 self.save(requester, &name)?;
@@ -155,7 +181,6 @@ impl Engine {
     fn paused_elsewhere(&mut self) {
         self.paused = true;
         self.predictor.reset();
-        self.restart_alarms();
     }
 
     fn claim(

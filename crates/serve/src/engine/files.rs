@@ -1,17 +1,17 @@
-//! Loading and saving sessions. Both take a while and run on a thread of their own; this thread begins them and takes
+//! Loading and saving sessions, and their reports. All take a while and run on a thread of their own; this thread begins them and takes
 //! their result.
 
 use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, PoisonError};
 use std::time::Instant;
 
+use fenderline_live::Refusal;
 use fenderline_live::message::{GalleryEntry, Reply};
-use fenderline_live::{Info, Refusal};
 
 use super::Engine;
 use crate::gallery::Opened;
 use crate::hub::ToEngine;
-use crate::opening::{Outcome, Requester, Work};
+use crate::opening::{Outcome, Requester, Task, Work};
 use crate::recorder::Recorder;
 use crate::saved::ENDING;
 
@@ -40,6 +40,23 @@ impl Engine {
         Ok(())
     }
 
+    /// Begins to make the report of the session up to now.
+    pub(super) fn report(&mut self, requester: Requester) -> Result<(), Refusal> {
+        self.check_no_work()?;
+        if self.session.branches()[self.session.current_branch()].ends_tick == 0 {
+            return Err(Refusal::new("nothing is recorded yet: the session has no steps"));
+        }
+        self.session.mark();
+        self.record();
+        if self.recording_failed {
+            return Err(Refusal::new("the session is no longer recorded"));
+        }
+        let recording = self.recorder.so_far(self.session.end_line());
+        let work = Work::report(self.send_outcome(), requester, recording, self.make_report);
+        self.work = Some(work.map_err(Refusal::new)?);
+        Ok(())
+    }
+
     /// Sends the outcome of work on another thread to this one.
     fn send_outcome(&self) -> impl FnOnce(Outcome) + Send + 'static {
         let hub = Arc::clone(&self.hub);
@@ -51,9 +68,10 @@ impl Engine {
     fn check_no_work(&self) -> Result<(), Refusal> {
         match &self.work {
             None => Ok(()),
-            Some(work) => Err(Refusal::new(match work.now() {
-                Some(opening) => format!("{} is still being opened", opening.file),
-                None => "the session is still being saved".to_owned(),
+            Some(work) => Err(Refusal::new(match &work.task {
+                Task::Open(file) => format!("{file} is still being opened"),
+                Task::Save => "the session is still being saved".to_owned(),
+                Task::Report => "a report is still being made".to_owned(),
             })),
         }
     }
@@ -65,7 +83,7 @@ impl Engine {
             Outcome::Opened(opened) => match *opened {
                 Ok((_, recorder)) if work.is_stopped() => {
                     recorder.discard();
-                    Err(format!("{}: stopped", work.file.as_deref().unwrap_or_default()))
+                    Err(format!("{}: stopped", work.file().unwrap_or_default()))
                 }
                 Ok((opened, recorder)) => self.take_over(&work.requester, opened, recorder),
                 Err(why) => Err(why),
@@ -73,18 +91,30 @@ impl Engine {
             Outcome::Saved(saved) => {
                 saved.map(|(path, entry)| self.saved(&work.requester, &path, entry))
             }
+            Outcome::Reported(report) => {
+                report.map(|report| self.reported(&work.requester, report))
+            }
             Outcome::Panicked => {
                 Err("a bug in this program: see the server's standard error".to_owned())
             }
         };
         if let Err(reason) = done {
+            let is_opening = work.file().is_some();
             let Requester { client, label, id } = work.requester;
             self.hub.log.refused(&format!("refused {label}: {reason}"));
             // The start of an opening was acknowledged: its number is used up.
-            let id = id.filter(|_| work.file.is_none());
+            let id = id.filter(|_| !is_opening);
             self.reply(client, &Reply::Refused { id, reason });
         }
         self.publish_frame();
+    }
+
+    /// Keeps a report for the page that asked for it.
+    fn reported(&self, requester: &Requester, report: String) {
+        *self.hub.report.write().unwrap_or_else(PoisonError::into_inner) = Some(report.into());
+        if let Some(id) = requester.id {
+            self.reply(requester.client, &Reply::Ack { id, tick: self.session.tick() });
+        }
     }
 
     /// Adds a saved session to the gallery.
@@ -112,9 +142,7 @@ impl Engine {
         self.session = opened.session;
         self.recorder = recorder;
         self.recording_failed = false;
-        self.info = Info::of(self.session.simulation().setup(), self.session.cast());
         self.claims.clear();
-        self.restart_alarms();
         self.make_tokens().map_err(|e| e.to_string())?;
         self.events.clear();
         self.predictor.reset();

@@ -1,0 +1,37 @@
+//! The report of a session that is running, for the live server.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use fenderline_report::run_page;
+
+use crate::failure::Failure;
+use crate::interrupt::Interrupt;
+use crate::played::Start;
+use crate::session::Recorded;
+
+/// The page that `fenderline report` makes of a recording: from the name of its file and its bytes. Prints nothing.
+///
+/// # Errors
+/// Why there is no report, for the page: a recording that cannot be replayed; `stop` was set.
+pub(crate) fn debrief(
+    name: &str,
+    recording: &[u8],
+    stop: &Arc<AtomicBool>,
+) -> Result<String, String> {
+    let stopped = || "the report was stopped".to_owned();
+    let made = || -> Result<Option<String>, Failure> {
+        let replayed = fenderline_serve::replay_bytes(recording, || stop.load(Ordering::Relaxed))?;
+        let start = Start::of_session(Recorded::of(replayed, name, None, &[])?)?;
+        let played = start.play_quietly(&Interrupt::asked_by(stop))?;
+        let is_whole = played.interrupted.is_none();
+        Ok(is_whole.then(|| run_page::render(&played.outcome(), &played.recorder)))
+    };
+    match made() {
+        Ok(page) => page.ok_or_else(stopped),
+        Err(failure) => {
+            let text = failure.message().unwrap_or("the report was stopped");
+            Err(text.strip_prefix("error: ").unwrap_or(text).to_owned())
+        }
+    }
+}

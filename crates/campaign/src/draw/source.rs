@@ -1,0 +1,193 @@
+//! Where the values of variables come from: choices, laws, formulas, and files, which are read here.
+
+use std::path::{Path, PathBuf};
+
+use fenderline_scenario::{Choice, Draw, Law, Origin, Target, Variable};
+
+use crate::error::CampaignError;
+use crate::table::Table;
+
+/// Where a variable's value comes from.
+pub(super) enum Source {
+    Choices {
+        choices: Vec<Choice>,
+        /// Their numbers; `None` for names.
+        numbers: Option<Vec<f64>>,
+        /// Sums of the weights up to each choice, over the whole.
+        cumulative: Vec<f64>,
+    },
+    Law(Law, Target),
+    /// Measured values.
+    Measured(Measured),
+    Formula(Target),
+    Numbers(Column<f64>),
+    Texts(Column<String>),
+}
+
+/// The values of a column of a file.
+pub(super) struct Measured {
+    /// The values, rising.
+    pub(super) values: Vec<f64>,
+    /// The row of each in the file, from 0.
+    pub(super) rows: Vec<usize>,
+    file: PathBuf,
+    column: String,
+    pub(super) target: Target,
+}
+
+/// A column of the campaign's table, a value a run.
+pub(super) struct Column<T> {
+    pub(super) values: Vec<T>,
+    file: PathBuf,
+    name: String,
+    pub(super) target: Target,
+}
+
+impl Source {
+    /// Where the values go; `None` for choices, which have their own changes.
+    pub(super) fn target(&self) -> Option<&Target> {
+        match self {
+            Source::Choices { .. } => None,
+            Source::Law(_, target) | Source::Formula(target) => Some(target),
+            Source::Measured(own) => Some(&own.target),
+            Source::Numbers(own) => Some(&own.target),
+            Source::Texts(own) => Some(&own.target),
+        }
+    }
+
+    /// The file of the values.
+    pub(super) fn file(&self) -> Option<&Path> {
+        match self {
+            Source::Measured(own) => Some(&own.file),
+            Source::Numbers(own) => Some(&own.file),
+            Source::Texts(own) => Some(&own.file),
+            Source::Choices { .. } | Source::Law(..) | Source::Formula(_) => None,
+        }
+    }
+
+    /// Where the value of a row of its file is, from 0; for a law or formula the line of the campaign's file.
+    pub(super) fn origin(&self, row: usize) -> Option<Origin> {
+        let column = match self {
+            Source::Measured(own) => own.column.as_str(),
+            Source::Numbers(own) => own.name.as_str(),
+            Source::Texts(own) => own.name.as_str(),
+            Source::Choices { .. } | Source::Law(..) | Source::Formula(_) => "",
+        };
+        let found = self.file().and_then(|file| Some(Table::open(file).ok()?.origin(column, row)));
+        found.or_else(|| self.target()?.origins.values.clone())
+    }
+}
+
+pub(super) fn open(file: &Path) -> Result<Table, CampaignError> {
+    Table::open(file).map_err(CampaignError::from)
+}
+
+/// The numbers of a column, none of them missing.
+fn numbers(table: &Table, file: &Path, column: &str) -> Result<(Vec<f64>, String), CampaignError> {
+    let read = table.numbers(column)?;
+    if let Some(row) = read.values.iter().position(|value| value.is_nan()) {
+        // The heads are line 1 of a text.
+        let why = format!(
+            "column `{column}` has no value in row {}, line {} of a text",
+            row + 1,
+            row + 2
+        );
+        return Err(CampaignError::values(file, why));
+    }
+    if read.values.is_empty() {
+        return Err(CampaignError::values(file, format!("column `{column}` has no rows")));
+    }
+    let unit =
+        table.heads().iter().find(|head| head.name == column).map_or("", |head| head.unit.as_str());
+    Ok((read.values, unit.to_owned()))
+}
+
+/// A target with the unit of the file's head, where the campaign names none.
+///
+/// # Errors
+/// Two units that differ.
+fn with_unit(variable: &Variable, target: &Target, unit: String) -> Result<Target, CampaignError> {
+    match (target.unit.as_str(), unit.as_str()) {
+        ("", _) => Ok(Target { unit, ..target.clone() }),
+        (_, "") => Ok(target.clone()),
+        (own, other) if own == other => Ok(target.clone()),
+        (own, other) => {
+            let why = format!("its `unit` is {own}, but the file's head says {other}");
+            Err(CampaignError::part(format!("variable.{}", variable.name), why))
+        }
+    }
+}
+
+/// Where a variable's value comes from, with the files read; and its unit.
+pub(super) fn source(
+    variable: &Variable,
+    table: Option<&Table>,
+) -> Result<(Source, String), CampaignError> {
+    Ok(match &variable.draw {
+        Draw::Choices(choices) => {
+            let whole: f64 = choices.iter().map(|choice| choice.weight).sum();
+            let mut sum = 0.0;
+            let cumulative = choices
+                .iter()
+                .map(|choice| {
+                    sum += choice.weight;
+                    sum / whole
+                })
+                .collect();
+            let found = variable.numbers();
+            let unit = found.as_ref().map_or(String::new(), |(_, unit)| (*unit).to_owned());
+            let numbers = found.map(|(numbers, _)| numbers);
+            (Source::Choices { choices: choices.clone(), numbers, cumulative }, unit)
+        }
+        Draw::Law(law, target) => (Source::Law(*law, target.clone()), target.unit.clone()),
+        Draw::Measured { file, column, target } => {
+            let (read, unit) = numbers(&open(file)?, file, column)?;
+            let mut rows: Vec<usize> = (0..read.len()).collect();
+            rows.sort_by(|a, b| read[*a].total_cmp(&read[*b]));
+            let values = rows.iter().map(|row| read[*row]).collect();
+            let target = with_unit(variable, target, unit)?;
+            if target.unit.is_empty() && !target.is_plain && !target.keys.is_empty() {
+                let why = format!(
+                    "column `{column}` of {} has no unit: write it in its head, as in `{column} [cm/s]`, or give `unit`; \
+                     `unit = \"\"` says that the numbers have none",
+                    file.display()
+                );
+                return Err(CampaignError::part(format!("variable.{}", variable.name), why));
+            }
+            let unit = target.unit.clone();
+            let (file, column) = (file.clone(), column.clone());
+            (Source::Measured(Measured { values, rows, file, column, target }), unit)
+        }
+        Draw::Expression { target, .. } => (Source::Formula(target.clone()), target.unit.clone()),
+        Draw::Column { column, target } => {
+            let table = table.expect("columns are of the plan \"table\"");
+            let (file, name) = (table.path().to_owned(), column.clone());
+            match numbers(table, &file, column) {
+                Ok((values, unit)) => {
+                    let target = with_unit(variable, target, unit)?;
+                    let unit = target.unit.clone();
+                    (Source::Numbers(Column { values, file, name, target }), unit)
+                }
+                Err(error) => {
+                    // Names, such as those of vessels, or numbers with their units.
+                    let texts = table.texts(column).map_err(|_| error.clone())?;
+                    let values: Vec<String> = texts.iter().map(str::to_owned).collect();
+                    if values.iter().any(|text| text.trim().is_empty()) || !target.unit.is_empty() {
+                        return Err(error);
+                    }
+                    let target = target.clone();
+                    (Source::Texts(Column { values, file, name, target }), String::new())
+                }
+            }
+        }
+    })
+}
+
+/// The number of rows of a table's columns.
+pub(super) fn rows(sources: &[Source]) -> Option<u64> {
+    sources.iter().find_map(|source| match source {
+        Source::Numbers(all) => Some(all.values.len() as u64),
+        Source::Texts(all) => Some(all.values.len() as u64),
+        _ => None,
+    })
+}
