@@ -112,7 +112,9 @@ class Row {
       return on ? length(minus(onEarth(on, at_m), from)) : Infinity;
     };
     const others = this.hello.bollards.filter(({ body }) => body !== this.info.ship);
-    const near = others.map((bollard) => ({ bollard, m: far(bollard) })).sort((a, b) => a.m - b.m);
+    const near = others
+      .map((bollard) => ({ bollard, m: far(bollard) }))
+      .toSorted((a, b) => a.m - b.m);
     const chosen = this.bollards.value;
     this.bollards.replaceChildren(
       ...near.map(({ bollard, m }) =>
