@@ -1,6 +1,7 @@
 //! `fenderline campaign`: many runs of one scenario, their table and their figure or report.
 
 mod axis;
+mod check;
 mod gathered;
 mod merge;
 mod page;
@@ -16,6 +17,7 @@ use fenderline_campaign::store::{Opened, Shard, Store, is_finished};
 use fenderline_campaign::{CampaignError, Row, Runs, StopRule, make};
 use fenderline_scenario::{Campaign, Plan};
 
+pub(crate) use self::check::check;
 pub(crate) use self::gathered::CaseTable;
 use self::gathered::Gathered;
 use self::page::Layout;

@@ -1,19 +1,21 @@
 //! `fenderline check` and `fenderline schema`.
 
 use fenderline_report::plot::counted;
-use fenderline_scenario::{LoadError, Notice, Place, ScenarioError, printable_number};
+use fenderline_scenario::{Campaign, LoadError, printable_number};
 use fenderline_sim::Simulation;
 use serde_json::{Value, json};
 
+use crate::campaign;
 use crate::cli::{CheckArgs, SchemaOf};
 use crate::failure::Failure;
 use crate::load::Source;
+use crate::mistake::{notice_json, refuse_notices, refused_json};
 use crate::played::error;
 use crate::terminal::{notice, say, say_json};
 use crate::vessels::estimates;
 
-/// Checks a scenario as `run` does, and writes nothing. With `--json` a mistake of the scenario is printed as JSON, and as
-/// text to standard error.
+/// Checks a scenario as `run` does, or a campaign as `campaign` does, and writes nothing. With `--json` a mistake is printed as
+/// JSON, and as text to standard error.
 ///
 /// # Errors
 /// Bad input.
@@ -23,12 +25,18 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
         true => say_json(&format!("{:#}\n", refused_json(error))),
         false => Ok(()),
     };
-    let loaded = Source::read(&args.scenario).and_then(|source| {
-        let scenario = source.scenario(&overrides)?;
-        Ok((source, scenario))
-    });
-    let (source, scenario) = match loaded {
-        Ok(loaded) => loaded,
+    let source = match Source::read(&args.scenario) {
+        Ok(source) => source,
+        Err(error) => {
+            refused(&error)?;
+            return Err(Failure::input(error));
+        }
+    };
+    if Campaign::is_one(&source.text) {
+        return campaign::check(args);
+    }
+    let scenario = match source.scenario(&overrides) {
+        Ok(scenario) => scenario,
         Err(error) => {
             refused(&error)?;
             return Err(Failure::input(error));
@@ -90,53 +98,6 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
         say(&estimates(&setup.bodies[vessel.body].name, &vessel.origin))?;
     }
     Ok(())
-}
-
-/// What `--strict` makes of notices.
-///
-/// # Errors
-/// There are any.
-pub(crate) fn refuse_notices(count: usize) -> Result<(), Failure> {
-    match count {
-        0 => Ok(()),
-        _ => {
-            let count = counted(count as u64, "notice", "notices");
-            Err(Failure::input(format_args!("error: {count}, which --strict does not permit")))
-        }
-    }
-}
-
-fn refused_json(error: &LoadError) -> Value {
-    let error = match error {
-        LoadError::Unreadable(why) => json!({ "message": format!("cannot read {why}") }),
-        LoadError::Refused(error) => error_json(error),
-    };
-    json!({ "good": false, "error": error })
-}
-
-fn error_json(error: &ScenarioError) -> Value {
-    let mut json = json!({ "message": error.message(), "key": error.key(), "help": error.help() });
-    add_place(&mut json, error.place());
-    json
-}
-
-fn notice_json(notice: &Notice) -> Value {
-    let mut json = json!({ "message": notice.message, "key": notice.key });
-    add_place(&mut json, &notice.place);
-    json
-}
-
-/// Adds file, line and column, or the option of the command line.
-fn add_place(json: &mut Value, place: &Place) {
-    match place {
-        Place::File { name, line, column } => {
-            json["file"] = json!(name);
-            json["line"] = json!(line);
-            json["column"] = json!(column);
-        }
-        Place::WholeFile { name } => json["file"] = json!(name),
-        Place::Option { text } => json["option"] = json!(text),
-    }
 }
 
 /// Prints the JSON Schema of a kind of file.

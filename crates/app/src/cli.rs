@@ -775,10 +775,10 @@ fn positive(text: &str) -> Result<f64, String> {
 
 #[derive(Debug, Args)]
 pub(crate) struct CheckArgs {
-    /// Scenario file; `-` reads it from standard input
-    #[arg(value_name = "SCENARIO.toml")]
+    /// Scenario or campaign file; `-` reads a scenario from standard input
+    #[arg(value_name = "FILE.toml")]
     pub(crate) scenario: PathBuf,
-    /// Exit code 2 where there are notices, such as that of a ship that starts inside a fender
+    /// Exit code 2 where there are notices, such as that of a ship that starts inside a fender, or of a campaign's case that cannot start
     #[arg(long)]
     pub(crate) strict: bool,
     /// Print the mistake or the notices as JSON, each with file, line, column and key

@@ -20,6 +20,7 @@ mod interrupt;
 mod load;
 mod man;
 mod manoeuvre;
+mod mistake;
 mod output;
 mod played;
 mod progress;

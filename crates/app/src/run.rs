@@ -12,11 +12,11 @@ use fenderline_report::run_page;
 use fenderline_results::{WrittenFile, integrator_text, method_text, summary};
 use fenderline_sim::OutputPlan;
 
-use crate::check::refuse_notices;
 use crate::cli::RunArgs;
 use crate::documents::Documents;
 use crate::failure::Failure;
 use crate::load::stem;
+use crate::mistake::refuse_notices;
 use crate::output::{Folder, LOG, OutputError, SUMMARY, Tables, publish, write_log};
 use crate::played::{Played, Start};
 use crate::terminal::{say, say_json};

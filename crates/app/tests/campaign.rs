@@ -494,11 +494,19 @@ column = "where"
 
 #[test]
 fn a_run_with_too_many_steps_is_a_row_with_its_reason() {
-    let few = RANDOM.replace("seed = 7", "seed = 7\nmost_steps = 100");
+    let few = RANDOM
+        .replace("seed = 7", "seed = 7\nmost_steps = 20000")
+        .replace("mass=45000 t\"", "mass=45000 t\", \"time.duration=10 h\"");
     let place = place("campaign_steps", &few);
     let run = place.run(&["campaign", "study.toml"]);
     assert_eq!(run.code, 1, "{}", run.stdout);
-    contains_all(&run.stderr, &["60 cases did not run", "more than `most_steps` 100"]);
+    contains_all(&run.stderr, &["cases did not run", "more than `most_steps` 20000"]);
+    // None of them: no run is begun.
+    let none = RANDOM.replace("seed = 7", "seed = 7\nmost_steps = 100");
+    place.write("none.toml", none.as_bytes());
+    let run = place.run(&["campaign", "none.toml"]);
+    assert_eq!(run.code, 2, "{}", run.stdout);
+    contains_all(&run.stderr, &["more than `most_steps` 100", "no case of the campaign"]);
 }
 
 /// The worked campaigns of the repository, with few runs: each makes its table and its report.

@@ -93,7 +93,7 @@ pub(super) fn write(runs: &Runs, file: &Path, folder: &Path) -> Result<(), Failu
 }
 
 /// The plan in words, with the seed where it draws.
-fn plan(campaign: &Campaign) -> String {
+pub(super) fn plan(campaign: &Campaign) -> String {
     match campaign.plan {
         Plan::FullFactorial | Plan::Table { .. } => campaign.plan.word().to_owned(),
         _ => format!("{}, seed {}", campaign.plan.word(), campaign.seed),
@@ -139,7 +139,7 @@ fn names_of(expression: &str) -> Vec<String> {
 }
 
 /// A variable with its law in words.
-fn input(variable: &Variable) -> Input {
+pub(super) fn input(variable: &Variable) -> Input {
     let with_unit = |text: String, unit: &str| match unit {
         "" => text,
         unit => format!("{text} (in {unit})"),

@@ -186,14 +186,25 @@ impl Runs {
     ///
     /// # Errors
     /// The scenario that the run's values make is refused, at its place in the campaign's file, or in the file of the values; or it
-    /// cannot start.
+    /// cannot start, or has more than `most_steps` time steps.
     pub fn begun(&self, run: u64) -> Result<(Simulation, Vec<Notice>), CampaignError> {
         let own =
             self.draws.located(&self.draws.of_run(run), Some(run)).map_err(LoadError::Refused)?;
         let Scenario { setup, notices, .. } = self.scenario(&own).map_err(LoadError::Refused)?;
-        let simulation = Simulation::new(setup)
-            .map_err(|why| CampaignError::part("scenario", format!("run {}: {why}", run + 1)))?;
+        let refused =
+            |why: String| CampaignError::part("scenario", format!("run {}: {why}", run + 1));
+        let simulation = Simulation::new(setup).map_err(|why| refused(why.to_string()))?;
+        self.check_steps(&simulation).map_err(refused)?;
         Ok((simulation, notices))
+    }
+
+    /// Refuses a run that would never end.
+    fn check_steps(&self, simulation: &Simulation) -> Result<(), String> {
+        let (steps, most) = (simulation.steps_total(), self.campaign.most_steps);
+        match steps > most {
+            true => Err(format!("the run has {steps} time steps, more than `most_steps` {most}")),
+            false => Ok(()),
+        }
     }
 
     /// Why a scenario was refused, with the file and line of the value where it came from a file of values.
@@ -288,13 +299,8 @@ impl<'r> Runner<'r> {
             Err(why) => return failed(drawn.values, why),
         };
         let simulation = self.own.as_mut().expect("a run has begun");
-        let steps = simulation.steps_total();
-        if steps > self.runs.campaign.most_steps {
-            let most = self.runs.campaign.most_steps;
-            return failed(
-                drawn.values,
-                format!("the run has {steps} time steps, more than `most_steps` {most}"),
-            );
+        if let Err(why) = self.runs.check_steps(simulation) {
+            return failed(drawn.values, why);
         }
         let mut world = WorldTotals::new(simulation.setup());
         let states = simulation.states();

@@ -130,6 +130,13 @@ impl Campaign {
         Ok(campaign)
     }
 
+    /// Whether a text is that of a campaign rather than of a scenario, by its keys; not for a text that is not TOML.
+    #[must_use]
+    pub fn is_one(text: &str) -> bool {
+        let document = syntax::parse(&Sources::new("", text, &[]));
+        document.is_ok_and(|keys| keys.contains_key("scenario") || keys.contains_key("variable"))
+    }
+
     /// Reads the text of a campaign's file; `name` is for messages.
     ///
     /// # Errors
