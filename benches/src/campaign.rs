@@ -1,14 +1,14 @@
-//! A campaign on one core: berthings of a ship at eight fenders, 60 s at 0.1 s. Processor time of a run in a campaign, with its draw and its
-//! row, beside that of the bare steps.
+//! A campaign: berthings of a ship at eight fenders, 60 s at 0.1 s. Time of a run in a campaign, with its draw and its row, beside that of the
+//! bare steps; and on two threads beside one.
 
 use std::hint::black_box;
 use std::path::PathBuf;
 
-use fenderline_campaign::{Runner, Runs};
+use fenderline_campaign::{Runner, Runs, make};
 use fenderline_scenario::Campaign;
 use fenderline_sim::Simulation;
 
-use crate::rounds::{Contender, least, nanoseconds_a_call};
+use crate::rounds::{Contender, least, median_ratio, nanoseconds_a_call};
 use crate::table::Table;
 
 const SCENARIO: &str = include_str!("../../scenarios/berth/eight_cones_at_5_deg.toml");
@@ -34,6 +34,12 @@ at_most = "4 deg"
 
 /// Runs in a round: few, so that some rounds are not interrupted on a machine with other work.
 const RUNS: u64 = 40;
+
+/// Runs in a round on threads: long beside starting them.
+const RUNS_ON_THREADS: u64 = 400;
+
+/// How many times as fast two threads may be asked to be.
+const AIM_OF_TWO: f64 = 1.9;
 
 /// Minutes that 10⁶ runs may take on two cores.
 const AIM_MIN: f64 = 10.0;
@@ -78,12 +84,23 @@ pub(crate) fn bench(rounds: usize) -> Result<Table, String> {
             black_box(runner.run(run, &|| false));
         }
     };
+    let numbers: Vec<u64> = (0..RUNS_ON_THREADS).collect();
+    let on_threads = |threads: usize| {
+        make(&runs, &numbers, threads, &|| false, &mut |row| {
+            black_box(row);
+            Ok(true)
+        })
+        .expect("every row is used");
+    };
     let mut contenders = [
         Contender::clocked(campaign, RUNS as usize),
         Contender::clocked(|| steps(&runs, &mut simulation), RUNS as usize),
+        Contender::clocked(|| on_threads(1), RUNS_ON_THREADS as usize),
+        Contender::clocked(|| on_threads(2), RUNS_ON_THREADS as usize),
     ];
     let times = nanoseconds_a_call(&mut contenders, rounds);
-    let [run_ns, steps_ns] = [0, 1].map(|way| least(&times[way]));
+    let [run_ns, steps_ns, _, two_ns] = [0, 1, 2, 3].map(|way| least(&times[way]));
+    let of_two = median_ratio(&times[2], &times[3]);
     let mut table = Table::new(&[
         "",
         "a run [µs]",
@@ -110,7 +127,16 @@ pub(crate) fn bench(rounds: usize) -> Result<Table, String> {
         String::new(),
         String::new(),
     ]);
-    table.note("least of the rounds by processor time, one core: a ship of 300 m at eight cone fenders, 600 steps a run; two cores by halving.");
+    table.row(vec![
+        "a campaign on two threads".to_owned(),
+        format!("{:.1}", 1e-3 * two_ns),
+        String::new(),
+        format!("{:.1}", two_ns * 1e6 / 60e9),
+        format!("{of_two:.2} of ≥ {AIM_OF_TWO}"),
+        verdict(of_two >= AIM_OF_TWO),
+    ]);
+    table.note("Least of the rounds by the clock: a ship of 300 m at eight cone fenders, 600 steps a run; of one thread, two cores by halving. Last");
+    table.note("row: how many times as fast two threads are, the median of the rounds; two processes of one thread each can be no faster.");
     // An error is ignored: it is a folder for temporary files.
     let _ = std::fs::remove_dir_all(folder);
     Ok(table)

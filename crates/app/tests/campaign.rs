@@ -509,6 +509,39 @@ fn a_run_with_too_many_steps_is_a_row_with_its_reason() {
     contains_all(&run.stderr, &["more than `most_steps` 100", "no case of the campaign"]);
 }
 
+#[test]
+fn limits_are_drawn_counted_and_have_a_return_period() {
+    let limits = "[limit.\"yard's own\"]\noutput = \"reaction\"\nvalue = \"40 tf\"\n\n[limit.turn]\noutput = \"body.ship.largest_yaw\"\nvalue = \"1 deg\"\n\n[design]\nberthings_per_year = 120\n";
+    let place = place("campaign_limits", &format!("{RANDOM}\n{limits}"));
+    let run = place.run(&["campaign", "study.toml"]);
+    assert!(run.code <= 1, "{}", run.stderr);
+    let report = place.text("out/study/report.html");
+    contains_all(&report, &["Your limits", "limit: yard's own", "once in years", "limit: turn"]);
+    let csv = place.text("out/study/cases.csv");
+    // From the right: the sentence of a finding has commas.
+    let heads: Vec<&str> = csv.lines().next().expect("heads").rsplit(',').collect();
+    let at = heads.iter().position(|head| *head == "reaction [kN]").expect("the column");
+    let reactions = csv.lines().skip(1).map(|row| row.rsplit(',').nth(at).expect("a cell"));
+    let above = reactions.filter(|r| r.parse::<f64>().expect("a number") > 392.266).count();
+    assert!(above > 0, "none above");
+    contains_all(&report, &[&format!("{above}<small>of 60")]);
+    // A limit is no part of the rows: the campaign is the same one.
+    place.write("study.toml", RANDOM.as_bytes());
+    let again = place.run(&["campaign", "study.toml", "--resume"]);
+    contains_all(&again.stdout, &["finished already"]);
+    for (from, to, words) in [
+        ("\"40 tf\"", "\"40 kJ\"", "but must be as \"1.5 kN\""),
+        ("\"40 tf\"", "40", "without a unit"),
+        ("output = \"reaction\"", "output = \"reactoin\"", "did you mean `reaction`?"),
+    ] {
+        let wrong = limits.replace(from, to);
+        place.write("wrong.toml", format!("{RANDOM}\n{wrong}").as_bytes());
+        let run = place.run(&["campaign", "wrong.toml"]);
+        assert_eq!(run.code, 2, "{}", run.stdout);
+        contains_all(&run.stderr, &["limit.yard's own", words]);
+    }
+}
+
 /// The worked campaigns of the repository, with few runs: each makes its table and its report.
 #[test]
 fn the_worked_campaigns_run() {

@@ -2,6 +2,7 @@
 
 mod draw;
 mod error;
+mod limit;
 pub mod report;
 mod row;
 mod run;
@@ -13,6 +14,7 @@ mod work;
 
 pub use draw::{Drawn, Draws, Formula};
 pub use error::CampaignError;
+pub use limit::Limit;
 pub use row::{Cell, Head, Row};
 pub use run::{Runner, Runs, Seen};
 pub use stop::StopRule;

@@ -91,8 +91,8 @@ pub use bounded_file::{
 };
 pub use campaign::law::{Law, LawFamily};
 pub use campaign::{
-    Campaign, Change, Choice, Correlation, Design, Draw, MOST_CASES, Output, Plan, Statistic, Stop,
-    Target, TargetOrigins, Variable,
+    Campaign, Change, Choice, Correlation, Design, Draw, Limit, MOST_CASES, Output, Plan,
+    Statistic, Stop, Target, TargetOrigins, Variable,
 };
 pub use error::{Notice, Place, ScenarioError};
 pub use fenderline_sim::hydro::vessels::Standing;
@@ -104,7 +104,7 @@ pub use library::{
     HullPressureLimit, LookUpError, Tolerance,
 };
 pub use load::{LoadError, read_stream, read_text};
-pub use option_value::{LengthOrShare, force_n, length_m, length_or_share, percent};
+pub use option_value::{LengthOrShare, force_n, in_unit, length_m, length_or_share, percent};
 pub use order::order;
 pub use origin::Origin;
 pub use overrides::{Override, set_keys};

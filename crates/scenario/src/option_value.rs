@@ -51,6 +51,24 @@ pub fn length_or_share(text: &str) -> Result<LengthOrShare, String> {
     length_m(text).map(LengthOrShare::Metres)
 }
 
+/// A number in a unit: `"95 t"` is 931.6 in `"kN"`; without a unit only where `unit` is empty.
+///
+/// # Errors
+/// As [`length_m`].
+pub fn in_unit(text: &str, unit: &str) -> Result<f64, String> {
+    let ours =
+        parsed(&format!("1 {}", unit.replace('²', "^2").replace('³', "^3").replace('·', ".")))?;
+    let given = parsed(text)?;
+    if given.has_unit == unit.is_empty() || given.dimension != ours.dimension {
+        let example =
+            if unit.is_empty() { "\"1.5\"".to_owned() } else { format!("\"1.5 {unit}\"") };
+        let what =
+            if given.has_unit { given.dimension.to_string() } else { "without a unit".to_owned() };
+        return Err(format!("it is {what}, but must be as {example}"));
+    }
+    Ok(given.si / ours.si)
+}
+
 fn quantity(text: &str, measure: &Measure) -> Result<f64, String> {
     let parsed = parsed(text)?;
     if !parsed.has_unit || parsed.dimension == measure.dimension {
@@ -81,6 +99,13 @@ mod tests {
         assert_eq!(length_or_share("72 %"), Ok(LengthOrShare::Share(0.72)));
         assert_eq!(length_or_share("0.72"), Ok(LengthOrShare::Metres(0.72)));
         assert_eq!(length_or_share("720 mm"), Ok(LengthOrShare::Metres(0.72)));
+        assert!((in_unit("95 tf", "kN").unwrap() - 931.631_75).abs() < 1e-9);
+        assert_eq!((in_unit("90 %", "%"), in_unit("1.5", "")), (Ok(90.0), Ok(1.5)));
+        assert_eq!(in_unit("200 kN/m^2", "kN/m²"), Ok(200.0));
+        for (text, unit) in [("930", "kN"), ("930 kJ", "kN"), ("0.9", "%"), ("3 kN", ""), ("x", "")]
+        {
+            assert!(in_unit(text, unit).is_err(), "{text} in {unit}");
+        }
     }
 
     #[test]

@@ -83,6 +83,7 @@ pub(super) fn write(runs: &Runs, file: &Path, folder: &Path) -> Result<(), Failu
         outputs: &outputs,
         weights: None,
         success: campaign.success.as_deref(),
+        limits: runs.limits(),
         seen: &seen(runs),
         asked: &asked,
         replay: &replay,
@@ -112,13 +113,21 @@ fn outputs(runs: &Runs, table: &Table) -> Vec<String> {
         .filter(|name| !used.contains(name))
         .chain(campaign.expressions.iter().map(|output| &output.name));
     let shown = SHOWN.iter().map(|name| (*name).to_owned()).chain(own.cloned());
+    let limited = runs.limits().iter().map(|limit| limit.output.clone());
+    let limited: Vec<String> = limited.filter(|name| !SHOWN.contains(&name.as_str())).collect();
+    let mut all: Vec<String> = Vec::new();
+    for name in shown.chain(limited) {
+        if !all.contains(&name) {
+            all.push(name);
+        }
+    }
     let is_known = |name: &String| {
         let numbers = table.numbers(name);
         numbers.is_ok_and(|numbers| {
             numbers.values.iter().any(|value| value.is_finite() && *value != 0.0)
         })
     };
-    shown
+    all.into_iter()
         .filter(|name| Some(name.as_str()) != campaign.success.as_deref())
         .filter(is_known)
         .collect()

@@ -1,6 +1,6 @@
 //! The statistics of a column as JSON.
 
-use fenderline_campaign::report::words;
+use fenderline_campaign::report::{quote, words};
 use fenderline_campaign::statistics::design::Rarity;
 use fenderline_campaign::statistics::fit::{Fit, FitError};
 use fenderline_campaign::statistics::{Estimate, Measured};
@@ -12,6 +12,7 @@ use super::Column;
 pub(super) fn of(column: &Column<'_>) -> Value {
     let (findings, asked) = (&column.findings, &column.asked);
     let (sample, moments) = (&findings.sample, &findings.moments);
+    let quote = quote(findings, &column.head.unit);
     let design = findings.rows.iter().map(|row| {
         let fits = findings.fits.iter().zip(&row.by_fit);
         let fits =
@@ -40,6 +41,8 @@ pub(super) fn of(column: &Column<'_>) -> Value {
         "count": sample.count(),
         "missing": column.missing,
         "zeros_left_out": column.zeros,
+        "law_to_quote": quote.as_ref().and_then(|quote| quote.law).map(|law| law.key()),
+        "quote": quote.map(|quote| quote.sentence),
         "remarks": words::remarks(findings),
         "effective_size": sample.effective_size(),
         "confidence": asked.confidence.level(),

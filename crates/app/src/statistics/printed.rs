@@ -2,7 +2,7 @@
 
 use core::fmt::Write as _;
 
-use fenderline_campaign::report::words;
+use fenderline_campaign::report::{quote, words};
 use fenderline_report::plot::{fixed, plain, significant};
 
 use super::Column;
@@ -13,7 +13,7 @@ const PARAMETERS: usize = 64;
 /// All of it.
 pub(super) fn text(column: &Column<'_>) -> String {
     // Thousands are not separated: other programs may read it.
-    [summary(column), design(column), remarks(column), fits(column)]
+    [summary(column), design(column), quoted(column), remarks(column), fits(column)]
         .concat()
         .replace('\u{202f}', "")
 }
@@ -85,6 +85,12 @@ fn design(column: &Column<'_>) -> String {
         }
     }
     text
+}
+
+/// Which law or value may be quoted, and why.
+fn quoted(column: &Column<'_>) -> String {
+    let quote = quote(&column.findings, &column.head.unit);
+    quote.map_or_else(String::new, |quote| format!("\n{}\n", quote.sentence))
 }
 
 fn remarks(column: &Column<'_>) -> String {

@@ -7,7 +7,10 @@ use fenderline_report::plot::{
 use fenderline_report::{Head as TableHead, table_head};
 use maud::{Markup, html};
 
+use super::limits;
+use super::quote::quote;
 use super::words;
+use crate::limit::Limit;
 use crate::statistics::design::{Asked, Findings, Rarity};
 use crate::statistics::fit::Fit;
 use crate::table::Head;
@@ -32,7 +35,7 @@ pub fn column_page(
         p class="kicker" { "fenderline statistics" }
         h1 { (title) }
         p class="subtitle" { (counts(head, missing, findings)) }
-        (sections(head, findings, asked))
+        (sections(head, findings, asked, &[]))
         h2 { "How it was computed" }
         (methods(asked))
         footer { "Made by fenderline " (env!("CARGO_PKG_VERSION")) ". " (USERS_OWN) }
@@ -63,10 +66,22 @@ pub(super) fn counts(head: &Head, missing: usize, findings: &Findings) -> String
 }
 
 /// Chart, design values and fits of a column.
-pub(super) fn sections(head: &Head, findings: &Findings, asked: &Asked) -> Markup {
+pub(super) fn sections(
+    head: &Head,
+    findings: &Findings,
+    asked: &Asked,
+    limits: &[&Limit],
+) -> Markup {
     html! {
-        (chart(head, findings, asked).render_tall())
+        (chart(head, findings, asked, limits).render_tall())
+        (limits::section(limits, &head.unit, findings, asked))
         h3 { "Design values" @if !head.unit.is_empty() { " [" (head.unit) "]" } }
+        @if let Some(quote) = quote(findings, &head.unit) {
+            @match quote.sentence.split_once(": ") {
+                Some((what, why)) => p { strong { (what) ": " } (why) },
+                None => p { strong { (quote.sentence) } },
+            }
+        }
         (design(findings, asked))
         (remarks(findings))
         h3 { "Fits" }
@@ -75,7 +90,7 @@ pub(super) fn sections(head: &Head, findings: &Findings, asked: &Asked) -> Marku
 }
 
 /// Exceedance with its band, fits drawn through, to the rarest level that is asked for.
-fn chart(head: &Head, findings: &Findings, asked: &Asked) -> Chart {
+fn chart(head: &Head, findings: &Findings, asked: &Asked, limits: &[&Limit]) -> Chart {
     let curve = &findings.curve;
     let per_cent = plain(100.0 * asked.confidence.level(), 4);
     // The last point, above which nothing was found, has no place on a logarithmic axis.
@@ -95,6 +110,7 @@ fn chart(head: &Head, findings: &Findings, asked: &Asked) -> Chart {
             series.push(Series::line(fit.law.title(), line(fit, findings, rarest)).styled(style));
         }
     }
+    series.extend(limits::lines(limits, rarest));
     // On top of the lines.
     series.push(Series::dots("data", data).styled(6));
     // Those of a lifetime lie too close to those of periods.
@@ -272,6 +288,9 @@ pub(super) fn methods(asked: &Asked) -> Markup {
                   statistics. Both hold whatever the distribution, at " (per_cent) " % or more." }
             li { "Laws are fitted by maximum likelihood; their standard errors are those of the observed information, their bands those of \
                   the delta method on the logarithm of the value." }
+            li { "The law to quote is the one with the smallest AIC of those that fit all values (Kolmogorov and Smirnov, 1 %), expect as \
+                  many values in the tail as there are (within 2.6 standard deviations of a count), and whose value the data do not \
+                  contradict and decide within a factor of ten. Where there is none it is the law over the threshold; else none." }
             @if asked.traffic.is_some() {
                 li { "With n berthings a year the value of T years is exceeded by one berthing with probability p, where \
                       1 − (1 − p)ⁿ = 1/T. The largest of the N berthings of a lifetime is at most x with probability F(x)ᴺ." }

@@ -6,8 +6,10 @@
 mod column;
 mod convergence;
 mod inputs;
+mod limits;
 mod operability;
 mod plan;
+mod quote;
 mod scatter;
 mod sensitivity;
 mod verdicts;
@@ -17,6 +19,7 @@ mod worst;
 use fenderline_report::plot::page;
 use maud::html;
 
+use crate::limit::Limit;
 use crate::statistics::design::{Asked, Findings, findings, zeros_apart};
 use crate::statistics::fit::Law;
 use crate::statistics::return_value::Traffic;
@@ -24,6 +27,7 @@ use crate::statistics::{Sample, SampleError};
 use crate::table::{Head, Table, TableError};
 
 pub use column::column_page;
+pub use quote::{Quote, quote};
 
 /// An input of a campaign.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -58,6 +62,8 @@ pub struct Campaign<'a> {
     pub weights: Option<&'a str>,
     /// Column that is 1 where a run succeeds and 0 where not; without it the verdict decides.
     pub success: Option<&'a str>,
+    /// Limits of outputs.
+    pub limits: &'a [Limit],
     /// Runs whose paths are drawn; none for a table of unknown runs.
     pub seen: &'a [crate::run::Seen],
     /// Berthings a year, return periods, laws.
@@ -95,7 +101,7 @@ pub fn render(campaign: &Campaign<'_>) -> Result<String, ReportError> {
         h2 { "Verdicts" }
         (verdicts.section(campaign.asked.confidence))
         (plan::section(campaign.seen))
-        @for output in &outputs { (section(output)) }
+        @for output in &outputs { (section(output, campaign.limits)) }
         (scatter::section(campaign.table)?)
         (worst::section(campaign, &outputs, &verdicts))
         (convergence::section(&outputs, campaign.asked))
@@ -201,7 +207,8 @@ fn output<'a>(
 }
 
 /// The section of an output.
-fn section(output: &Output<'_>) -> maud::Markup {
+fn section(output: &Output<'_>, limits: &[Limit]) -> maud::Markup {
+    let own: Vec<&Limit> = limits.iter().filter(|limit| limit.output == output.head.name).collect();
     let name = capital(&column::words_of(output.head));
     html! {
         h2 { (name) }
@@ -213,7 +220,7 @@ fn section(output: &Output<'_>) -> maud::Markup {
                         @if let Some(traffic) = output.asked.traffic { ", of which there are " (words::number(traffic.per_year())) " a year" }
                         "." }
                 }
-                (column::sections(output.head, findings, &output.asked))
+                (column::sections(output.head, findings, &output.asked, &own))
             }
             Err(why) => p { "No statistics: " (why) "." },
         }

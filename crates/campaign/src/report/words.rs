@@ -3,7 +3,7 @@
 use fenderline_contact::number::lesser;
 use fenderline_report::plot::{fixed, plain, significant};
 
-use crate::statistics::design::{Findings, Rarity};
+use crate::statistics::design::{DesignRow, Findings, Rarity};
 use crate::statistics::fit::Fit;
 use crate::statistics::{Estimate, Quantile};
 
@@ -113,26 +113,18 @@ pub fn remarks(findings: &Findings) -> Vec<String> {
         ));
     }
     for (place, fit) in fits().filter(|(_, fit)| !fit.is_rejected()) {
-        let values =
-            || findings.rows.iter().filter_map(|row| Some((row, row.by_fit[place].as_ref()?)));
-        let beyond =
-            values().find(|(row, value)| row.exceedance < reach && value.value < sample.largest());
-        if let Some((row, value)) = beyond {
+        let law = fit.law.title();
+        if let Some((row, value)) = contradiction(findings, place) {
             all.push(format!(
-                "by {} the value of {}, {}, is below the largest of the data, {}",
-                fit.law.title(),
+                "by {law} the value of {}, {}, is below the largest of the data, {}",
                 rarity(row.rarity),
                 number(value.value),
                 number(sample.largest())
             ));
         }
-        let widest = values().find(|(_, value)| {
-            value.value > 0.0 && value.interval.high > WIDEST * value.interval.low
-        });
-        if let Some((row, value)) = widest {
+        if let Some((row, value)) = undecided(findings, place) {
             all.push(format!(
-                "the data do not decide the tail of {}: its value of {} lies between {} and {}",
-                fit.law.title(),
+                "the data do not decide the tail of {law}: its value of {} lies between {} and {}",
                 rarity(row.rarity),
                 number(value.interval.low),
                 number(value.interval.high)
@@ -140,6 +132,34 @@ pub fn remarks(findings: &Findings) -> Vec<String> {
         }
     }
     all
+}
+
+/// The design values of a fit.
+fn values(findings: &Findings, place: usize) -> impl Iterator<Item = (&DesignRow, &Estimate)> {
+    findings.rows.iter().filter_map(move |row| Some((row, row.by_fit[place].as_ref()?)))
+}
+
+/// The first value of a fit that is rarer than the data reach and yet below their largest.
+pub(super) fn contradiction(findings: &Findings, place: usize) -> Option<(&DesignRow, &Estimate)> {
+    let sample = &findings.sample;
+    let reach = 1.0 / sample.count() as f64;
+    values(findings, place)
+        .find(|(row, value)| row.exceedance < reach && value.value < sample.largest())
+}
+
+/// The first value of a fit whose band is so wide that the data do not decide it.
+pub(super) fn undecided(findings: &Findings, place: usize) -> Option<(&DesignRow, &Estimate)> {
+    values(findings, place)
+        .find(|(_, value)| value.value > 0.0 && value.interval.high > WIDEST * value.interval.low)
+}
+
+/// A value with its band, `28.5 (24.6 to 33.0)`, with the unit behind the value.
+pub(super) fn with_unit(text: &str, unit: &str) -> String {
+    match text.split_once(" (") {
+        _ if unit.is_empty() => text.to_owned(),
+        Some((value, band)) => format!("{value} {unit} ({band}"),
+        None => format!("{text} {unit}"),
+    }
 }
 
 #[cfg(test)]

@@ -16,6 +16,7 @@ use super::numbers::Numbers;
 use super::outputs::Outputs;
 use crate::draw::{Drawn, Draws};
 use crate::error::CampaignError;
+use crate::limit::Limit;
 use crate::row::{Cell, Head, Row};
 
 /// What all runs of a campaign share.
@@ -27,6 +28,7 @@ pub struct Runs {
     /// The base is the scenario with the changes of all runs, so that a run may differ from it in its start alone.
     is_common: bool,
     outputs: Outputs,
+    limits: Vec<Limit>,
 }
 
 /// The scenario's text and the files that it names, read once.
@@ -104,7 +106,8 @@ impl Runs {
                 format!("there is no number `{}`{near}", stop.output),
             ));
         }
-        let runs = Runs { campaign, draws, source, base, is_common, outputs };
+        let limits = Limit::all(&campaign, &outputs.heads)?;
+        let runs = Runs { campaign, draws, source, base, is_common, outputs, limits };
         runs.refuse_hopeless()?;
         Ok(runs)
     }
@@ -137,6 +140,12 @@ impl Runs {
     #[must_use]
     pub fn heads(&self) -> &[Head] {
         &self.outputs.heads
+    }
+
+    /// Its limits of outputs.
+    #[must_use]
+    pub fn limits(&self) -> &[Limit] {
+        &self.limits
     }
 
     /// A number that differs where two campaigns may have different rows: of the draws, the scenario with its files, and the columns.
@@ -237,6 +246,7 @@ fn rows_of(campaign: &Campaign) -> Campaign {
     campaign.title = String::new();
     campaign.scenario = PathBuf::new();
     (campaign.design, campaign.success) = (None, None);
+    campaign.limits.clear();
     campaign.changes.iter_mut().for_each(unplaced);
     if let Plan::Table { file } = &mut campaign.plan {
         *file = PathBuf::new();

@@ -158,7 +158,7 @@ impl Sample {
     }
 
     /// Number of values at or below `value`.
-    pub(super) fn count_to(&self, value: f64) -> usize {
+    pub(crate) fn count_to(&self, value: f64) -> usize {
         self.values.partition_point(|own| *own <= value)
     }
 }

@@ -94,6 +94,7 @@ pub(crate) fn report(path: &Path) -> Result<String, ReportError> {
         outputs: &["energy", "reaction", "hull_pressure"].map(str::to_owned),
         weights: None,
         success: None,
+        limits: &[],
         seen: &[],
         asked: &asked,
         replay: &|row| format!("fenderline campaign replay {}", row + 1),

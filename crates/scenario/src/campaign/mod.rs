@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 pub(crate) use self::keys::CAMPAIGN_FILE;
 use self::law::LawFamily;
-pub use self::plan::{Correlation, Design, Output, Plan, Statistic, Stop};
+pub use self::plan::{Correlation, Design, Limit, Output, Plan, Statistic, Stop};
 use self::variable::changes;
 pub use self::variable::{Change, Choice, Draw, Target, TargetOrigins, Variable};
 use crate::checked::Table;
@@ -100,6 +100,8 @@ pub struct Campaign {
     pub expressions: Vec<Output>,
     /// Output that is 1 where a run succeeds.
     pub success: Option<String>,
+    /// Limits that the report compares outputs with.
+    pub limits: Vec<Limit>,
     /// When it may end early.
     pub stop: Option<Stop>,
     /// What design values are for.
@@ -169,6 +171,7 @@ impl Campaign {
             outputs: file.given("outputs").texts().to_vec(),
             expressions: plan::outputs(&sources, &file, &variables)?,
             success: file.item("success").map(|item| item.text().to_owned()),
+            limits: plan::limits(&file),
             stop: plan::stop(&sources, &file)?,
             design: plan::design(&sources, &file)?,
             most_steps: *file.given("most_steps").number() as u64,

@@ -76,6 +76,17 @@ pub struct Output {
     pub unit: String,
 }
 
+/// A value of an output that should seldom be exceeded.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Limit {
+    /// Its name.
+    pub name: String,
+    /// Column of the output.
+    pub output: String,
+    /// Number and unit, as the file has them.
+    pub text: String,
+}
+
 /// What a stop rule estimates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Statistic {
@@ -271,6 +282,16 @@ pub(super) fn outputs(
         })
     };
     file.given("output").named().iter().map(one).collect()
+}
+
+/// Limits of outputs.
+pub(super) fn limits(file: &Table) -> Vec<Limit> {
+    let one = |(name, table): &(String, Table)| Limit {
+        name: name.clone(),
+        output: table.given("output").text().to_owned(),
+        text: table.given("value").text().to_owned(),
+    };
+    file.given("limit").named().iter().map(one).collect()
 }
 
 /// The stop rule.

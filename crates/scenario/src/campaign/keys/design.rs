@@ -1,4 +1,4 @@
-//! Keys of correlations, outputs, stop rule and design.
+//! Keys of correlations, outputs, limits, stop rule and design.
 
 use super::super::Statistic;
 use super::MOST_RUNS;
@@ -39,6 +39,22 @@ pub(super) static OUTPUT: TableSpec = TableSpec {
             &["\"reaction / 930\"", "\"{fender.fender_3.reaction} - {fender.fender_4.reaction}\""],
         ),
         key("unit", Kind::Text, Means("it has none"), "Its unit, for the table.", &["\"kN\""]),
+    ],
+    rules: None,
+};
+
+pub(super) static LIMIT: TableSpec = TableSpec {
+    what: "a limit",
+    doc: "A value of an output that should seldom be exceeded. The report draws it, and says how often the runs exceed it.",
+    keys: &[
+        key("output", Kind::Text, Refused, "Name of the output's column.", &["\"reaction\""]),
+        key(
+            "value",
+            Kind::AnyNumber,
+            Refused,
+            "The limit, with a unit where the output has one.",
+            &["\"930 kN\"", "\"95 t\""],
+        ),
     ],
     rules: None,
 };

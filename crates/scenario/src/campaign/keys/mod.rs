@@ -3,7 +3,7 @@
 mod design;
 mod variable;
 
-use self::design::{CORRELATION, DESIGN, OUTPUT, STOP};
+use self::design::{CORRELATION, DESIGN, LIMIT, OUTPUT, STOP};
 use self::variable::VARIABLE;
 use super::PlanKind;
 use crate::choices::{Choice, Choices};
@@ -118,6 +118,13 @@ pub(crate) static CAMPAIGN_FILE: TableSpec = TableSpec {
             Means("a run succeeds where its verdict is \"all well\" or a note"),
             "Output that is 1 where a run succeeds and 0 where not, for the operability in the report.",
             &["\"berthed\""],
+        ),
+        key(
+            "limit",
+            Kind::Named(&LIMIT),
+            Is("{}"),
+            "Limits of outputs, by name, as `limit.\"rated reaction\"`.",
+            &[],
         ),
         key(
             "stop",

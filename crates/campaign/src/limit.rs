@@ -1,0 +1,45 @@
+//! Limits of outputs: values that should seldom be exceeded.
+
+use fenderline_scenario::{Campaign, in_unit};
+
+use crate::error::CampaignError;
+use crate::row::Head;
+
+/// A limit of an output.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limit {
+    /// Its name.
+    pub name: String,
+    /// Column of the output.
+    pub output: String,
+    /// The limit, in the unit of the column.
+    pub value: f64,
+}
+
+impl Limit {
+    /// Those of a campaign with these columns.
+    ///
+    /// # Errors
+    /// An output that is no number of the campaign, or a value that is not in a unit of it.
+    pub(crate) fn all(campaign: &Campaign, heads: &[Head]) -> Result<Vec<Limit>, CampaignError> {
+        let numbers = || heads.iter().filter(|head| !head.is_text);
+        let one = |limit: &fenderline_scenario::Limit| {
+            let Some(head) = numbers().find(|head| head.name == limit.output) else {
+                let near = fenderline_scenario::nearest(
+                    &limit.output,
+                    numbers().map(|head| head.name.as_str()),
+                );
+                let near = near.map_or(String::new(), |near| format!("; did you mean `{near}`?"));
+                return Err(CampaignError::part(
+                    format!("limit.{}.output", limit.name),
+                    format!("there is no number `{}`{near}", limit.output),
+                ));
+            };
+            let value = in_unit(&limit.text, &head.unit);
+            let value = value
+                .map_err(|why| CampaignError::part(format!("limit.{}.value", limit.name), why))?;
+            Ok(Limit { name: limit.name.clone(), output: limit.output.clone(), value })
+        };
+        campaign.limits.iter().map(one).collect()
+    }
+}
