@@ -185,6 +185,7 @@ pub mod mooring;
 pub mod order;
 mod output_plan;
 mod panel;
+pub mod passing;
 mod random;
 mod range;
 mod record;

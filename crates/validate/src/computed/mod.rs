@@ -9,6 +9,7 @@ mod finite_elements;
 mod float;
 mod hull;
 mod manoeuvres;
+mod passing;
 mod propeller;
 mod sea;
 mod shallow;
@@ -30,7 +31,7 @@ pub(crate) struct Value {
 pub(crate) struct Values(BTreeMap<String, Value>);
 
 /// What computes them, a subject each.
-pub(crate) const SUBJECTS: [fn(&mut Values); 12] = [
+pub(crate) const SUBJECTS: [fn(&mut Values); 13] = [
     manoeuvres::compute,
     estimates::compute,
     hull::compute,
@@ -41,6 +42,7 @@ pub(crate) const SUBJECTS: [fn(&mut Values); 12] = [
     float::compute,
     berth::compute,
     dolphin::compute,
+    passing::compute,
     worked::compute,
     finite_elements::compute,
 ];

@@ -1,0 +1,39 @@
+//! Shallow water and quays: factors on the forces of deep, open water.
+
+use crate::range::{OutOfRange, within};
+
+/// What the ship at rest lies at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Berth {
+    /// A jetty that the water flows through.
+    Open,
+    /// A quay wall on her far side. Its factors 1.4, 0.4 and 0.5 are an estimate from the figures of Swiegers (2011).
+    Quay,
+}
+
+/// Factors on surge, sway and yaw of [`super::force`] at a depth: by Kriebel's model tests (Mooring loads due to parallel passing ships,
+/// 2005), as our design notes give them; the paper was not read.
+///
+/// 1 + a e^(bT/d) e^(−0.08 (G/B − g)²) with T/d the draught of the ship at rest over the depth, G/B the clear gap between the hulls over
+/// the mean of the beams, and (a, b, g) = (1.70, 2.92, 3), (0.52, 4.33, 2), (0.48, 3.87, 2).
+///
+/// # Errors
+/// A draught that is not between 0 and 1 times the depth, a gap below 0 or above 100 beams.
+pub fn factors(
+    draught_over_depth: f64,
+    gap_over_beam: f64,
+    berth: Berth,
+) -> Result<[f64; 3], OutOfRange> {
+    within("draught over depth", draught_over_depth, 0.0, 1.0)?;
+    within("gap over mean beam", gap_over_beam, 0.0, 100.0)?;
+    let of_depth = |[a, b, g]: [f64; 3]| {
+        let off = gap_over_beam - g;
+        1.0 + a * libm::exp(b * draught_over_depth) * libm::exp(-0.08 * off * off)
+    };
+    let [surge, sway, yaw] =
+        [[1.70, 2.92, 3.0], [0.52, 4.33, 2.0], [0.48, 3.87, 2.0]].map(of_depth);
+    Ok(match berth {
+        Berth::Open => [surge, sway, yaw],
+        Berth::Quay => [1.4 * surge, 0.4 * sway, 0.5 * yaw],
+    })
+}

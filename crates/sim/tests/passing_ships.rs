@@ -1,0 +1,148 @@
+//! Forces of a passing ship: peaks that were published, the integrals of the paper, and what symmetry demands.
+
+use fenderline_contact::{Pose, Vec2, vec2};
+use fenderline_sim::passing::{Berth, PassingShip, Sections, factors, force};
+
+const DENSITY_KGPM3: f64 = 1025.0;
+
+/// X, Y, N on a ship at rest that heads north, by one that passes to the north, ξ ahead and η to starboard.
+fn on_parallel(ships: [&Sections; 2], [xi_m, eta_m]: [f64; 2], speed_mps: f64) -> [f64; 3] {
+    let passing = PassingShip {
+        sections: ships[1],
+        pose: Pose::new(vec2(xi_m, eta_m), 0.0),
+        velocity_mps: vec2(speed_mps, 0.0),
+    };
+    force(ships[0], Pose::new(Vec2::ZERO, 0.0), &passing, DENSITY_KGPM3, 1.0)
+}
+
+/// The largest of each while she passes, of forces over ρU²S₁S₂/L₂² and moments over that times L₁.
+fn peaks(lengths_m: [f64; 2], eta_m: f64) -> [f64; 3] {
+    let areas_m2 = [300.0, 200.0];
+    let ships = [0, 1].map(|i| Sections::parabola(lengths_m[i], areas_m2[i]).unwrap());
+    let unit_n = DENSITY_KGPM3 * areas_m2[0] * areas_m2[1] / (lengths_m[1] * lengths_m[1]);
+    let units = [unit_n, unit_n, unit_n * lengths_m[0]];
+    let mut most = [0.0_f64; 3];
+    for step in -200..=200 {
+        let xi_m = f64::from(step) / 200.0 * 0.8 * (lengths_m[0] + lengths_m[1]);
+        let found = on_parallel([&ships[0], &ships[1]], [xi_m, eta_m], 1.0);
+        for (most, (found, unit)) in most.iter_mut().zip(found.iter().zip(units)) {
+            *most = most.max(found.abs() / unit);
+        }
+    }
+    most
+}
+
+/// Peaks for two ships of one length: those of tables, and those of the paper's integrals by Gauss's rule
+/// (validation/independent/passing_ships.py). The tables were recalled from design notes, and differ from the integrals by 2 to 4 %: 6 %.
+#[test]
+fn published_peaks_of_ships_of_one_length() {
+    for (eta, tables, integrals) in [
+        (0.10, [4.73, 24.9, 5.33], [4.7645, 25.1656, 5.4674]),
+        (0.26, [1.62, 5.9, 1.23], [1.6696, 6.0376, 1.2488]),
+        // The yaw of the table, 0.25, is 9 % below the integral that it is of.
+        (0.50, [0.48, 1.55, f64::NAN], [0.5055, 1.6030, 0.2750]),
+    ] {
+        let found = peaks([200.0, 200.0], eta * 200.0);
+        for ((found, table), integral) in found.iter().zip(tables).zip(integrals) {
+            let off_table = (found / table - 1.0).abs();
+            assert!(table.is_nan() || off_table < 0.06, "η/L {eta}: {found} of {table}");
+            assert!((found / integral - 1.0).abs() < 0.01, "η/L {eta}: {found} of {integral}");
+        }
+    }
+}
+
+/// The integrals of the paper with parabolas by Gauss's rule, 96 × 96 points: 0.343, 1.073, 0.222.
+#[test]
+fn coefficients_of_the_worked_case() {
+    let found = peaks([243.5, 185.4], 110.0);
+    for (found, wanted) in found.iter().zip([0.34337, 1.07253, 0.22222]) {
+        assert!((found / wanted - 1.0).abs() < 0.01, "{found} of {wanted}");
+    }
+}
+
+/// A moored ship of 243.5 × 39 × 15.3 m in 20 m of water, one of 185.4 × 25.8 × 6.8 m that passes at 10 kn with 110 m between the centre
+/// lines: 389.3 kN, 1274.4 kN and 40010 kN·m by the coefficients 0.299, 1.064 and 0.204 of a table for deep water.
+#[test]
+fn depth_factors_of_the_worked_case() {
+    let areas_m2 = [0.98 * 39.0 * 15.3, 0.98 * 25.8 * 6.8];
+    let speed_mps = 10.0 * 1852.0 / 3600.0;
+    let unit_n =
+        DENSITY_KGPM3 * speed_mps * speed_mps * areas_m2[0] * areas_m2[1] / (185.4 * 185.4);
+    let gap_over_beam = (110.0 - 0.5 * (39.0 + 25.8)) / (0.5 * (39.0 + 25.8));
+    let by = factors(15.3 / 20.0, gap_over_beam, Berth::Open).unwrap();
+    let found = [0.299 * by[0], 1.064 * by[1], 0.204 * by[2] * 243.5].map(|f| f * unit_n);
+    for (found, published) in found.iter().zip([389.3e3, 1274.4e3, 40_010e3]) {
+        // The coefficients have three digits.
+        assert!((found / published - 1.0).abs() < 0.005, "{found} of {published}");
+    }
+}
+
+#[test]
+fn a_pass_is_symmetric_and_quadratic_in_the_speed() {
+    let ships = [(243.5, 585.0), (185.4, 172.0)].map(|(l, s)| Sections::parabola(l, s).unwrap());
+    let at = |xi_m: f64, eta_m: f64, speed_mps: f64| {
+        on_parallel([&ships[0], &ships[1]], [xi_m, eta_m], speed_mps)
+    };
+    let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * (a.abs() + b.abs() + 1.0);
+    for xi_m in [0.0, 30.0, 95.0, 180.0] {
+        let [x, y, n] = at(xi_m, 60.0, 4.0);
+        let [bx, by, bn] = at(-xi_m, 60.0, 4.0);
+        assert!(close(x, -bx) && close(y, by) && close(n, -bn), "{xi_m}");
+        // On the other side the same surge, and sway and yaw mirrored.
+        let [px, py, pn] = at(xi_m, -60.0, 4.0);
+        assert!(close(x, px) && close(y, -py) && close(n, -pn), "{xi_m}");
+        // Twice as fast, four times the force; the way she goes does not matter.
+        let fast = at(xi_m, 60.0, -8.0);
+        assert!(fast.iter().zip([x, y, n]).all(|(fast, slow)| close(*fast, 4.0 * slow)));
+    }
+    // Abreast she draws the other one towards her.
+    assert!(at(0.0, 60.0, 4.0)[1] > 0.0);
+    // As her bow comes near from astern, the other one is first drawn towards her, then pushed along.
+    assert!(at(-150.0, 60.0, 4.0)[0] < 0.0 && at(150.0, 60.0, 4.0)[0] > 0.0);
+}
+
+#[test]
+fn a_turned_berth_has_the_same_forces() {
+    let ships = [(200.0, 500.0), (150.0, 200.0)].map(|(l, s)| Sections::parabola(l, s).unwrap());
+    let pass = |turned_rad: f64| {
+        let whole = Pose::new(vec2(1234.0, -567.0), turned_rad);
+        let relative = Pose::new(vec2(40.0, 70.0), 0.3);
+        let passing = PassingShip {
+            sections: &ships[1],
+            pose: Pose::new(whole.apply(relative.position_m), turned_rad + 0.3),
+            velocity_mps: whole.rotation.apply(vec2(3.0, 0.9)),
+        };
+        force(&ships[0], whole, &passing, DENSITY_KGPM3, 20.0)
+    };
+    let north = pass(0.0);
+    for turned_rad in [0.7, 2.0, -2.9] {
+        for (a, b) in pass(turned_rad).iter().zip(north) {
+            assert!((a - b).abs() < 1e-6 * b.abs(), "{a} {b}");
+        }
+    }
+}
+
+/// The force is that of a potential that decreases: far away nothing is left, and through the berth it stays finite.
+#[test]
+fn the_force_is_bounded_and_ends_with_the_distance() {
+    let ships = [(200.0, 500.0), (150.0, 200.0)].map(|(l, s)| Sections::parabola(l, s).unwrap());
+    let abreast = on_parallel([&ships[0], &ships[1]], [0.0, 60.0], 5.0);
+    let far = on_parallel([&ships[0], &ships[1]], [3000.0, 60.0], 5.0);
+    assert!(far[1].abs() < 1e-4 * abreast[1], "{far:?}");
+    let through = PassingShip {
+        sections: &ships[1],
+        pose: Pose::new(vec2(10.0, 0.0), 1.0),
+        velocity_mps: vec2(5.0, 5.0),
+    };
+    let found = force(&ships[0], Pose::new(Vec2::ZERO, 0.0), &through, DENSITY_KGPM3, 30.0);
+    assert!(found.iter().all(|f| f.is_finite() && f.abs() < 1e9), "{found:?}");
+}
+
+#[test]
+fn depths_and_gaps_that_cannot_be_are_refused() {
+    for (draught, gap) in [(1.2, 1.0), (-0.1, 1.0), (0.5, -0.1), (f64::NAN, 1.0), (0.5, f64::NAN)] {
+        assert!(factors(draught, gap, Berth::Open).is_err(), "{draught} {gap}");
+    }
+    let [open, quay] = [Berth::Open, Berth::Quay].map(|berth| factors(0.7, 2.0, berth).unwrap());
+    assert!(quay[0] > open[0] && quay[1] < open[1] && quay[2] < open[2]);
+}

@@ -1,0 +1,64 @@
+//! Peaks of the forces of a passing ship.
+
+use fenderline_contact::{Pose, Vec2, vec2};
+use fenderline_sim::constants::KNOT_MPS;
+use fenderline_sim::passing::{Berth, PassingShip, Sections, factors, force};
+
+use super::Values;
+
+const DENSITY_KGPM3: f64 = 1025.0;
+const NAMES: [&str; 3] = ["surge", "sway", "yaw"];
+
+/// Places of the passing ship at which the peak is looked for, on one side: the forces are symmetric.
+const PLACES: u32 = 200;
+
+/// # Panics
+/// Ships and depths that are refused: a bug.
+pub(super) fn compute(values: &mut Values) {
+    for (share, name) in [(0.10, "0.10"), (0.26, "0.26"), (0.50, "0.50")] {
+        let found = peaks([200.0, 200.0], share * 200.0);
+        for (force, found) in NAMES.iter().zip(found) {
+            values.put(format!("passing/one_length/{name}/{force}"), found, "");
+        }
+    }
+    for (force, found) in NAMES.iter().zip(peaks([243.5, 185.4], 110.0)) {
+        values.put(format!("passing/worked/{force}"), found, "");
+    }
+    by_table(values);
+}
+
+/// The worked case with the coefficients of its source.
+fn by_table(values: &mut Values) {
+    let areas_m2 = [0.98 * 39.0 * 15.3, 0.98 * 25.8 * 6.8];
+    let speed_mps = 10.0 * KNOT_MPS;
+    let unit_n =
+        DENSITY_KGPM3 * speed_mps * speed_mps * areas_m2[0] * areas_m2[1] / (185.4 * 185.4);
+    let mean_beam_m = 0.5 * (39.0 + 25.8);
+    let by = factors(15.3 / 20.0, (110.0 - mean_beam_m) / mean_beam_m, Berth::Open);
+    let [surge, sway, yaw] = by.expect("a depth and a gap");
+    values.put("passing/worked_by_table/surge", 1e-3 * unit_n * 0.299 * surge, "kN");
+    values.put("passing/worked_by_table/sway", 1e-3 * unit_n * 1.064 * sway, "kN");
+    values.put("passing/worked_by_table/yaw", 1e-6 * unit_n * 243.5 * 0.204 * yaw, "MN m");
+}
+
+/// The largest surge and sway over ρU²S₁S₂/L₂² and the largest yaw over that times L₁, of a ship at rest and one that passes.
+fn peaks(lengths_m: [f64; 2], across_m: f64) -> [f64; 3] {
+    let [at_rest, passing] =
+        lengths_m.map(|length_m| Sections::parabola(length_m, 1.0).expect("a good ship"));
+    let unit_n = DENSITY_KGPM3 / (lengths_m[1] * lengths_m[1]);
+    let units = [unit_n, unit_n, unit_n * lengths_m[0]];
+    let mut most = [0.0_f64; 3];
+    for place in 0..=PLACES {
+        let along_m = f64::from(place) / f64::from(PLACES) * 0.8 * (lengths_m[0] + lengths_m[1]);
+        let passing = PassingShip {
+            sections: &passing,
+            pose: Pose::new(vec2(along_m, across_m), 0.0),
+            velocity_mps: vec2(1.0, 0.0),
+        };
+        let found = force(&at_rest, Pose::new(Vec2::ZERO, 0.0), &passing, DENSITY_KGPM3, 1.0);
+        for (most, (found, unit)) in most.iter_mut().zip(found.iter().zip(units)) {
+            *most = most.max(found.abs() / unit);
+        }
+    }
+    most
+}
