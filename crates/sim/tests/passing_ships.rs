@@ -1,5 +1,6 @@
 //! Forces of a passing ship: peaks that were published, the integrals of the paper, and what symmetry demands.
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{Pose, Vec2, vec2};
 use fenderline_sim::passing::{Berth, PassingShip, Sections, factors, force};
 
@@ -26,7 +27,7 @@ fn peaks(lengths_m: [f64; 2], eta_m: f64) -> [f64; 3] {
         let xi_m = f64::from(step) / 200.0 * 0.8 * (lengths_m[0] + lengths_m[1]);
         let found = on_parallel([&ships[0], &ships[1]], [xi_m, eta_m], 1.0);
         for (most, (found, unit)) in most.iter_mut().zip(found.iter().zip(units)) {
-            *most = most.max(found.abs() / unit);
+            *most = greater(*most, found.abs() / unit);
         }
     }
     most

@@ -1,5 +1,6 @@
 //! Peaks of the forces of a passing ship.
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{Pose, Vec2, vec2};
 use fenderline_sim::constants::KNOT_MPS;
 use fenderline_sim::passing::{Berth, PassingShip, Sections, factors, force};
@@ -38,7 +39,7 @@ fn by_table(values: &mut Values) {
     let [surge, sway, yaw] = by.expect("a depth and a gap");
     values.put("passing/worked_by_table/surge", 1e-3 * unit_n * 0.299 * surge, "kN");
     values.put("passing/worked_by_table/sway", 1e-3 * unit_n * 1.064 * sway, "kN");
-    values.put("passing/worked_by_table/yaw", 1e-6 * unit_n * 243.5 * 0.204 * yaw, "MN m");
+    values.put("passing/worked_by_table/yaw", 1e-6 * unit_n * 243.5 * 0.204 * yaw, "MN·m");
 }
 
 /// The largest surge and sway over ρU²S₁S₂/L₂² and the largest yaw over that times L₁, of a ship at rest and one that passes.
@@ -57,7 +58,7 @@ fn peaks(lengths_m: [f64; 2], across_m: f64) -> [f64; 3] {
         };
         let found = force(&at_rest, Pose::new(Vec2::ZERO, 0.0), &passing, DENSITY_KGPM3, 1.0);
         for (most, (found, unit)) in most.iter_mut().zip(found.iter().zip(units)) {
-            *most = most.max(found.abs() / unit);
+            *most = greater(*most, found.abs() / unit);
         }
     }
     most
