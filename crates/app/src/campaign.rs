@@ -22,7 +22,7 @@ pub(crate) use self::gathered::CaseTable;
 use self::gathered::Gathered;
 use self::page::Layout;
 use crate::cli::{CampaignArgs, CampaignPart, CampaignRunArgs};
-use crate::documents::cases_workbook;
+use crate::documents::{Pdf, cases_workbook};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::output::write_whole;
@@ -75,6 +75,7 @@ fn run(args: &CampaignRunArgs) -> Result<(), Failure> {
     if let Some(refusal) = refusal_of_shard(args, &runs, shard) {
         return Err(Failure::input(format_args!("error: {refusal}")));
     }
+    let pdf = Pdf::of(args.pdf.as_deref())?;
     let folder = args.out.clone().unwrap_or_else(|| default_folder(path, shard));
     let opened = match (args.resume, args.replace) {
         (true, _) => Opened::Resumed,
@@ -83,7 +84,7 @@ fn run(args: &CampaignRunArgs) -> Result<(), Failure> {
     };
     if args.resume && is_finished(&folder, &runs, shard).map_err(Failure::input)? {
         // It may have been killed between its table and its report.
-        report::write(&runs, path, &folder)?;
+        report::write(&runs, path, &folder, pdf.as_ref())?;
         let title = &runs.campaign().title;
         return say(&format!(
             "{title}: finished already\nreport: {}\n",
@@ -115,7 +116,7 @@ fn run(args: &CampaignRunArgs) -> Result<(), Failure> {
     if is_whole {
         store.finish(wanted).map_err(Failure::case)?;
         if shard == Shard::WHOLE {
-            report::write(&runs, path, &folder)?;
+            report::write(&runs, path, &folder, pdf.as_ref())?;
         }
     } else if shard == Shard::WHOLE {
         store.write_so_far().map_err(Failure::case)?;
@@ -174,6 +175,12 @@ fn refusal_of_shard(args: &CampaignRunArgs, runs: &Runs, shard: Shard) -> Option
     if args.xlsx.is_some() {
         return Some(
             "--xlsx goes with the whole table: use `fenderline campaign merge` first".to_owned(),
+        );
+    }
+    if args.pdf.is_some() {
+        return Some(
+            "--pdf goes with the whole report: use `fenderline campaign merge` and `campaign report` first"
+                .to_owned(),
         );
     }
     if runs.campaign().stop.is_some() {

@@ -423,6 +423,9 @@ pub(crate) struct CampaignRunArgs {
     /// Make one share of the runs, as 2/8 for the second of eight; `campaign merge` puts them together
     #[arg(long, value_name = "I/N", value_parser = shard)]
     pub(crate) shard: Option<Shard>,
+    /// Write the report as PDF too; needs a browser (Chromium, Chrome or Edge)
+    #[arg(long, value_name = "FILE.pdf", value_parser = output_file())]
+    pub(crate) pdf: Option<PathBuf>,
     /// Write the table as an Excel workbook too
     #[arg(long, value_name = "FILE.xlsx", value_parser = output_file())]
     pub(crate) xlsx: Option<PathBuf>,
@@ -474,6 +477,9 @@ pub(crate) struct CampaignReportArgs {
     /// Folder with the table [default: `out/` and the name of the campaign file]
     #[arg(long, value_name = "DIR", value_parser = output_folder())]
     pub(crate) out: Option<PathBuf>,
+    /// Write the report as PDF too; needs a browser (Chromium, Chrome or Edge)
+    #[arg(long, value_name = "FILE.pdf", value_parser = output_file())]
+    pub(crate) pdf: Option<PathBuf>,
 }
 
 /// A share, as 2/8.

@@ -368,6 +368,28 @@ fn browser(place: &Workplace, prints: &str) {
 }
 
 #[cfg(unix)]
+/// The report of a campaign is printed when its runs are made, and again from its table; a share has none.
+#[test]
+fn a_browser_prints_the_report_of_a_campaign() {
+    let place = Workplace::new("pdf_campaign");
+    browser(&place, "printf '%%PDF-1.4 printed' > \"$pdf\"");
+    place.write(
+        "study.toml",
+        b"scenario = \"berth.toml\"\nset = [\"time.duration=5 s\"]\n[variable.speed]\nkey = \"body.ship.velocity.sway\"\nvalues = [0.01, 0.02]\n",
+    );
+    let run =
+        place.shell("FENDERLINE_BROWSER=./browser $FENDERLINE campaign study.toml --pdf x.pdf");
+    assert!(run.code <= 1, "{}", run.stderr);
+    contains_all(&run.stdout, &["PDF: x.pdf"]);
+    assert_eq!(place.text("x.pdf"), "%PDF-1.4 printed");
+    let again = "FENDERLINE_BROWSER=./browser $FENDERLINE campaign report study.toml --pdf y.pdf";
+    assert_eq!(place.shell(again).code, 0);
+    assert_eq!(place.text("y.pdf"), "%PDF-1.4 printed");
+    let share = place.run(&["campaign", "study.toml", "--shard", "1/2", "--pdf", "z.pdf"]);
+    assert_eq!(share.code, 2);
+    contains_all(&share.stderr, &["--pdf goes with the whole report"]);
+}
+
 #[test]
 fn a_browser_prints_the_pdf() {
     let place = Workplace::new("pdf");

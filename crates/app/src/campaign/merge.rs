@@ -19,7 +19,7 @@ pub(super) fn merge(args: &CampaignMergeArgs) -> Result<(), Failure> {
     let runs = Runs::new(campaign).map_err(Failure::input)?;
     let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.campaign, Shard::WHOLE));
     store::merge(&runs, &args.shares, &folder).map_err(Failure::input)?;
-    report::write(&runs, &args.campaign, &folder)?;
+    report::write(&runs, &args.campaign, &folder, None)?;
     let path = folder.join(store::TABLE_PARQUET);
     say(&format!(
         "{}: {} cases of {} shares: {}\n",

@@ -14,6 +14,7 @@ use fenderline_scenario::{Campaign, Draw, Plan, Variable};
 
 use super::default_folder;
 use crate::cli::CampaignReportArgs;
+use crate::documents::Pdf;
 use crate::failure::Failure;
 use crate::output::write_whole;
 use crate::terminal::say;
@@ -41,15 +42,21 @@ pub(super) fn report_command(args: &CampaignReportArgs) -> Result<(), Failure> {
     let runs = Runs::new(campaign).map_err(Failure::input)?;
     let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.campaign, Shard::WHOLE));
     store::check(&folder, &runs).map_err(Failure::input)?;
-    write(&runs, &args.campaign, &folder)?;
+    let pdf = Pdf::of(args.pdf.as_deref())?;
+    write(&runs, &args.campaign, &folder, pdf.as_ref())?;
     say(&format!("report: {}\n", folder.join(REPORT).display()))
 }
 
-/// Writes the report of the table in a folder.
+/// Writes the report of the table in a folder, and as PDF where one is asked for.
 ///
 /// # Errors
-/// The table, or the disk.
-pub(super) fn write(runs: &Runs, file: &Path, folder: &Path) -> Result<(), Failure> {
+/// The table, or the disk; a browser that fails.
+pub(super) fn write(
+    runs: &Runs,
+    file: &Path,
+    folder: &Path,
+    pdf: Option<&Pdf>,
+) -> Result<(), Failure> {
     let refused = |why: &dyn core::fmt::Display| Failure::input(format_args!("error: {why}"));
     let table = Table::open(&folder.join(TABLE_PARQUET)).map_err(|why| refused(&why))?;
     let campaign = runs.campaign();
@@ -90,7 +97,10 @@ pub(super) fn write(runs: &Runs, file: &Path, folder: &Path) -> Result<(), Failu
     });
     let page = page.map_err(|why| refused(&why))?;
     write_whole(&folder.join(REPORT), page.as_bytes())?;
-    Ok(())
+    match pdf {
+        Some(pdf) => pdf.write(&page),
+        None => Ok(()),
+    }
 }
 
 /// The plan in words, with the seed where it draws.

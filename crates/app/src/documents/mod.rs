@@ -20,8 +20,7 @@ pub(crate) use workbook::cases_workbook;
 
 /// The documents that the command line asks for.
 pub(crate) struct Documents {
-    /// Where the PDF goes, and the browser that prints it.
-    pdf: Option<(PathBuf, Browser)>,
+    pdf: Option<Pdf>,
     xlsx: Option<PathBuf>,
     /// The tables that the workbook holds as time series.
     series: Vec<OutputTable>,
@@ -33,10 +32,7 @@ impl Documents {
     /// # Errors
     /// Bad input: no browser, an unknown table, a series that is too long for a sheet.
     pub(crate) fn of(asked: &cli::Documents, setup: &Setup) -> Result<Documents, Failure> {
-        let pdf = match &asked.pdf {
-            Some(path) => Some((path.clone(), Browser::find().map_err(Failure::input)?)),
-            None => None,
-        };
+        let pdf = Pdf::of(asked.pdf.as_deref())?;
         let series = sheets::chosen(asked.sheets.as_deref(), setup)?;
         Ok(Documents { pdf, xlsx: asked.xlsx.clone(), series })
     }
@@ -66,12 +62,39 @@ impl Documents {
             write_whole(path, &bytes)?;
             say(&format!("workbook: {}\n", path.display()))?;
         }
-        if let Some((path, browser)) = &self.pdf {
-            let bytes = pdf::print(browser, page, path).map_err(|e| refused(path, &e))?;
-            write_whole(path, &bytes)?;
-            say(&format!("PDF: {}\n", path.display()))?;
+        match &self.pdf {
+            Some(pdf) => pdf.write(page),
+            None => Ok(()),
         }
-        Ok(())
+    }
+}
+
+/// A report as PDF: where it goes, and the browser that prints it.
+pub(crate) struct Pdf {
+    path: PathBuf,
+    browser: Browser,
+}
+
+impl Pdf {
+    /// Looks for a browser, if a PDF is asked for: before the runs, because after hours of them it would be late.
+    ///
+    /// # Errors
+    /// Bad input: no browser.
+    pub(crate) fn of(path: Option<&Path>) -> Result<Option<Pdf>, Failure> {
+        let Some(path) = path else { return Ok(None) };
+        let browser = Browser::find().map_err(Failure::input)?;
+        Ok(Some(Pdf { path: path.to_owned(), browser }))
+    }
+
+    /// Prints a page and says where the PDF is.
+    ///
+    /// # Errors
+    /// A file that cannot be written; a browser that fails.
+    pub(crate) fn write(&self, page: &str) -> Result<(), Failure> {
+        let path = &self.path;
+        let bytes = pdf::print(&self.browser, page, path).map_err(|e| refused(path, &e))?;
+        write_whole(path, &bytes)?;
+        say(&format!("PDF: {}\n", path.display()))
     }
 }
 
