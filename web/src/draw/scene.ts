@@ -293,8 +293,16 @@ function farEnd(
   return body && onEarth(body, end.at_m);
 }
 
+/** Half of the width and the height (px) of what is written at a fender with a load. */
+const FENDER_WORDS_PX: Pair = [44, 60];
+
 /** Bollards to which lines can be sent, with their names where there is room. */
-export function drawBollards({ to, camera, colours, hello, bodies }: Scene): void {
+export function drawBollards({ to, camera, colours, hello, frame, bodies }: Scene): void {
+  const loaded = hello.fenders.flatMap(({ body, at_m }, i): Pair[] => {
+    const on = bodies[body];
+    const has = on && (frame.fenders[i]?.reaction_n ?? 0) > 0;
+    return has ? [toScreen(camera, onEarth(on, at_m))] : [];
+  });
   for (const { name, body, at_m } of hello.bollards) {
     const on = bodies[body];
     if (!on) continue;
@@ -306,12 +314,15 @@ export function drawBollards({ to, camera, colours, hello, bodies }: Scene): voi
     to.strokeStyle = colours.text;
     to.lineWidth = 1.5;
     to.stroke();
-    if (camera.pixels_per_m > 1.2)
-      label(to, spoken(name), [x, y - 12], {
-        colour: colours.text,
-        ground: colours.label,
-        size: 11,
-      });
+    if (camera.pixels_per_m <= 1.2) continue;
+    // Beside the words of a fender, not among them.
+    const near = loaded.find(
+      (at) => Math.abs(at[0] - x) < FENDER_WORDS_PX[0] && Math.abs(at[1] - y) < FENDER_WORDS_PX[1],
+    );
+    const style = { colour: colours.text, ground: colours.label, size: 11 };
+    if (!near) label(to, spoken(name), [x, y - 12], style);
+    else if (x < near[0]) label(to, spoken(name), [x - 7, y], { ...style, align: "right" });
+    else label(to, spoken(name), [x + 7, y], { ...style, align: "left" });
   }
 }
 
