@@ -142,6 +142,7 @@
 //! | wind, current, waves, tide and banks | [`environment`] |
 //! | mooring lines and winches | [`mooring`] |
 //! | forces of a passing ship on one at her berth; not yet part of a simulation | [`passing`] |
+//! | where a ship is that follows waypoints at given speeds | [`track`] |
 //! | heave, roll and pitch | [`attitude`] |
 //! | tugs as force vectors | [`tug`] |
 //! | controllers for heading, position and thrust | [`control`] |
@@ -195,6 +196,7 @@ mod setup;
 mod simulation;
 mod start;
 mod summary;
+pub mod track;
 pub mod tug;
 mod turning;
 mod verdict;
