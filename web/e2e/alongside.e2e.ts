@@ -132,7 +132,7 @@ test("a pilot and a tugmaster bring her alongside", async () => {
     await instructor.getByRole("button", { name: "Resume (K)" }).click();
   await pilot.bringToFront();
   await pilot.getByRole("tab", { name: "Docking" }).click();
-  await pilot.getByRole("button", { name: "Midships (M)" }).click();
+  await pilot.getByRole("button", { name: "Mid: rudder amidships (M)" }).click();
   const begun = Date.now();
   let [landing, settled] = [0, 0];
   while (Date.now() - begun < LONGEST_S * 1000) {

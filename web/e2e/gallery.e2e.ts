@@ -37,7 +37,9 @@ afterAll(async () => {
 async function load(title: string): Promise<void> {
   await instructor.bringToFront();
   await instructor.getByRole("tab", { name: "Session" }).click();
-  const button = instructor.getByRole("button", { name: `Open ${title}`, exact: true });
+  const button = instructor
+    .locator(".gallery li", { has: instructor.locator("b", { hasText: title }) })
+    .getByRole("button", { name: `Open ${title}` });
   await button.click();
   await button.click();
   await instructor.locator(".run-state", { hasText: "PAUSED" }).waitFor();

@@ -7,6 +7,7 @@ import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { type Served, SHOTS, browse, open, serve } from "./browser";
+import { sizes } from "./faults";
 
 const SIZES = {
   desk: { width: 1280, height: 800 },
@@ -47,26 +48,6 @@ async function palette(page: Page, name: string): Promise<void> {
   await page.waitForTimeout(150);
 }
 
-/** Names of visible touch targets smaller than 44 px, and of elements that extend beyond the page. */
-const faults = (page: Page) =>
-  page.evaluate(() => {
-    const found: string[] = [];
-    for (const each of document.querySelectorAll<HTMLElement>("button, select, input")) {
-      if (each.offsetParent === null) continue;
-      const box = each.getBoundingClientRect();
-      const name = each.getAttribute("aria-label") ?? each.textContent ?? "";
-      // A slider's track may be thinner if there are other ways to set the value.
-      if (box.width < 43.5 || (box.height < 43.5 && !each.closest(".thruster .track")))
-        found.push(`${name}: ${box.width.toFixed(0)} × ${box.height.toFixed(0)}`);
-      const card = each.closest(".card")?.getBoundingClientRect();
-      if (card && (box.right > card.right + 1 || box.left < card.left - 1))
-        found.push(`${name} sticks out of its card`);
-      if (box.right > innerWidth + 1 || box.left < -1) found.push(`${name} is out of the page`);
-    }
-    if (document.documentElement.scrollWidth > innerWidth) found.push("the page scrolls sideways");
-    return found;
-  });
-
 for (const [size, viewport] of Object.entries(SIZES)) {
   test(`every view at ${size}, ${viewport.width} × ${viewport.height}`, async () => {
     const { context, close } = await browse(viewport, size !== "desk");
@@ -96,7 +77,7 @@ for (const [size, viewport] of Object.entries(SIZES)) {
           });
         }
         await palette(page, "day");
-        expect(await faults(page)).toEqual([]);
+        expect(await sizes(page)).toEqual([]);
       }
       if (role === "pilot") {
         for (const group of await page.locator(".group-tabs button").all()) {
@@ -108,7 +89,7 @@ for (const [size, viewport] of Object.entries(SIZES)) {
               `${size}-pilot-controls-${(await group.textContent())?.toLowerCase() ?? ""}-day.png`,
             ),
           });
-          expect(await faults(page)).toEqual([]);
+          expect(await sizes(page)).toEqual([]);
         }
         for (const tab of ["Docking", "Conning", "Charts"]) {
           await page.getByRole("tab", { name: tab, exact: true }).click();

@@ -78,7 +78,9 @@ export class App implements Page {
     class: "verdict-button",
     name: "Verdict",
   });
-  private readonly paletteButton = button("Day", () => this.nextPalette(), { name: "Palette (B)" });
+  private readonly paletteButton = button("Day", () => this.nextPalette(), {
+    title: "Palette (B)",
+  });
   private readonly banner = h("div", { class: "banner hidden", role: "alert" });
   private readonly said = h("div", { class: "said", role: "status", "aria-live": "polite" });
   private readonly stage = h("main", { class: "stage" });
@@ -272,6 +274,7 @@ export class App implements Page {
     const panel = h(
       "section",
       { class: "panel", "aria-label": "Panel" },
+      h("h2", { class: "unseen" }, "Views"),
       h(
         "div",
         { class: "tabs" },
@@ -286,6 +289,8 @@ export class App implements Page {
     for (const { name, view } of this.tabs) {
       view.root.classList.add("view");
       view.root.setAttribute("role", "tabpanel");
+      // A view that scrolls is scrolled by keys too.
+      view.root.tabIndex = 0;
       view.root.setAttribute("aria-label", name);
       panel.append(view.root);
     }
@@ -332,6 +337,7 @@ export class App implements Page {
           : "There is nothing to command here.";
     setClass(this.strip, "empty", groups.length === 0);
     this.strip.replaceChildren(
+      h("h2", { class: "unseen" }, "Controls"),
       ...(groups.length > 1
         ? [h("nav", { class: "group-tabs", "aria-label": "Controls" }, ...buttons)]
         : []),
@@ -361,10 +367,9 @@ export class App implements Page {
   private setPalette(name: PaletteName): void {
     applyPalette(name);
     localStorage.setItem("palette", name);
-    setText(
-      this.paletteButton,
-      name.replace(/^./, (c) => c.toUpperCase()),
-    );
+    const shown = name.replace(/^./, (c) => c.toUpperCase());
+    setText(this.paletteButton, shown);
+    setAttribute(this.paletteButton, "aria-label", `Palette: ${shown} (B)`);
   }
 
   private nextPalette(): void {

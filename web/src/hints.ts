@@ -77,7 +77,7 @@ export class Hints {
 
   constructor() {
     this.bubble = h(
-      "aside",
+      "div",
       { class: "hint hidden", role: "status", "aria-label": "Hint" },
       this.text,
       h(

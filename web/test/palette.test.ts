@@ -15,13 +15,68 @@ function contrast(a: string, b: string): number {
   return (high + 0.05) / (low + 0.05);
 }
 
-test("text has the contrast for a screen in the sun by day, that of WCAG AA at dusk", () => {
+/** `rgb(r g b)` as `#rrggbb`; others as they are. */
+const hex = (colour: string) =>
+  colour.startsWith("#")
+    ? colour
+    : `#${[...colour.matchAll(/\d+/g)].map(([x]) => Number(x).toString(16).padStart(2, "0")).join("")}`;
+
+test("text has the contrast for a screen in the sun by day", () => {
   expect(contrast(PALETTES.day.text, PALETTES.day.panel)).toBeGreaterThan(15);
   expect(contrast(PALETTES.day.dim, PALETTES.day.panel)).toBeGreaterThan(7);
-  for (const key of ["text", "dim", "ok", "caution", "alarm"] as const)
-    expect(contrast(PALETTES.dusk[key], PALETTES.dusk.panel), key).toBeGreaterThan(4.5);
-  for (const key of ["ok", "alarm"] as const)
-    expect(contrast(PALETTES.day[key], PALETTES.day.panel), key).toBeGreaterThan(4.5);
+});
+
+/** What is written on what, in the document and on canvases. */
+const WRITTEN: [texts: (keyof Palette)[], on: (keyof Palette)[]][] = [
+  [
+    ["text", "dim"],
+    ["panel", "button", "bg"],
+  ],
+  [
+    ["ok", "caution", "alarm", "port", "starboard"],
+    ["panel", "button"],
+  ],
+  [["alarm_text"], ["caution", "alarm", "port", "starboard"]],
+  [["chosen_text"], ["chosen"]],
+  [["panel"], ["text"]],
+  [["path", "wind", "current"], ["panel"]],
+];
+/** What lies below the labels of the plan. */
+const BELOW: (keyof Palette)[] = ["water", "land", "own", "tug"];
+/** WCAG AA; ours for large texts too. */
+const LEAST = 4.5;
+
+/** A colour with a share of cover (`#rrggbbaa`) over another. */
+function over(cover: string, ground: string): string {
+  const share = Number.parseInt(cover.slice(7), 16) / 255;
+  const part = (hex: string, i: number) => Number.parseInt(hex.slice(i, i + 2), 16);
+  return `#${[1, 3, 5]
+    .map((i) => Math.round(part(cover, i) * share + part(ground, i) * (1 - share)))
+    .map((x) => x.toString(16).padStart(2, "0"))
+    .join("")}`;
+}
+
+test("every text has a contrast of 4.5:1 on what it is written on, in each palette", () => {
+  for (const [name, colours] of Object.entries(PALETTES)) {
+    for (const [texts, grounds] of WRITTEN)
+      for (const text of texts)
+        for (const ground of grounds)
+          expect
+            .soft(contrast(colours[text], colours[ground]), `${name}: ${text} on ${ground}`)
+            .toBeGreaterThan(LEAST);
+    const loads = Array.from({ length: 41 }, (_, i) => hex(loadColour(i / 40, colours)));
+    for (const below of BELOW) {
+      const ground = over(colours.label, colours[below]);
+      for (const text of ["text", "path", "alarm", "line"] as const)
+        expect
+          .soft(contrast(colours[text], ground), `${name}: ${text} on a label over ${below}`)
+          .toBeGreaterThan(LEAST);
+      for (const [i, load] of loads.entries())
+        expect
+          .soft(contrast(load, ground), `${name}: load ${i / 40} on a label over ${below}`)
+          .toBeGreaterThan(LEAST);
+    }
+  }
 });
 
 test("at night nothing is white or blue, and text is readable", () => {
@@ -30,7 +85,6 @@ test("at night nothing is white or blue, and text is readable", () => {
     expect(blue, `${key} ${hex}`).toBeLessThan(0x40);
     expect(luminance(hex), `${key} ${hex}`).toBeLessThan(0.32);
   }
-  expect(contrast(PALETTES.night.text, PALETTES.night.panel)).toBeGreaterThan(4);
 });
 
 test("loads change from green over amber to red in each palette", () => {

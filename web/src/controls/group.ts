@@ -39,11 +39,9 @@ export class ClaimBar {
     private readonly what: string,
   ) {
     const take = button(`Take ${what}`, () => void this.claim(), { class: "take" });
-    this.release = button(
-      `Release ${what.replace("the ", "")}`,
-      () => void page.order({ do: "release", control }),
-      { name: `Release ${what}`, class: "release" },
-    );
+    this.release = button(`Release ${what}`, () => void page.order({ do: "release", control }), {
+      class: "release",
+    });
     this.root = h("div", { class: "claim" }, take, this.who);
     this.held = this.release;
   }

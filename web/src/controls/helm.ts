@@ -109,18 +109,25 @@ export class Helm implements Group {
         name: `Rudder ${d < 0 ? "port" : "starboard"} ${Math.abs(d)}`,
         class: d < 0 ? "port" : "starboard",
       });
-    const buttons = [
-      ...steps.toReversed().map((d) => push(-d)),
-      button("Mid", () => this.setRudder(0), { name: "Midships (M)", class: "midships" }),
-      ...steps.map(push),
-    ];
+    const [port, starboard] = [steps.toReversed().map((d) => push(-d)), steps.map(push)];
+    const mid = button("Mid", () => this.setRudder(0), {
+      name: "Mid: rudder amidships (M)",
+      class: "midships",
+    });
+    const buttons = [...port, mid, ...starboard];
     const keeper = this.courseKeeper();
     const root = h(
       "section",
       { class: "card rudder", "aria-label": "Rudder" },
       h("div", { class: "card-head" }, h("h3", {}, "Rudder"), figure, ordered),
       slider.root,
-      h("div", { class: "row rudder-buttons" }, ...buttons),
+      h(
+        "div",
+        { class: "row rudder-buttons" },
+        h("div", { class: "side" }, ...port),
+        mid,
+        h("div", { class: "side" }, ...starboard),
+      ),
       keeper.root,
       this.registered("rudder"),
     );
@@ -196,10 +203,13 @@ export class Helm implements Group {
     const ordered = h("span", { class: "ordered" });
     const all = this.hello.telegraph.map(({ word, share }) => {
       const name = word.replace(/^./, (c) => c.toUpperCase());
+      const label = telegraphLabel(word);
       return {
         share,
-        root: button(telegraphLabel(word), () => this.setEngine(share), {
-          name: share === 0 ? "Stop engine (S)" : name,
+        root: button(label, () => this.setEngine(share), {
+          // The name has the label's words, for those who say what they see.
+          name:
+            share === 0 ? "Stop engine (S)" : name.startsWith(label) ? name : `${label}, ${name}`,
           title: share === 0 ? name : `${name}: ${percent(Math.abs(share))} of full revolutions`,
           class: share === 0 ? "stop" : share < 0 ? "port" : "starboard",
           "aria-pressed": "false",
@@ -268,8 +278,8 @@ export class Helm implements Group {
       { "aria-pressed": "false" },
     );
     const [less, more] = [
-      button("−½", change(-0.5), { name: "Half a knot slower" }),
-      button("+½", change(0.5), { name: "Half a knot faster" }),
+      button("−½", change(-0.5), { name: "Slower by half a knot, −½" }),
+      button("+½", change(0.5), { name: "Faster by half a knot, +½" }),
     ];
     return {
       root: h("div", { class: "row keeper" }, engage, less, figure, more),

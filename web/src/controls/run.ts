@@ -8,6 +8,7 @@ import type { Group, KeyAction } from "./group";
 /** The server's limit (characters). */
 const LONGEST_NOTE = 300;
 const PACES = [0.25, 0.5, 1, 2, 4, 8];
+const PACE_WORDS: Record<number, string> = { 0.25: "¼", 0.5: "½" };
 
 export class Run implements Group {
   readonly name = "Time";
@@ -54,8 +55,8 @@ export class Run implements Group {
       "Pace",
       PACES.filter((p) => p >= least && p <= most).map((p) => ({
         value: p,
-        label: `${{ 0.25: "¼", 0.5: "½" }[p] ?? p}×`,
-        name: `Pace ${p}`,
+        label: `${PACE_WORDS[p] ?? p}×`,
+        name: `Pace ${PACE_WORDS[p] ?? p}`,
       })),
       (pace) => void page.order({ do: "pace", pace }),
     );
@@ -108,9 +109,9 @@ export class Run implements Group {
           "div",
           { class: "row" },
           button("|◀ Start", () => this.rewind(0), { name: "Rewind to the start" }),
-          button("−1 min", jump(-60), { name: "Back one minute" }),
-          button("−10 s", jump(-10), { name: "Back ten seconds" }),
-          button("+10 s", jump(10), { name: "On ten seconds" }),
+          button("−1 min", jump(-60), { name: "Back one minute, −1 min" }),
+          button("−10 s", jump(-10), { name: "Back ten seconds, −10 s" }),
+          button("+10 s", jump(10), { name: "On ten seconds, +10 s" }),
           button("End ▶|", () => this.rewind(this.run?.last_tick ?? 0), {
             name: "To the end of the branch",
           }),
@@ -188,7 +189,6 @@ export class Run implements Group {
         const [from, till] = [(branch.from_tick / end) * 100, (branch.ends_tick / end) * 100];
         const text = branch.parent === null ? "First run" : `Branch ${branch.id}`;
         const lane = button("", () => void this.page.order({ do: "show_branch", id: branch.id }), {
-          name: `${text}, from ${clock(branch.from_tick * step_s)} to ${clock(branch.ends_tick * step_s)}`,
           class: "lane",
           "aria-pressed": String(branch.id === run.branch),
         });

@@ -27,6 +27,7 @@ export class Ring {
       ["tabindex", "0"],
       ["aria-valuemin", "-180"],
       ["aria-valuemax", "180"],
+      ["aria-valuenow", "0"],
     ] as const) {
       this.root.setAttribute(name, value);
     }

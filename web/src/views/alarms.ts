@@ -101,7 +101,7 @@ export class Alarms implements View {
     setClass(there.row, "over", !alarm.stands);
     there.ack.disabled = alarm.acknowledged || !this.mayAcknowledge(alarm);
     setText(there.ack, alarm.acknowledged ? "✓" : "Ack");
-    setAttribute(there.ack, "aria-label", `Acknowledge ${alarm.text}`);
+    setAttribute(there.ack, "aria-label", `Acknowledge ${alarm.text} (Ack)`);
   }
 
   private noteAlarm(alarm: Alarm): void {

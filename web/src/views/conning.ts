@@ -175,7 +175,7 @@ function drawHeading(sheet: Sheet, body: BodyNow, now: VesselNow): void {
   }
   if (now.course_rad !== null) {
     const x = middle + toDegrees(wrapped(now.course_rad - body[2])) * per;
-    stroke(to, [x, top], [x, top + 32], colours.chosen, 4);
+    stroke(to, [x, top], [x, top + 32], colours.path, 4);
   }
   to.restore();
   stroke(to, [middle, top - 2], [middle, top + 32], colours.alarm, 2);
@@ -195,7 +195,16 @@ function drawTurn(sheet: Sheet, body: BodyNow): void {
     sheet.text(String(Math.abs(mark)), place(mark), top + 26, 13, colours.dim);
   }
   sheet.text("ROT", middle - half - 8, top + 8, 15, colours.dim, "right");
-  sheet.text(fixed(Math.abs(rot), 1), middle + half + 8, top + 8, 18, colours.text, "left", true);
+  const way = Math.abs(rot) < 0.05 ? "" : rot < 0 ? "P " : "S ";
+  sheet.text(
+    way + fixed(Math.abs(rot), 1),
+    middle + half + 8,
+    top + 8,
+    18,
+    colours.text,
+    "left",
+    true,
+  );
   sheet.text("°/min", middle + half + 16, top + 26, 13, colours.dim, "left");
 }
 
@@ -260,7 +269,7 @@ function drawShip(sheet: Sheet, info: VesselInfo, now: VesselNow): void {
     sheet.bar(x, level - 4, state.now * reach, 8, state.now < 0 ? colours.port : colours.starboard);
     sheet.pointer([x + state.order * reach, level - 5], "above");
     sheet.text(
-      `${fixed(Math.abs(state.now) * 100, 0)} %`,
+      `${state.now < 0 ? "P " : state.now > 0 ? "S " : ""}${fixed(Math.abs(state.now) * 100, 0)} %`,
       x + reach + 6,
       level + 1,
       14,
@@ -398,7 +407,7 @@ function drawRudder(sheet: Sheet, info: VesselInfo, now: VesselNow): void {
     stroke(to, [at, y], [at, y + (degree % 10 === 0 ? 20 : 8)], colours.text, degree === 0 ? 2 : 1);
     if (degree % 10 === 0)
       sheet.text(
-        String(Math.abs(degree)),
+        `${degree < 0 ? "P " : degree > 0 ? "S " : ""}${Math.abs(degree)}`,
         at,
         y + 30,
         14,

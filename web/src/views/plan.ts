@@ -12,6 +12,8 @@ import type { View } from "./view";
 export type Up = "north" | "head" | "berth";
 const UP_NAMES: Record<Up, string> = { north: "North up", head: "Head up", berth: "Berth up" };
 const ZOOM_STEP = 1.35;
+/** A canvas of at most this width is a phone's. */
+const PHONE_PX = 480;
 
 export class Plan implements View {
   readonly root: HTMLElement;
@@ -29,7 +31,7 @@ export class Plan implements View {
     "aria-pressed": "true",
   });
   private readonly upButton = button("North up", () => this.turnUp(), {
-    name: "Which way is up (U)",
+    name: "North up: which way is up (U)",
   });
   private prediction = true;
   private readonly pathButton = button("Path", () => this.togglePath(), {
@@ -43,7 +45,7 @@ export class Plan implements View {
       { class: "plan-tools", role: "toolbar", "aria-label": "Plan" },
       button("+", () => this.zoom(ZOOM_STEP), { name: "Zoom in (+)" }),
       button("−", () => this.zoom(1 / ZOOM_STEP), { name: "Zoom out (−)" }),
-      button("Fit", () => this.fit(), { name: "Ship and berth (0)" }),
+      button("Fit", () => this.fit(), { name: "Fit: ship and berth (0)" }),
       this.followButton,
       this.upButton,
       this.pathButton,
@@ -88,6 +90,7 @@ export class Plan implements View {
   private setUp(up: Up): void {
     this.up = up;
     setText(this.upButton, UP_NAMES[up]);
+    setAttribute(this.upButton, "aria-label", `${UP_NAMES[up]}: which way is up (U)`);
     // Turns about the ship if she is followed.
     this.turn();
     const ship = this.shipNow(performance.now());
@@ -287,7 +290,8 @@ class Readout {
 
 function drawScale(to: CanvasRenderingContext2D, camera: Camera, colours: Palette): void {
   const long = roundLength(Math.min(180, camera.width * 0.25) / camera.pixels_per_m);
-  const [left, top] = [14, camera.height - 16];
+  // On a phone the tools take the foot.
+  const [left, top] = [14, camera.width < PHONE_PX ? 18 : camera.height - 16];
   const right = left + long * camera.pixels_per_m;
   stroke(to, [left, top], [right, top], colours.text, 3);
   for (const x of [left, (left + right) / 2, right])

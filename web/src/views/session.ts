@@ -98,7 +98,7 @@ export class Session implements View {
       label,
       "End this run?",
       () => void this.page.order({ do: "load", file: entry.file }),
-      { name: `Open ${entry.title}` },
+      { name: open ? `Start anew: Open ${entry.title}` : `Open ${entry.title}` },
     );
     return h(
       "li",
