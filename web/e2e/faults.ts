@@ -71,3 +71,30 @@ export const sizes = (page: Page): Promise<string[]> =>
         );
     return found;
   });
+
+/** The labels of the plan: those that overlap or stick out, and the texts of all. */
+export const labels = (page: Page): Promise<{ faults: string[]; texts: string[] }> =>
+  page.getByRole("img", { name: "Plan of ship" }).evaluate((root) => {
+    type Box = [number, number, number, number];
+    const { labelled, clientWidth, clientHeight } = root as HTMLCanvasElement & {
+      labelled: { placed: { label: { text: string }; box: Box }[]; taken: Box[] };
+    };
+    const all = [
+      ...labelled.placed.map(({ label, box }) => ({ text: label.text, box })),
+      ...labelled.taken.map((box) => ({ text: "scale, rose or buttons", box })),
+    ];
+    const faults = labelled.placed
+      .filter(
+        ({ box: [x, y, w, h] }) => x < 0 || y < 0 || x + w > clientWidth || y + h > clientHeight,
+      )
+      .map(({ label }) => `${label.text} sticks out`);
+    all.forEach(({ text, box: [x, y, w, h] }, i) => {
+      if (i >= labelled.placed.length) return;
+      for (const other of all.slice(i + 1)) {
+        const [left, top, wide, high] = other.box;
+        if (x < left + wide && left < x + w && y < top + high && top < y + h)
+          faults.push(`${text} over ${other.text}`);
+      }
+    });
+    return { faults, texts: labelled.placed.map(({ label }) => label.text) };
+  });

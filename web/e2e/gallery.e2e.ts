@@ -6,6 +6,7 @@ import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { type Browser, type Served, SHOTS, browse, open, serve } from "./browser";
+import { labels } from "./faults";
 
 /** Titles, and whether there is a berth. */
 const GALLERY: Record<string, { berth: boolean }> = {
@@ -60,6 +61,16 @@ for (const [begins, { berth }] of Object.entries(GALLERY)) {
     await pilot.locator("header", { hasText: title }).waitFor();
     await pilot.getByRole("tab", { name: "Docking" }).click();
     await pilot.waitForTimeout(600);
+    // The text of the exercise covers neither heading nor speed.
+    const hint = pilot.getByRole("status", { name: "Hint" });
+    if (await hint.isVisible()) {
+      const [own, figures] = [
+        await hint.boundingBox(),
+        await pilot.locator(".readout").boundingBox(),
+      ];
+      expect(own?.y).toBeGreaterThanOrEqual((figures?.y ?? 0) + (figures?.height ?? 0));
+      await pilot.getByRole("button", { name: "No hints" }).click();
+    }
     const off = await pilot.evaluate(
       () => document.querySelector<HTMLElement>('.end[aria-label="Bow"]')?.dataset.off ?? null,
     );
@@ -67,8 +78,31 @@ for (const [begins, { berth }] of Object.entries(GALLERY)) {
     await pilot.screenshot({
       path: join(SHOTS, `gallery-${begins.toLowerCase().replaceAll(" ", "-")}.png`),
     });
+    await measureLabels(begins.toLowerCase().replaceAll(" ", "-"));
     expect(errors).toEqual([]);
   });
+}
+
+/** At three zooms, on a desk and on a phone. */
+async function measureLabels(name: string): Promise<void> {
+  for (const size of [
+    { width: 1280, height: 800 },
+    { width: 390, height: 844 },
+  ]) {
+    await pilot.setViewportSize(size);
+    await pilot.keyboard.press("0");
+    for (const zoom of [1, 2, 3]) {
+      await pilot.waitForTimeout(250);
+      const { faults, texts } = await labels(pilot);
+      expect(faults, `${size.width} px, zoom ${zoom}`).toEqual([]);
+      // Zoomed in, the ends of a long ship may be off the screen.
+      if (zoom === 1) expect(texts.some((text) => text.endsWith("m/s"))).toBe(true);
+      await pilot.screenshot({ path: join(SHOTS, `labels-${name}-${size.width}-${zoom}.png`) });
+      for (let i = 0; i < 3; i++) await pilot.keyboard.press("+");
+    }
+  }
+  await pilot.keyboard.press("0");
+  await pilot.setViewportSize({ width: 1280, height: 800 });
 }
 
 test("a session is saved under a name, and continues where it ended when it is opened again", async () => {

@@ -8,6 +8,8 @@ interface Hint {
   /** Where it points: the first of these that is visible. */
   at: string[];
   text: string;
+  /** It is about the whole page: in the corner below that element, without a tip. */
+  corner?: boolean;
 }
 
 const CLAIM: Hint = {
@@ -97,7 +99,9 @@ export class Hints {
     if (this.key === key && !fresh) return;
     this.key = key;
     this.briefing =
-      briefing === "" ? [] : [{ until: "briefing", at: ["header h1"], text: briefing }];
+      briefing === ""
+        ? []
+        : [{ until: "briefing", at: [".readout"], text: briefing, corner: true }];
     this.steps = [...this.briefing, ...(localStorage.getItem(key) === null ? HINTS[role] : [])];
     this.place();
   }
@@ -140,10 +144,11 @@ export class Hints {
     if (!shown) return;
     setText(this.text, step.text);
     const [at, own] = [anchor.getBoundingClientRect(), this.bubble.getBoundingClientRect()];
-    const above = at.top - own.height - 14 > 4;
+    const above = !step.corner && at.top - own.height - 14 > 4;
+    this.bubble.classList.toggle("corner", step.corner ?? false);
     const left = Math.min(
       innerWidth - own.width - 8,
-      Math.max(8, at.left + at.width / 2 - own.width / 2),
+      Math.max(8, step.corner ? at.left + 8 : at.left + at.width / 2 - own.width / 2),
     );
     this.bubble.style.left = `${left}px`;
     this.bubble.style.top = `${above ? at.top - own.height - 14 : at.bottom + 14}px`;

@@ -1,5 +1,6 @@
 /** Drawing primitives of the plan and the conning display. */
 import type { Pair } from "../protocol";
+import { type Label, type Placed, nearest } from "./labels";
 
 export const FONT = "system-ui, 'DejaVu Sans', sans-serif";
 
@@ -52,48 +53,22 @@ export function arrow(
   to.fill();
 }
 
-/** A label that is off the canvas by no more than this is moved onto it. */
-const EDGE_PX = 60;
+export const labelFont = ({ size, bold }: Pick<Label, "size" | "bold">): string =>
+  `${bold ? 600 : 400} ${size}px ${FONT}`;
 
-export interface LabelStyle {
-  colour: string;
-  ground: string;
-  size?: number;
-  bold?: boolean;
-  align?: "left" | "center" | "right";
-}
-
-/** A text with its own background. `within`: it is kept on the canvas while its point is on it or close to it. */
-export function label(
+/** A label on its own ground, with a leader to its point if it is away from it. */
+export function drawLabel(
   to: CanvasRenderingContext2D,
-  text: string,
-  at: Pair,
-  style: LabelStyle,
-  within?: { width: number; height: number },
+  { label, box, leads }: Placed,
+  ground: string,
 ): void {
-  if (
-    within &&
-    (at[0] < -EDGE_PX ||
-      at[1] < -EDGE_PX ||
-      at[0] > within.width + EDGE_PX ||
-      at[1] > within.height + EDGE_PX)
-  )
-    return;
-  const size = style.size ?? 14;
-  to.font = `${style.bold ? 600 : 400} ${size}px ${FONT}`;
-  const width = to.measureText(text).width + 8;
-  const high = size + 6;
-  const align = style.align ?? "center";
-  let left = align === "left" ? at[0] : align === "right" ? at[0] - width : at[0] - width / 2;
-  let top = at[1] - high / 2;
-  if (within) {
-    left = Math.min(within.width - width - 2, Math.max(2, left));
-    top = Math.min(within.height - high - 2, Math.max(2, top));
-  }
-  to.fillStyle = style.ground;
+  const [left, top, width, high] = box;
+  if (leads) stroke(to, label.at, nearest(box, label.at), label.colour, 1);
+  to.fillStyle = ground;
   to.fillRect(left, top, width, high);
-  to.fillStyle = style.colour;
+  to.font = labelFont(label);
+  to.fillStyle = label.colour;
   to.textAlign = "left";
   to.textBaseline = "middle";
-  to.fillText(text, left + 4, top + high / 2 + 0.5);
+  to.fillText(label.text, left + 4, top + high / 2 + 0.5);
 }

@@ -14,7 +14,8 @@ import type { Live } from "../live";
 import { type Palette, loadColour } from "../palette";
 import type { BodyNow, Frame, Hello, LineInfo, LineNow, Pair } from "../protocol";
 import { fixed, force, spoken, tonnes } from "../units";
-import { arrow, label, polygon, stroke } from "./marks";
+import { type Label, Rank } from "./labels";
+import { arrow, polygon, stroke } from "./marks";
 
 export interface Scene {
   to: CanvasRenderingContext2D;
@@ -24,6 +25,8 @@ export interface Scene {
   frame: Frame;
   bodies: BodyNow[];
   live: Live;
+  /** Drawn last, so that none lies over another. */
+  labels: Label[];
 }
 
 /** Length of a force arrow per meganewton [px]. */
@@ -132,7 +135,7 @@ export function drawPrediction(scene: Scene): void {
 
 /** The track of the centre with its minutes. It is drawn over the hulls, so that it can be read under the ship. */
 export function drawMinutes(scene: Scene): void {
-  const { to, camera, colours } = scene;
+  const { to, camera, colours, labels } = scene;
   const ahead = way(scene);
   if (!ahead) return;
   to.strokeStyle = colours.path;
@@ -149,19 +152,23 @@ export function drawMinutes(scene: Scene): void {
     to.arc(at[0], at[1], 3, 0, 2 * Math.PI);
     to.fillStyle = colours.path;
     to.fill();
-    // Labels that would overlap are left out.
+    // A ship that hardly moves has her minutes at one point.
     if (last && length(minus(at, last)) < 22) continue;
     last = at;
-    label(to, `${minute} min`, [at[0] + 28, at[1]], {
+    labels.push({
+      key: `minute ${minute}`,
+      text: `${minute} min`,
+      rank: Rank.Minute,
+      at,
+      off: [28, 0],
       colour: colours.path,
-      ground: colours.label,
       size: 12,
     });
   }
 }
 
 export function drawHulls(scene: Scene): void {
-  const { to, colours, hello, bodies, camera } = scene;
+  const { to, colours, hello, bodies, camera, labels } = scene;
   const ownBody = scene.live.body();
   hello.bodies.forEach((body, i) => {
     const now = bodies[i];
@@ -187,15 +194,23 @@ export function drawHulls(scene: Scene): void {
       1.5,
     );
     if (tug)
-      label(to, spoken(vessel.name), toScreen(camera, onEarth(now, [-half - 6, 0])), {
+      labels.push({
+        key: `vessel ${vessel.name}`,
+        text: spoken(vessel.name),
+        rank: Rank.Tug,
+        at: toScreen(camera, onEarth(now, [-half, 0])),
+        off: minus(
+          toScreen(camera, onEarth(now, [-half - 6, 0])),
+          toScreen(camera, onEarth(now, [-half, 0])),
+        ),
         colour: colours.text,
-        ground: colours.label,
         size: 13,
       });
   });
 }
 
-export function drawFenders({ to, camera, colours, hello, frame, bodies }: Scene): void {
+export function drawFenders(scene: Scene): void {
+  const { to, camera, colours, hello, frame, bodies, labels } = scene;
   hello.fenders.forEach((info, i) => {
     const [now, body] = [frame.fenders[i], bodies[info.body]];
     if (!now || !body) return;
@@ -225,25 +240,40 @@ export function drawFenders({ to, camera, colours, hello, frame, bodies }: Scene
       stroke(to, corner(half, 0), corner(-half, deep), colours.text, 2);
     }
     if (now.reaction_n <= 0 || camera.pixels_per_m < 0.6) return;
+    // Behind it, on its mounting.
+    const written = {
+      at: corner(0, 0),
+      off: minus(corner(0, -16 / camera.pixels_per_m), corner(0, 0)),
+    };
     if (info.rated_reaction_n === null && info.rated_energy_j === null) {
-      label(to, force(now.reaction_n), corner(0, -16 / camera.pixels_per_m), {
+      labels.push({
+        key: `fender ${info.name}`,
+        text: force(now.reaction_n),
+        rank: Rank.Fender,
+        ...written,
         colour: colours.text,
-        ground: colours.label,
         size: 12,
       });
       return;
     }
     const text = camera.pixels_per_m > 1.8 ? `${fixed(load * 100, 0)} %` : fixed(load * 100, 0);
-    label(to, text, corner(0, -16 / camera.pixels_per_m), {
+    labels.push({
+      key: `fender ${info.name}`,
+      text,
+      rank: Rank.Fender,
+      ...written,
       colour: loadColour(load, colours),
-      ground: colours.label,
       size: 13,
       bold: true,
     });
     if (camera.pixels_per_m > 3.2) {
-      label(to, force(now.reaction_n), corner(0, -35 / camera.pixels_per_m), {
+      labels.push({
+        key: `reaction ${info.name}`,
+        text: force(now.reaction_n),
+        rank: Rank.Detail,
+        at: written.at,
+        off: minus(corner(0, -37 / camera.pixels_per_m), written.at),
         colour: colours.text,
-        ground: colours.label,
         size: 12,
       });
     }
@@ -293,40 +323,33 @@ function farEnd(
   return body && onEarth(body, end.at_m);
 }
 
-/** Half of the width and the height (px) of what is written at a fender with a load. */
-const FENDER_WORDS_PX: Pair = [44, 60];
-
 /** Bollards to which lines can be sent, with their names where there is room. */
-export function drawBollards({ to, camera, colours, hello, frame, bodies }: Scene): void {
-  const loaded = hello.fenders.flatMap(({ body, at_m }, i): Pair[] => {
-    const on = bodies[body];
-    const has = on && (frame.fenders[i]?.reaction_n ?? 0) > 0;
-    return has ? [toScreen(camera, onEarth(on, at_m))] : [];
-  });
+export function drawBollards({ to, camera, colours, hello, bodies, labels }: Scene): void {
   for (const { name, body, at_m } of hello.bollards) {
     const on = bodies[body];
     if (!on) continue;
-    const [x, y] = toScreen(camera, onEarth(on, at_m));
+    const at = toScreen(camera, onEarth(on, at_m));
     to.beginPath();
-    to.arc(x, y, 3.5, 0, 2 * Math.PI);
+    to.arc(...at, 3.5, 0, 2 * Math.PI);
     to.fillStyle = colours.panel;
     to.fill();
     to.strokeStyle = colours.text;
     to.lineWidth = 1.5;
     to.stroke();
     if (camera.pixels_per_m <= 1.2) continue;
-    // Beside the words of a fender, not among them.
-    const near = loaded.find(
-      (at) => Math.abs(at[0] - x) < FENDER_WORDS_PX[0] && Math.abs(at[1] - y) < FENDER_WORDS_PX[1],
-    );
-    const style = { colour: colours.text, ground: colours.label, size: 11 };
-    if (!near) label(to, spoken(name), [x, y - 12], style);
-    else if (x < near[0]) label(to, spoken(name), [x - 7, y], { ...style, align: "right" });
-    else label(to, spoken(name), [x + 7, y], { ...style, align: "left" });
+    labels.push({
+      key: `bollard ${name}`,
+      text: spoken(name),
+      rank: Rank.Bollard,
+      at,
+      colour: colours.text,
+      size: 11,
+    });
   }
 }
 
-export function drawLines({ to, camera, colours, hello, frame, bodies }: Scene): void {
+export function drawLines(scene: Scene): void {
+  const { to, camera, colours, hello, frame, bodies, labels } = scene;
   hello.lines.forEach((info, i) => {
     const [now, ship] = [frame.lines[i], bodies[info.ship]];
     if (!now || !ship || now.state === "aboard") return;
@@ -350,25 +373,24 @@ export function drawLines({ to, camera, colours, hello, frame, bodies }: Scene):
           ? loadColour(share * 0.95, colours)
           : colours.line;
     stroke(to, from, till, colour, share > 0.1 ? 3 : 1.8, now.state === "parted" ? [4, 8] : []);
-    if (now.state === "parted") {
-      label(to, "PARTED", [(from[0] + till[0]) / 2, (from[1] + till[1]) / 2], {
-        colour: colours.alarm,
-        ground: colours.label,
-        size: 12,
-        bold: true,
-      });
-    } else if (share > 0.1 && camera.pixels_per_m > 1.2) {
-      label(to, tonnes(now.tension_n), [(from[0] + till[0]) / 2, (from[1] + till[1]) / 2], {
-        colour,
-        ground: colours.label,
-        size: 13,
-      });
-    }
+    const middle: Label = {
+      key: `line ${info.name}`,
+      text: tonnes(now.tension_n),
+      rank: Rank.Line,
+      at: [(from[0] + till[0]) / 2, (from[1] + till[1]) / 2],
+      off: [0, 0],
+      colour,
+      size: 13,
+    };
+    if (now.state === "parted")
+      labels.push({ ...middle, text: "PARTED", rank: Rank.Parted, size: 12, bold: true });
+    else if (share > 0.1 && camera.pixels_per_m > 1.2) labels.push(middle);
   });
 }
 
 /** Vector tugs, at the place of their force. Tugs that are vessels are drawn with the other hulls. */
-export function drawVectorTugs({ to, camera, colours, hello, frame, bodies }: Scene): void {
+export function drawVectorTugs(scene: Scene): void {
+  const { to, camera, colours, hello, frame, bodies, labels } = scene;
   hello.tugs.forEach((info, i) => {
     const now = frame.tugs[i];
     const ship = bodies[hello.vessels[info.vessel]?.body ?? -1];
@@ -431,23 +453,30 @@ export function drawVectorTugs({ to, camera, colours, hello, frame, bodies }: Sc
       now.force_n > 1e3
         ? `${spoken(info.name)} ${tonnes(now.force_n)}${now.limited ? " max" : ""}`
         : spoken(info.name);
-    label(
-      to,
-      text,
+    const outward = pulls ? -1 : 1;
+    const stern = (beyond_px: number) =>
       toScreen(
         camera,
         onEarth(
           ship,
-          add(at, turned(toward, [off - (pulls ? -1 : 1) * (half + 9 / camera.pixels_per_m), 0])),
+          add(at, turned(toward, [off - outward * (half + beyond_px / camera.pixels_per_m), 0])),
         ),
-      ),
-      { colour: colours.text, ground: colours.label, size: 13 },
-    );
+      );
+    labels.push({
+      key: `tug ${info.name}`,
+      text,
+      rank: Rank.Tug,
+      at: stern(0),
+      off: minus(stern(9), stern(0)),
+      colour: colours.text,
+      size: 13,
+    });
   });
 }
 
 /** Lateral speed at bow and stern as arrows with values, and the distances to the berth. */
-export function drawBowAndStern({ to, camera, colours, hello, frame, bodies, live }: Scene): void {
+export function drawBowAndStern(scene: Scene): void {
+  const { to, camera, colours, hello, frame, bodies, live, labels } = scene;
   const index = live.ship();
   const [info, now] = [hello.vessels[index], frame.vessels[index]];
   const body = bodies[info?.body ?? -1];
@@ -466,15 +495,19 @@ export function drawBowAndStern({ to, camera, colours, hello, frame, bodies, liv
     const long = clamp(Math.abs(speed) * PX_PER_MPS, 0, 130);
     const tip = add(place, times(across, long / camera.pixels_per_m));
     if (long > 2) arrow(to, toScreen(camera, place), toScreen(camera, tip), colours.path, 5);
-    const text = `${fixed(Math.abs(speed), 2)} m/s`;
+    const name = end === 1 ? "bow" : "stern";
     const textAt = add(place, turned(body[2], [end * (34 / camera.pixels_per_m), 0]));
-    label(
-      to,
-      text,
-      toScreen(camera, textAt),
-      { colour: colours.path, ground: colours.label, size: 16, bold: true },
-      camera,
-    );
+    labels.push({
+      key: `speed ${name}`,
+      text: `${fixed(Math.abs(speed), 2)} m/s`,
+      rank: Rank.Speed,
+      at: toScreen(camera, place),
+      off: minus(toScreen(camera, textAt), toScreen(camera, place)),
+      colour: colours.path,
+      size: 16,
+      bold: true,
+      clamped: true,
+    });
     if (!towardShore || berthDistance === undefined || berthDistance > 400) continue;
     const nearest = outline
       .filter(([along]) => along * end > half * 0.25)
@@ -488,13 +521,17 @@ export function drawBowAndStern({ to, camera, colours, hello, frame, bodies, liv
     const shore = add(nearest, times(towardShore, Math.max(0, berthDistance)));
     stroke(to, toScreen(camera, nearest), toScreen(camera, shore), colours.text, 1.5, [5, 4]);
     const inland = add(shore, times(towardShore, 62 / camera.pixels_per_m));
-    label(
-      to,
-      `${fixed(berthDistance, 1)} m`,
-      toScreen(camera, inland),
-      { colour: colours.text, ground: colours.label, size: 17, bold: true },
-      camera,
-    );
+    labels.push({
+      key: `distance ${name}`,
+      text: `${fixed(berthDistance, 1)} m`,
+      rank: Rank.Distance,
+      at: toScreen(camera, shore),
+      off: minus(toScreen(camera, inland), toScreen(camera, shore)),
+      colour: colours.text,
+      size: 17,
+      bold: true,
+      clamped: true,
+    });
   }
 }
 

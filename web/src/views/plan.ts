@@ -1,6 +1,7 @@
 /** The plan: an electronic chart of the harbour around the ship. */
 import * as scene from "../draw/scene";
-import { FONT, arrow, label, stroke } from "../draw/marks";
+import { type Box, type Label, type Placed, Rank, place } from "../draw/labels";
+import { FONT, arrow, drawLabel, labelFont, stroke } from "../draw/marks";
 import { type Camera, add, fitted, minus, roundLength, toEarth, zoomed } from "../geometry";
 import type { Live } from "../live";
 import { type Palette, palette } from "../palette";
@@ -12,12 +13,21 @@ import type { View } from "./view";
 export type Up = "north" | "head" | "berth";
 const UP_NAMES: Record<Up, string> = { north: "North up", head: "Head up", berth: "Berth up" };
 const ZOOM_STEP = 1.35;
+/** After this time labels may change their places without need. */
+const SETTLE_MS = 2000;
+const MOST_WIDTHS = 1000;
+
+/** With the labels of the last drawing, for tests, which cannot read a canvas. */
+type PlanCanvas = HTMLCanvasElement & { labelled?: { placed: Placed[]; taken: Box[] } };
+
 /** A canvas of at most this width is a phone's. */
 const PHONE_PX = 480;
 
 export class Plan implements View {
   readonly root: HTMLElement;
-  private readonly surface = canvas("Plan of ship, berth, tugs and lines");
+  private readonly surface: ReturnType<typeof canvas> & { root: PlanCanvas } = canvas(
+    "Plan of ship, berth, tugs and lines",
+  );
   private camera: Camera = { centre: [0, 0], pixels_per_m: 1, up_rad: 0, width: 1, height: 1 };
   private looked = false;
   private follows = true;
@@ -26,6 +36,12 @@ export class Plan implements View {
   private up: Up = "north";
   private readonly pointers = new Map<number, Pair>();
   private readonly readout = new Readout();
+  private readonly tools: HTMLElement;
+  private toolsBox: Box = [0, 0, 0, 0];
+  /** The place of each label in the last drawing, by its key. */
+  private readonly places = new Map<string, number>();
+  private settled_ms = -Infinity;
+  private readonly widths = new Widths();
   private readonly followButton = button("Follow", () => this.follow(), {
     name: "Follow the ship (F)",
     "aria-pressed": "true",
@@ -40,7 +56,7 @@ export class Plan implements View {
   });
 
   constructor(private readonly live: Live) {
-    const tools = h(
+    this.tools = h(
       "div",
       { class: "plan-tools", role: "toolbar", "aria-label": "Plan" },
       button("+", () => this.zoom(ZOOM_STEP), { name: "Zoom in (+)" }),
@@ -54,7 +70,7 @@ export class Plan implements View {
       "section",
       { class: "plan", "aria-label": "Plan view" },
       this.readout.root,
-      h("div", { class: "plan-surface" }, this.surface.root, tools),
+      h("div", { class: "plan-surface" }, this.surface.root, this.tools),
     );
     this.listen();
   }
@@ -139,6 +155,7 @@ export class Plan implements View {
       frame,
       bodies,
       live: this.live,
+      labels: [],
     };
     scene.drawGrid(all);
     scene.drawLand(all);
@@ -152,7 +169,8 @@ export class Plan implements View {
     scene.drawContacts(all);
     if (this.prediction) scene.drawMinutes(all);
     scene.drawBowAndStern(all);
-    drawScale(to, this.camera, colours);
+    const taken = [drawScale(to, this.camera, colours), drawRose(to, this.camera, colours, frame)];
+    this.label(to, all.labels, taken, colours, now_ms);
     // For tests, which cannot read a canvas.
     const { centre, pixels_per_m } = this.camera;
     setAttribute(
@@ -160,7 +178,33 @@ export class Plan implements View {
       "data-view",
       [...centre, pixels_per_m].map((n) => n.toFixed(3)).join(" "),
     );
-    drawRose(to, this.camera, colours, frame);
+  }
+
+  /** Draws the labels. `taken`: boxes that are kept free of them, as the buttons over the canvas are. */
+  private label(
+    to: CanvasRenderingContext2D,
+    labels: Label[],
+    taken: Box[],
+    colours: Palette,
+    now_ms: number,
+  ): void {
+    // Now and then each label may go back to where it belongs.
+    if (now_ms - this.settled_ms > SETTLE_MS) {
+      this.settled_ms = now_ms;
+      this.places.clear();
+      const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = this.tools;
+      this.toolsBox = [offsetLeft, offsetTop, offsetWidth, offsetHeight];
+    }
+    const { width, height } = this.camera;
+    const boxes = [...taken, this.toolsBox];
+    const placed = place(labels, [width, height], boxes, this.places, (label) =>
+      this.widths.of(to, label),
+    );
+    for (const each of placed) {
+      this.places.set(each.label.key, each.place);
+      drawLabel(to, each, colours.label);
+    }
+    this.surface.root.labelled = { placed, taken: boxes };
   }
 
   private firstLook(bodies: BodyNow[]): void {
@@ -233,6 +277,24 @@ export class Plan implements View {
   }
 }
 
+/** Widths of texts, which a canvas is slow to measure. */
+class Widths {
+  private readonly known = new Map<string, number>();
+
+  of(to: CanvasRenderingContext2D, label: Label): number {
+    const font = labelFont(label);
+    const key = `${font} ${label.text}`;
+    let width = this.known.get(key);
+    if (width === undefined) {
+      if (this.known.size >= MOST_WIDTHS) this.known.clear();
+      to.font = font;
+      width = to.measureText(label.text).width;
+      this.known.set(key, width);
+    }
+    return width;
+  }
+}
+
 /** The values in the plan's corner. */
 class Readout {
   private readonly cells = new Map<string, HTMLElement>();
@@ -288,7 +350,8 @@ class Readout {
   }
 }
 
-function drawScale(to: CanvasRenderingContext2D, camera: Camera, colours: Palette): void {
+/** The scale bar. Returns its box. */
+function drawScale(to: CanvasRenderingContext2D, camera: Camera, colours: Palette): Box {
   const long = roundLength(Math.min(180, camera.width * 0.25) / camera.pixels_per_m);
   // On a phone the tools take the foot.
   const [left, top] = [14, camera.width < PHONE_PX ? 18 : camera.height - 16];
@@ -296,23 +359,30 @@ function drawScale(to: CanvasRenderingContext2D, camera: Camera, colours: Palett
   stroke(to, [left, top], [right, top], colours.text, 3);
   for (const x of [left, (left + right) / 2, right])
     stroke(to, [x, top - 6], [x, top + 1.5], colours.text, 2);
-  label(to, long >= 1000 ? `${fixed(long / 1000, 0)} km` : `${long} m`, [right + 6, top - 2], {
+  const text = long >= 1000 ? `${fixed(long / 1000, 0)} km` : `${long} m`;
+  const box: Box = [right + 6, top - 12, text.length * 8 + 12, 19];
+  const label: Label = {
+    key: "scale",
+    text,
+    rank: Rank.Measure,
+    at: [right, top],
     colour: colours.text,
-    ground: "transparent",
     size: 13,
-    align: "left",
-  });
+  };
+  drawLabel(to, { label, box, place: 0, leads: false }, "transparent");
+  return [left, top - 12, box[0] + box[2] - left, 19];
 }
 
-/** North, wind and current around one small rose, in the corner that the quay seldom covers. */
+/** North, wind and current around one small rose, in the corner that the quay seldom covers. Returns its box. */
 function drawRose(
   to: CanvasRenderingContext2D,
   camera: Camera,
   colours: Palette,
   frame: Frame,
-): void {
-  const radius = 34;
-  const centre: Pair = [radius + 24, camera.height - radius - 52];
+): Box {
+  const phone = camera.width < PHONE_PX;
+  const radius = phone ? 22 : 34;
+  const centre: Pair = [radius + 24, phone ? radius + 54 : camera.height - radius - 52];
   const on = (bearing: number, far: number): Pair => {
     const angle = bearing - camera.up_rad;
     return [centre[0] + Math.sin(angle) * far, centre[1] - Math.cos(angle) * far];
@@ -341,4 +411,7 @@ function drawRose(
       colours.current,
       3.5,
     );
+  // With the letter around it.
+  const far = radius + 17;
+  return [centre[0] - far, centre[1] - far, 2 * far, 2 * far];
 }
