@@ -13,6 +13,12 @@ export interface Palette {
   chosen: string;
   chosen_text: string;
   water: string;
+  /** Water that a ship of the scenario can float in, but little more. */
+  medium: string;
+  /** Water that is shallower than her draught. */
+  shallow: string;
+  /** Ground that falls dry. */
+  drying: string;
   land: string;
   land_edge: string;
   grid: string;
@@ -46,7 +52,10 @@ export const PALETTES: Record<PaletteName, Palette> = {
     button_edge: "#71818e",
     chosen: "#0b4f8a",
     chosen_text: "#ffffff",
-    water: "#cfe4f3",
+    water: "#dcecf7",
+    medium: "#bddcf1",
+    shallow: "#93c3e6",
+    drying: "#bcc98f",
     land: "#dccb94",
     land_edge: "#6b5a22",
     grid: "#a9c7dc",
@@ -78,6 +87,9 @@ export const PALETTES: Record<PaletteName, Palette> = {
     chosen: "#3d87bd",
     chosen_text: "#04121d",
     water: "#0e2231",
+    medium: "#12304a",
+    shallow: "#1a4468",
+    drying: "#3a4a22",
     land: "#453d22",
     land_edge: "#8d7d48",
     grid: "#1b394d",
@@ -109,6 +121,9 @@ export const PALETTES: Record<PaletteName, Palette> = {
     chosen: "#4e150d",
     chosen_text: "#ee7436",
     water: "#030000",
+    medium: "#120503",
+    shallow: "#241006",
+    drying: "#22180a",
     land: "#1c0c04",
     land_edge: "#5c2c12",
     grid: "#210807",

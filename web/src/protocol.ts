@@ -48,6 +48,8 @@ export interface Hello {
   /** The berth: a line [m] and the side of the water, on a body (a quay, a ship). Distances are to this line. */
   berth: { body: number; from: Pair; to: Pair; facing: Pair } | null;
   depth_m: number | null;
+  /** What is drawn behind ships and quays. */
+  chart: ChartInfo[];
   /** For the instructor only: a link for each role, as a path on this server. */
   links?: { role: Role; path: string }[];
 }
@@ -102,6 +104,23 @@ export interface CommandLimits {
   approach_limit_mps: Pair;
   /** Simulated time over wall time. */
   pace: Pair;
+}
+
+/** A feature of the chart. */
+export interface ChartInfo {
+  kind:
+    "depth_area" | "depth_contour" | "coast" | "quay" | "leading_line" | "beacon" | "buoy" | "name";
+  /** Empty for none. */
+  name: string;
+  /** Of depth areas (the least) and depth contours [m]. */
+  depth_m: number | null;
+  /** Of buoys and beacons. */
+  colour: "red" | "green" | "yellow" | "black" | "white" | null;
+  /** The side of the fairway that a lateral mark is on, for a ship that enters. */
+  side: "port" | "starboard" | null;
+  shape: "point" | "line" | "area";
+  /** Earth-fixed [m]: one place, one line, or the rings of an area, each without a repeated last place. */
+  lines: Pair[][];
 }
 
 export interface BodyInfo {

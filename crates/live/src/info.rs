@@ -8,9 +8,10 @@ use fenderline_sim::{BollardSetup, LineEnd, MooringSetup, Setup, TugSetup, Vesse
 
 use crate::berth::Berth;
 use crate::cast::Cast;
+use crate::chart_info::chart_infos;
 use crate::message::{
-    AzimuthInfo, BodyInfo, BollardInfo, FenderInfo, LineEndInfo, LineInfo, OrderInfo, Pair,
-    TelegraphInfo, ThrusterInfo, TugInfo, VesselInfo,
+    AzimuthInfo, BodyInfo, BollardInfo, ChartInfo, FenderInfo, LineEndInfo, LineInfo, OrderInfo,
+    Pair, TelegraphInfo, ThrusterInfo, TugInfo, VesselInfo,
 };
 use crate::order_info::{order_infos, telegraph};
 
@@ -44,6 +45,8 @@ pub struct Info {
     pub berth: Option<Berth>,
     /// Depth of the water (m).
     pub depth_m: Option<f64>,
+    /// As in [`crate::message::Hello`].
+    pub chart: Vec<ChartInfo>,
 }
 
 impl Info {
@@ -82,6 +85,7 @@ impl Info {
             places: cast.own.map_or_else(Vec::new, |own| places(setup, &world.vessels[own])),
             berth: Berth::of(setup, cast),
             depth_m: world.environment.depth_m,
+            chart: chart_infos(&world.chart),
         }
     }
 }

@@ -19,6 +19,7 @@ mod berth;
 mod bits;
 mod carry_out;
 mod cast;
+mod chart_info;
 mod checkpoints;
 mod frame;
 mod info;

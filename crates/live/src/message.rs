@@ -37,6 +37,7 @@ pub struct Hello<'a> {
     pub gallery: &'a [GalleryEntry],
     pub berth: Option<BerthInfo>,
     pub depth_m: Option<f64>,
+    pub chart: &'a [ChartInfo],
     #[serde(skip_serializing_if = "Option::is_none")]
     pub links: Option<&'a [Link]>,
 }
@@ -104,6 +105,18 @@ pub struct BerthInfo {
     pub from: Pair,
     pub to: Pair,
     pub facing: Pair,
+}
+
+/// A feature of the chart.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ChartInfo {
+    pub kind: &'static str,
+    pub name: String,
+    pub depth_m: Option<f64>,
+    pub colour: Option<&'static str>,
+    pub side: Option<&'static str>,
+    pub shape: &'static str,
+    pub lines: Vec<Vec<Pair>>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -85,6 +85,7 @@ impl Watched {
             gallery: &[],
             berth: info.berth.map(|berth| berth.info()),
             depth_m: info.depth_m,
+            chart: &info.chart,
             links: None,
         })
     }

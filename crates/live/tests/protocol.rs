@@ -5,8 +5,9 @@ mod support;
 use std::collections::{BTreeMap, BTreeSet};
 
 use fenderline_live::message::{self, Hello, Role, RunState};
-use fenderline_live::{COMMAND_LIMITS, Conduct, Fault, OtherAction, Request, Session};
+use fenderline_live::{COMMAND_LIMITS, Conduct, Fault, OtherAction, Request, Session, Source};
 use fenderline_sim::OrderName;
+use fenderline_sim::chart::{ChartKind, MarkColour, MarkSide};
 use fenderline_sim::order::Argument;
 use serde_json::Value;
 
@@ -117,6 +118,7 @@ fn messages(session: &Session) -> (Value, Value) {
         gallery: &[],
         berth: info.berth.map(|berth| berth.info()),
         depth_m: info.depth_m,
+        chart: &info.chart,
         links: Some(&links),
     };
     let read = |text: &str| serde_json::from_str(text).expect("JSON");
@@ -182,6 +184,32 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
         assert_eq!(first.0, "type");
         assert_eq!(value["type"], name.to_lowercase());
     }
+}
+
+#[test]
+fn the_chart_has_the_fields_and_words_of_the_protocol() {
+    let file = "scenarios/live/harbour.toml";
+    let text = std::fs::read_to_string(support::repository(file)).expect("the scenario");
+    let beside = |name: &str| {
+        std::fs::read_to_string(support::repository(&format!("scenarios/live/{name}")))
+            .map_err(|why| why.to_string())
+    };
+    let (source, _) = Source::collect("harbour.toml", text, vec![], beside).expect("a scenario");
+    let session = Session::open(source).expect("a set-up");
+    let (_, hello) = messages(&session);
+    let text = protocol();
+    let known = interfaces(&text);
+    each(&hello, "chart").for_each(|value| has_fields(value, "ChartInfo", &known));
+    let interface = text.split("export interface ChartInfo {").nth(1).expect("the chart");
+    let interface = interface.split("\n}").next().expect("its end");
+    let kinds = ChartKind::ALL.map(ChartKind::word).into_iter();
+    let marks = MarkColour::ALL.map(MarkColour::word).into_iter();
+    for word in kinds.chain(marks).chain(MarkSide::ALL.map(MarkSide::word)) {
+        assert!(interface.contains(&format!("\"{word}\"")), "{word}");
+    }
+    // The quay has the corners of the chart.
+    let quay = each(&hello, "bodies").find(|body| body["name"] == "quay").expect("a quay");
+    assert_eq!(quay["outline"].as_array().map(Vec::len), Some(8));
 }
 
 #[test]

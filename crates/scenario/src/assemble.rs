@@ -6,6 +6,7 @@ mod azimuth;
 mod berthing;
 mod bodies;
 mod chains;
+mod chart;
 mod current;
 mod dolphins;
 mod draught;
@@ -105,7 +106,8 @@ pub(crate) fn setup(
     let environment = assembly.environment(file.given("environment").table())?;
     let kinds = assembly.kinds(file, &libraries.vessels, &environment)?;
     assembly.note_unvalidated(file, &environment, &kinds);
-    let mut bodies = assembly.bodies(file.given("body"), &kinds)?;
+    let chart = assembly.chart(file.item("chart").map(Item::table))?;
+    let mut bodies = assembly.bodies(file.given("body"), &kinds, &chart)?;
     let names = Names::new(&bodies, &materials);
     let decks: vessel::Decks<'_> = kinds.of_bodies().collect();
     let pairs = assembly.pairs(file.given("pair").list(), &bodies, &names)?;
@@ -161,6 +163,7 @@ pub(crate) fn setup(
             bollards,
             line_handling,
             providers,
+            chart,
         },
     };
     assembly.note_outside_hulls(&fender_tables, &setup);

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::checked::{Table, Value};
+use crate::checked::{Item, Table, Value};
 use crate::error::ScenarioError;
 use crate::sources::Sources;
 use crate::spec::Kind;
@@ -27,7 +27,7 @@ impl Files {
         Ok(files)
     }
 
-    /// The text of a file that a key of the kind [`Kind::FileName`] names.
+    /// The text of a file that a key of the kind [`Kind::FileName`] or [`Kind::FileNames`] names.
     pub(crate) fn text(&self, name: &str) -> &str {
         self.0.get(name).unwrap_or_else(|| unreachable!("{name} was read with the scenario"))
     }
@@ -51,23 +51,40 @@ impl Files {
                         self.read_of(sources, inner, read)?;
                     }
                 }
-                Value::Text(name)
-                    if is_file_name(table, item.name) && !self.0.contains_key(name) =>
-                {
-                    let text = read(name).map_err(|why| {
-                        let path = table.path_of(item.name);
-                        let message = format!("`{path}`: cannot read {why}");
-                        sources.error(&item.span, &path, message).with_help(FILE_HELP)
-                    })?;
-                    self.0.insert(name.clone(), text);
+                Value::Text(name) if is_file_name(table, item.name) => {
+                    self.read_one(sources, (table, item), name, read)?;
+                }
+                Value::Texts(names) if is_file_name(table, item.name) => {
+                    for name in names {
+                        self.read_one(sources, (table, item), name, read)?;
+                    }
                 }
                 _ => {}
             }
         }
         Ok(())
     }
+
+    fn read_one(
+        &mut self,
+        sources: &Sources<'_>,
+        (table, item): (&Table, &Item),
+        name: &str,
+        read: &mut dyn FnMut(&str) -> Result<String, String>,
+    ) -> Result<(), ScenarioError> {
+        if self.0.contains_key(name) {
+            return Ok(());
+        }
+        let text = read(name).map_err(|why| {
+            let path = table.path_of(item.name);
+            let message = format!("`{path}`: cannot read {why}");
+            sources.error(&item.span, &path, message).with_help(FILE_HELP)
+        })?;
+        self.0.insert(name.to_owned(), text);
+        Ok(())
+    }
 }
 
 fn is_file_name(table: &Table, name: &str) -> bool {
-    table.spec.key(name).is_some_and(|key| matches!(key.kind, Kind::FileName))
+    table.spec.key(name).is_some_and(|key| matches!(key.kind, Kind::FileName | Kind::FileNames))
 }

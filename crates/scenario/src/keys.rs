@@ -7,6 +7,7 @@ mod approach;
 mod azimuth;
 mod berthing;
 mod body;
+pub(crate) mod chart;
 mod dolphin;
 mod environment;
 mod fender;
@@ -117,6 +118,13 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             Is("{}"),
             "Wind, current, waves and water.",
             &[],
+        ),
+        key(
+            "chart",
+            Kind::Table(&chart::CHART),
+            Means("no chart"),
+            "What is drawn behind ships and quays: coast, depths, buoys, quays, names.",
+            &["{ files = [\"harbour.geojson\"], coordinates = \"metres\" }"],
         ),
         key(
             "vessel",

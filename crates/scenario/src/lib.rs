@@ -56,6 +56,7 @@
 mod assemble;
 mod bounded_file;
 mod campaign;
+mod chart;
 mod checked;
 mod choices;
 mod csv;

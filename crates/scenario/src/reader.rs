@@ -115,7 +115,7 @@ pub(crate) fn read_value(
         Kind::Point(quantity) => {
             vector(sources, quantity, path, node, ["forward", "starboard"]).map(Value::Vector)
         }
-        Kind::Texts => texts(sources, path, node).map(Value::Texts),
+        Kind::Texts | Kind::FileNames => texts(sources, path, node).map(Value::Texts),
         Kind::Values => any_values(sources, path, node).map(Value::Texts),
         Kind::AnyNumber => any_number(sources, path, node).map(Value::Text),
         Kind::Outline(quantity) => outline(sources, quantity, path, node).map(Value::Outline),

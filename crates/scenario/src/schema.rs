@@ -123,7 +123,7 @@ fn kind(kind: &Kind) -> Map<String, Json> {
             "anyOf": [{ "type": "number", "minimum": value.low, "maximum": value.high }, name()]
         })),
         Kind::Vector(value) | Kind::Point(value) => object(two(&Json::Object(quantity(value)))),
-        Kind::Texts => object(json!({ "type": "array", "items": name() })),
+        Kind::Texts | Kind::FileNames => object(json!({ "type": "array", "items": name() })),
         Kind::Values => object(json!({
             "type": "array",
             "items": { "anyOf": [{ "type": "number" }, { "type": "boolean" }, name()] },

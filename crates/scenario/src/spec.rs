@@ -84,6 +84,8 @@ pub(crate) enum Kind {
     Point(Quantity),
     /// The name of a file, relative to this one, that is read with the scenario.
     FileName,
+    /// The names of several files, as [`Kind::FileName`].
+    FileNames,
     /// A list of texts.
     Texts,
     /// A list of values of any kind: numbers, or texts with their units.

@@ -176,7 +176,10 @@ fn fulls() -> Vec<Json> {
     }
     by_depth["berthing"]["added_mass_factor"] = json!(1.7);
     by_depth["berthing"].as_object_mut().expect("a table").remove("added_mass");
-    vec![full(), by_file, by_depth, on_winches, by_wall, on_dolphins, on_tubes]
+    let mut of_chart = full();
+    of_chart["body"]["of the chart"] =
+        json!({ "fixed": true, "chart_outline": "quay 3", "position": [0, 3000] });
+    vec![full(), by_file, by_depth, on_winches, by_wall, on_dolphins, on_tubes, of_chart]
 }
 
 fn pile() -> Json {
@@ -236,6 +239,11 @@ fn file_named(name: &str) -> Result<String, String> {
     let text = match name {
         "tide.csv" => "t_s,level_m\n0,1\n3600,-0.5\n",
         "wind.csv" => "t_s,speed_mps,from_deg\n0,10,350\n600,12,10\n",
+        "harbour.geojson" => {
+            r#"{ "type": "FeatureCollection", "features": [{ "type": "Feature",
+                "properties": { "kind": "quay", "name": "quay 3" }, "geometry": { "type": "Polygon",
+                "coordinates": [[[7.2, 54], [7.2, 54.01], [7.21, 54.01], [7.2, 54]]] } }] }"#
+        }
         "current.csv" => "north_m,east_m,north_mps,east_mps\n0,0,1,0\n0,9,1,1\n",
         "response.csv" => {
             "omega_radps,heading_deg,heave_mpm,heave_phase_deg,roll_degpm,roll_phase_deg,pitch_degpm,\
@@ -278,6 +286,10 @@ fn full() -> Json {
                 "outlines": [{ "height": 0, "outline": square }, { "height": "12 m", "outline": square }],
                 "draught": "5 m", "mass": 1000, "gyradius": 1, "position": [0, 1800]
             }
+        },
+        "chart": {
+            "files": ["harbour.geojson"], "coordinates": "longitude_latitude", "projection": "utm",
+            "origin": { "latitude": "54 deg", "longitude": 0.125 }
         },
         "environment": {
             "depth": "30 m", "tide": { "level": 1, "constituent": [

@@ -171,6 +171,7 @@ pub mod hydro;
 
 mod approach;
 mod chain;
+pub mod chart;
 mod contact_totals;
 mod dolphin;
 mod error;

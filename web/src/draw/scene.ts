@@ -36,9 +36,12 @@ const PX_PER_MPS = 220;
 
 const clamp = (x: number, low: number, high: number) => Math.min(high, Math.max(low, x));
 
-export function drawGrid({ to, camera, colours }: Scene): void {
+export function drawWater({ to, camera, colours }: Scene): void {
   to.fillStyle = colours.water;
   to.fillRect(0, 0, camera.width, camera.height);
+}
+
+export function drawGrid({ to, camera, colours }: Scene): void {
   const pitch =
     [10, 20, 50, 100, 200, 500, 1000, 2000, 5000].find((m) => m * camera.pixels_per_m >= 70) ??
     10_000;

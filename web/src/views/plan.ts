@@ -1,4 +1,5 @@
 /** The plan: an electronic chart of the harbour around the ship. */
+import { drawChart, drawChartMarks } from "../draw/chart";
 import * as scene from "../draw/scene";
 import { type Box, type Label, type Placed, Rank, place } from "../draw/labels";
 import { FONT, arrow, drawLabel, labelFont, stroke } from "../draw/marks";
@@ -157,8 +158,11 @@ export class Plan implements View {
       live: this.live,
       labels: [],
     };
+    scene.drawWater(all);
+    drawChart(all);
     scene.drawGrid(all);
     scene.drawLand(all);
+    drawChartMarks(all);
     scene.drawBerth(all);
     if (this.prediction) scene.drawPrediction(all);
     scene.drawHulls(all);

@@ -25,7 +25,8 @@ pub use number::{
 pub use page::{page, page_of};
 pub use plan::{
     Arrow, FenderBox, Frame, Harbour, Label, LineDrawn, Outlined, Place, Plan, Stage, Track,
-    TugDrawn, Use, Weather, fenders_legend, harbour_legend, outlined_legend,
+    TugDrawn, Use, Weather, chart_labels, chart_note, charted_in, fenders_legend, harbour_legend,
+    outlined_legend,
 };
 pub use rose::{Ring, Rose};
 pub use series::{Decimator, Point, Series};

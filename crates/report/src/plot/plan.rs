@@ -2,6 +2,7 @@
 
 mod arrows;
 mod box2;
+mod chart;
 mod contents;
 mod fenders;
 mod furniture;
@@ -13,6 +14,7 @@ use fenderline_contact::Vec2;
 use maud::{Markup, html};
 
 use super::{colour, dash};
+pub use chart::{chart_labels, chart_note, charted_in};
 pub use contents::{Outlined, Plan, Stage, Track};
 pub use fenders::{FenderBox, Use, fenders_legend};
 use furniture::{grid, north_arrow, scale_bar};
@@ -35,6 +37,7 @@ impl Plan {
                     // A nested picture clips everything outside the view.
                     svg x=(format!("{:.1}", map.left)) y=(TOP) width=(format!("{:.1}", map.width))
                         height=(format!("{:.1}", map.height)) overflow="hidden" {
+                        (chart::charted(&self.harbour.chart, &map))
                         @for outline in &self.outlines { (outlined(outline, &map)) }
                         @for fender in &self.fenders { (fenders::fender(fender, &map)) }
                         @for track in &self.tracks {
@@ -188,6 +191,7 @@ mod tests {
                 used: Use::Failed,
             }],
             harbour: Harbour {
+                chart: Vec::new(),
                 lines: vec![LineDrawn {
                     ends_m: [frame.low, frame.high],
                     share: 0.6,

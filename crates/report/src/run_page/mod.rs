@@ -22,7 +22,9 @@ use fenderline_contact::EventKind;
 use fenderline_sim::Method;
 use maud::{Markup, html};
 
-use crate::plot::{fenders_legend, harbour_legend, outlined_legend, page_of, shortened};
+use crate::plot::{
+    chart_note, fenders_legend, harbour_legend, outlined_legend, page_of, shortened,
+};
 use crate::words::{event_text, with_code};
 use fenderline_results::{Outcome, is_plain};
 
@@ -112,6 +114,7 @@ fn harbour(outcome: &Outcome<'_>) -> Markup {
     let has_banks = !world.environment.banks.is_empty();
     html! {
         @if has_lines || has_tugs || has_banks { (harbour_legend(has_lines, has_tugs, has_banks)) }
+        @if !world.chart.features.is_empty() { (chart_note()) }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Bodies: outline, mass and initial state.
 
 use fenderline_contact::Outline;
+use fenderline_sim::chart::Chart;
 use fenderline_sim::{BodySetup, BodyVelocity, HullByHeight, MassProperties};
 
 use super::vessel;
@@ -10,14 +11,19 @@ use crate::error::Notice;
 use crate::sources::Span;
 
 impl Assembly<'_, '_> {
-    pub(super) fn bodies(&mut self, item: &Item, kinds: &vessel::Kinds) -> Checked<Vec<BodySetup>> {
+    pub(super) fn bodies(
+        &mut self,
+        item: &Item,
+        kinds: &vessel::Kinds,
+        chart: &Chart,
+    ) -> Checked<Vec<BodySetup>> {
         let bodies = item.named();
         if bodies.is_empty() {
             let error = self.sources.error(&item.span, "body", "the scenario has no bodies");
             return Err(error.with_help("write [body.NAME] with its keys below"));
         }
         let with_kinds = bodies.iter().zip(kinds.of_bodies());
-        with_kinds.map(|((name, table), kind)| self.body(name, table, kind)).collect()
+        with_kinds.map(|((name, table), kind)| self.body(name, table, kind, chart)).collect()
     }
 
     pub(super) fn body(
@@ -25,11 +31,12 @@ impl Assembly<'_, '_> {
         name: &str,
         table: &Table,
         kind: Option<&vessel::Kind>,
+        chart: &Chart,
     ) -> Checked<BodySetup> {
         let hull = self.hull(table, kind)?;
         let outline = match &hull {
             Some(hull) => self.at_waterline(table, kind, hull)?,
-            None => self.outline(table, kind)?,
+            None => self.outline(table, kind, chart)?,
         };
         let dolphin = self.dolphin(table)?;
         let mass = if dolphin.is_some() {
@@ -62,10 +69,20 @@ impl Assembly<'_, '_> {
         &mut self,
         table: &Table,
         kind: Option<&vessel::Kind>,
+        chart: &Chart,
     ) -> Checked<Outline> {
-        let path = table.path_of("outline");
+        let of_chart = table.item("chart_outline");
+        let path = table.path_of(of_chart.map_or("outline", |item| item.name));
         let own = table.item("outline");
-        let (points, span) = match (own, kind.and_then(vessel::Kind::outline_m)) {
+        if let (Some(item), Some(_)) = (of_chart, own) {
+            let message = format!("`{path}` and `outline` both give the body's shape");
+            let error = self.sources.error(&item.key_span, &path, message);
+            return Err(error.with_help("keep one of the two"));
+        }
+        let (points, span) = match (own.or(of_chart), kind.and_then(vessel::Kind::outline_m)) {
+            (Some(item), _) if of_chart.is_some() => {
+                (self.chart_outline(table, item, chart)?, &item.span)
+            }
             (Some(item), _) => (item.outline().to_vec(), &item.span),
             (None, Some(points)) => (points, &table.given("vessel").span),
             (None, None) => {

@@ -24,7 +24,7 @@ impl Assembly<'_, '_> {
                 }
             };
         };
-        if let Some(outline) = table.item("outline") {
+        if let Some(outline) = table.item("outline").or_else(|| table.item("chart_outline")) {
             let path = table.path_of(outline.name);
             let message = format!("`{path}` does not go together with `outlines`");
             let error = self.sources.error(&outline.key_span, &path, message);

@@ -37,6 +37,15 @@ pub(crate) static BODY: TableSpec = TableSpec {
             &["[[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]"],
         ),
         key(
+            "chart_outline",
+            Kind::Text,
+            Means("`outline` gives the shape"),
+            "The name of an area of the chart whose shape the body has, instead of `outline`: for a fixed body. It lies \
+             where the chart has it; `position` and `heading` say where the axes of the body are, in which its fenders \
+             and bollards are given.",
+            &["\"quay 3\""],
+        ),
+        key(
             "outlines",
             Kind::List(&OUTLINE_AT_HEIGHT),
             Means("one outline: vertical sides"),
@@ -130,7 +139,11 @@ pub(crate) static BODY: TableSpec = TableSpec {
                 "properties": { "position": false, "heading": false, "velocity": false }
             } },
             "allOf": [{ "properties": { "outlines": { "minItems": 2 } } }],
-            "not": { "required": ["outline", "outlines"] },
+            "not": { "anyOf": [
+                { "required": ["outline", "outlines"] },
+                { "required": ["chart_outline", "outline"] },
+                { "required": ["chart_outline", "outlines"] }
+            ] },
             "dependentRequired": { "draught": ["outlines"] },
             "if": { "anyOf": [
                 { "properties": { "fixed": { "const": true } }, "required": ["fixed"] },
@@ -145,9 +158,14 @@ pub(crate) static BODY: TableSpec = TableSpec {
                 "not": {
                     "properties": { "fixed": { "const": true } }, "required": ["fixed", "dolphin"]
                 },
-                "anyOf": [{ "required": ["outline"] }, { "required": ["outlines"] }]
+                "anyOf": [
+                    { "required": ["outline"] }, { "required": ["outlines"] }, { "required": ["chart_outline"] }
+                ],
+                "if": { "required": ["dolphin"] },
+                "then": { "properties": { "chart_outline": false } }
             },
             "else": {
+                "properties": { "chart_outline": false },
                 "if": { "required": ["vessel"] },
                 "then": {
                     "properties": {

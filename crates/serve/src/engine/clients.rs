@@ -121,6 +121,7 @@ impl Engine {
             gallery: self.gallery.entries(),
             berth: self.session.info().berth.map(|berth| berth.info()),
             depth_m: self.session.info().depth_m,
+            chart: &self.session.info().chart,
             links: links.as_deref(),
         };
         of.hello.send_replace(Some(message::text(&hello).into()));

@@ -5,6 +5,7 @@ use super::environment::Environment;
 use super::line::MooringSetup;
 use super::tug::TugSetup;
 use super::vessel::VesselSetup;
+use crate::chart::Chart;
 use crate::order::Order;
 
 /// Everything around the bodies of a [`crate::Setup`]; empty by default.
@@ -26,6 +27,8 @@ pub struct WorldSetup {
     pub line_handling: LineHandling,
     /// Programs that give forces on bodies.
     pub providers: Vec<ProviderSetup>,
+    /// What is drawn behind the bodies. It exerts no force.
+    pub chart: Chart,
 }
 
 impl WorldSetup {

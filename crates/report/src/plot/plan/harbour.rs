@@ -2,6 +2,7 @@
 
 use fenderline_contact::Vec2;
 use fenderline_contact::number::greater;
+use fenderline_sim::chart::ChartFeature;
 use maud::{Markup, html};
 
 use super::box2::{Box2, HALF_LINE};
@@ -10,6 +11,8 @@ use super::map::Map;
 /// Everything besides hulls and fenders; nothing by default.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Harbour {
+    /// The chart, below everything else.
+    pub chart: Vec<ChartFeature>,
     /// Mooring lines.
     pub lines: Vec<LineDrawn>,
     /// Tugs that are forces.

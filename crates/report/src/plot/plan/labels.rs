@@ -224,6 +224,7 @@ mod tests {
             outlines: vec![Outlined { vertices_m: outline, stage: Stage::Peak, style: 0 }],
             fenders,
             harbour: Harbour {
+                chart: Vec::new(),
                 lines: (0..24).map(line).collect(),
                 tugs: (0..6).map(tug).collect(),
                 banks: Vec::new(),

@@ -9,8 +9,8 @@ use maud::{Markup, html};
 
 use super::{NAME_LENGTH, body_label, middle, outlined, styles};
 use crate::plot::{
-    Frame, Harbour, Label, LineDrawn, Place, Plan, Stage, TugDrawn, Weather, fixed, plain,
-    shortened, significant,
+    Frame, Harbour, Label, LineDrawn, Place, Plan, Stage, TugDrawn, Weather, chart_labels,
+    charted_in, fixed, plain, shortened, significant,
 };
 use crate::run_page::Recorder;
 use crate::run_page::fenders::boxes;
@@ -58,9 +58,10 @@ fn tugs(setup: &Setup, marks: &[TugMark]) -> Vec<TugDrawn> {
 }
 
 /// Tugs at the peak force, or at the end of a run without contact, and the weather.
-pub(super) fn around(setup: &Setup, recorder: &Recorder) -> Harbour {
+pub(super) fn around(setup: &Setup, recorder: &Recorder, frame: Frame) -> Harbour {
     let marks = recorder.peak.as_ref().map_or(&recorder.last_tugs, |peak| &peak.tugs);
     Harbour {
+        chart: charted_in(&setup.world.chart.features, frame),
         lines: Vec::new(),
         tugs: tugs(setup, marks),
         banks: banks(&setup.world.environment),
@@ -180,6 +181,7 @@ pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) ->
         outlines,
         fenders: boxes(outcome, &[], |body| Some(&states[body])),
         harbour: Harbour {
+            chart: charted_in(&setup.world.chart.features, frame),
             lines: lines.clone(),
             tugs: tugs(setup, &marks),
             banks: banks(&setup.world.environment),
@@ -187,7 +189,10 @@ pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) ->
         },
         tracks: Vec::new(),
         arrows: Vec::new(),
-        labels: names.chain(line_names).collect(),
+        labels: names
+            .chain(line_names)
+            .chain(chart_labels(&setup.world.chart.features, frame))
+            .collect(),
         note: "At each line its peak tension as a share of its break load.".to_owned(),
     }
     .render()

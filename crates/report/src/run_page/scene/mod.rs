@@ -12,8 +12,8 @@ use maud::{Markup, html};
 use super::fenders::{boxes, names};
 use super::recorder::{PairTrace, Recorder};
 use crate::plot::{
-    Arrow, Frame, Harbour, Label, Outlined, Place, Plan, STYLES, Scaled, Stage, Track, plain,
-    shortened, significant,
+    Arrow, Frame, Harbour, Label, Outlined, Place, Plan, STYLES, Scaled, Stage, Track,
+    chart_labels, plain, shortened, significant,
 };
 use fenderline_results::Outcome;
 
@@ -141,13 +141,14 @@ fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Ma
         drawn.contains(&body).then_some(state)
     };
     let fenders = boxes(outcome, pressed_m, shown);
-    let labels = names(outcome, shown).into_iter().chain(labels);
+    let of_chart = chart_labels(&setup.world.chart.features, frame);
+    let labels = names(outcome, shown).into_iter().chain(labels).chain(of_chart);
     Plan {
         title,
         frame,
         outlines,
         fenders,
-        harbour: harbour::around(setup, recorder),
+        harbour: harbour::around(setup, recorder, frame),
         tracks: tracks.collect(),
         arrows: contact_point.collect(),
         labels: labels.collect(),

@@ -1,0 +1,37 @@
+//! The chart for pages.
+
+use fenderline_contact::Vec2;
+use fenderline_sim::chart::{Chart, ChartFeature, ChartShape};
+
+use crate::message::{ChartInfo, Pair};
+
+/// The features of a chart, in their order.
+pub(crate) fn chart_infos(chart: &Chart) -> Vec<ChartInfo> {
+    chart.features.iter().map(info).collect()
+}
+
+fn info(feature: &ChartFeature) -> ChartInfo {
+    let (shape, lines) = match &feature.shape {
+        ChartShape::Point(at_m) => ("point", vec![vec![place(*at_m)]]),
+        ChartShape::Line(line) => ("line", vec![places(line)]),
+        ChartShape::Area(rings) => ("area", rings.iter().map(|ring| places(ring)).collect()),
+    };
+    ChartInfo {
+        kind: feature.kind.word(),
+        name: feature.name.clone(),
+        depth_m: feature.depth_m,
+        colour: feature.mark.map(|mark| mark.colour.word()),
+        side: feature.mark.and_then(|mark| mark.side).map(|side| side.word()),
+        shape,
+        lines,
+    }
+}
+
+fn places(line: &[Vec2]) -> Vec<Pair> {
+    line.iter().copied().map(place).collect()
+}
+
+/// Rounded to a centimetre: a chart is drawn, and short numbers make a short message.
+fn place(at_m: Vec2) -> Pair {
+    [at_m.x, at_m.y].map(|coordinate| libm::round(coordinate * 100.0) / 100.0)
+}

@@ -1,0 +1,126 @@
+//! The chart, and outlines of bodies from it.
+
+use fenderline_contact::{Pose, Vec2};
+use fenderline_sim::chart::{Chart, ChartShape, GeographicPlace};
+
+use super::{Assembly, Checked};
+use crate::chart::projection::Projected;
+use crate::chart::{Budget, Placing, read};
+use crate::checked::{Item, Table};
+use crate::keys::chart::Coordinates;
+use crate::sources::quoted;
+use crate::suggest::nearest;
+
+impl Assembly<'_, '_> {
+    /// The chart; empty without its table.
+    pub(super) fn chart(&self, table: Option<&Table>) -> Checked<Chart> {
+        let Some(table) = table else { return Ok(Chart::default()) };
+        let (placing, origin) = self.placing(table)?;
+        let files = table.given("files");
+        if files.texts().is_empty() {
+            let path = table.path_of("files");
+            let message = format!("`{path}` is empty: it must name a GeoJSON file");
+            return Err(self.sources.error(&files.span, &path, message));
+        }
+        let key = table.path_of("files");
+        let mut budget = Budget::OF_CHART;
+        let mut features = Vec::new();
+        for name in files.texts() {
+            features.extend(read((name, self.files.text(name)), &key, &placing, &mut budget)?);
+        }
+        Ok(Chart { features, origin })
+    }
+
+    /// How the files' coordinates become the scenario's, and where on the earth its origin is.
+    fn placing(&self, table: &Table) -> Checked<(Placing, Option<GeographicPlace>)> {
+        let [projection, origin] = ["projection", "origin"].map(|key| table.item(key));
+        let coordinates = table.given("coordinates");
+        if coordinates.choice::<Coordinates>() == Coordinates::Metres {
+            if let Some(item) = projection.or(origin) {
+                let path = table.path_of(item.name);
+                let message = format!("`{path}` is for a chart in longitude and latitude");
+                let error = self.sources.error(&item.key_span, &path, message);
+                return Err(
+                    error.with_help("remove it, or write coordinates = \"longitude_latitude\"")
+                );
+            }
+            return Ok((Placing::Metres, None));
+        }
+        let (Some(projection), Some(origin)) = (projection, origin) else {
+            let missing = if projection.is_none() { "projection" } else { "origin" };
+            let path = table.path_of(missing);
+            let message = format!(
+                "`{path}` is missing: longitude and latitude become metres only by a projection about an origin"
+            );
+            let error = self.sources.error(&coordinates.span, &path, message);
+            return Err(error.with_help(
+                "write projection = \"transverse_mercator\" and \
+                 origin = { latitude = \"53.52 deg\", longitude = \"9.94 deg\" }",
+            ));
+        };
+        let angle = |key| *origin.table().given(key).number();
+        let origin =
+            GeographicPlace { latitude_rad: angle("latitude"), longitude_rad: angle("longitude") };
+        Ok((Placing::Degrees(Projected::about(origin, projection.choice())), Some(origin)))
+    }
+
+    /// The corners of the area of the chart that `chart_outline` names, in the body's axes.
+    pub(super) fn chart_outline(
+        &self,
+        table: &Table,
+        item: &Item,
+        chart: &Chart,
+    ) -> Checked<Vec<Vec2>> {
+        let path = table.path_of(item.name);
+        let wanted = item.text();
+        let complain = |message: String| self.sources.error(&item.span, &path, message);
+        if !*table.given("fixed").flag() {
+            let message = format!("`{path}` is for a fixed body");
+            return Err(complain(message).with_help("write fixed = true"));
+        }
+        let named = || chart.features.iter().filter(|feature| !feature.name.is_empty());
+        let areas: Vec<_> = named()
+            .filter(|feature| feature.name == wanted)
+            .filter_map(|feature| match &feature.shape {
+                ChartShape::Area(rings) => Some(rings),
+                _ => None,
+            })
+            .collect();
+        match areas.as_slice() {
+            [rings] => match rings.as_slice() {
+                [ring] => {
+                    let pose = Pose::new(
+                        *table.given("position").vector(),
+                        *table.given("heading").number(),
+                    );
+                    Ok(ring.iter().map(|corner| pose.apply_inverse(*corner)).collect())
+                }
+                _ => Err(complain(format!(
+                    "`{path}`: the area {} has a hole, which a body cannot have",
+                    quoted(wanted)
+                ))),
+            },
+            [] if named().any(|feature| feature.name == wanted) => Err(complain(format!(
+                "`{path}`: {} is not an area of the chart, but a line or a point",
+                quoted(wanted)
+            ))),
+            [] => {
+                let error =
+                    complain(format!("`{path}`: the chart has no area named {}", quoted(wanted)));
+                let names = named().map(|feature| feature.name.as_str());
+                Err(match nearest(wanted, names) {
+                    Some(near) => error.with_help(format!("did you mean \"{near}\"?")),
+                    None if chart.features.is_empty() => {
+                        error.with_help("the scenario has no [chart] with files")
+                    }
+                    None => error.with_help("an area has its name in its property `name`"),
+                })
+            }
+            several => Err(complain(format!(
+                "`{path}`: the chart has {} areas named {}: each needs a name of its own",
+                several.len(),
+                quoted(wanted)
+            ))),
+        }
+    }
+}
