@@ -61,7 +61,7 @@ export class Workbench {
   });
   private readonly picked = h("input", {
     type: "file",
-    accept: ".toml",
+    accept: ".toml,.geojson,.json,.csv",
     multiple: true,
     class: "hidden",
     "aria-label": "Scenario file",
@@ -132,7 +132,7 @@ export class Workbench {
 
   private openExample(run = true): void {
     const example = EXAMPLES[Number(this.choose.value)];
-    if (example) this.openText(example.file, example.text, {}, run);
+    if (example) this.openText(example.file, example.text, example.files ?? {}, run);
   }
 
   private openText(file: string, text: string, files: Record<string, string>, run = true): void {

@@ -3,7 +3,8 @@ import { type Camera, toScreen } from "../geometry";
 import type { Palette } from "../palette";
 import type { ChartInfo, Pair } from "../protocol";
 import { fixed } from "../units";
-import { label, polygon } from "./marks";
+import { Rank } from "./labels";
+import { polygon } from "./marks";
 import type { Scene } from "./scene";
 
 /** Half the size of a buoy [px]. */
@@ -11,6 +12,8 @@ const MARK_PX = 6;
 /** From these scales on, names of marks and depths of contours are written [px/m]. */
 const NAMES_FROM = 0.25;
 const DEPTHS_FROM = 0.08;
+/** Most words of the chart in one picture: placing them takes time. */
+const MOST_WORDS = 60;
 /** Water of less depth than this many draughts of the pilot's ship has a colour of its own. */
 const MEDIUM_DRAUGHTS = 1.5;
 
@@ -84,22 +87,27 @@ export function drawChart(scene: Scene): void {
 /** Buoys, beacons and words, over the chart and below ships. */
 export function drawChartMarks(scene: Scene): void {
   const { to, camera, colours, hello } = scene;
-  for (const feature of hello.chart) {
+  let words = 0;
+  hello.chart.forEach((feature, index) => {
     const at = middle(feature);
-    if (!at) continue;
+    if (!at) return;
     const on = toScreen(camera, at);
-    if (!isNear(on, camera)) continue;
+    if (!isNear(on, camera)) return;
     const isMark = feature.kind === "buoy" || feature.kind === "beacon";
     if (isMark) drawMark(to, on, feature, colours);
-    const words = wordsOf(feature, camera);
-    if (words)
-      label(to, words, isMark ? [on[0] + MARK_PX + 3, on[1]] : on, {
-        colour: isMark || feature.kind === "name" ? colours.text : colours.dim,
-        ground: colours.label,
-        size: feature.kind === "name" ? 13 : 11,
-        align: isMark ? "left" : "center",
-      });
-  }
+    const text = wordsOf(feature, camera);
+    if (!text || words === MOST_WORDS) return;
+    words += 1;
+    scene.labels.push({
+      key: `chart ${index}`,
+      text,
+      rank: Rank.Detail,
+      at: on,
+      off: isMark ? [0, -MARK_PX - 12] : [0, 0],
+      colour: isMark || feature.kind === "name" ? colours.text : colours.dim,
+      size: feature.kind === "name" ? 13 : 11,
+    });
+  });
 }
 
 function isNear([x, y]: Pair, { width, height }: Camera): boolean {
