@@ -34,6 +34,15 @@ pub(crate) fn bench(rounds: usize) -> Table {
     table
 }
 
+/// The first steps, to be counted by a profiler.
+pub(crate) fn steps(count: usize) {
+    let scenario = Scenario::parse(TEXT, FILE).expect("the scenario is good");
+    let mut simulation = Simulation::new(scenario.setup).expect("the set-up is good");
+    for _ in 0..count {
+        black_box(simulation.step().expect("a good step"));
+    }
+}
+
 fn play(mut simulation: Simulation) {
     while !simulation.is_done() {
         black_box(simulation.step().expect("a good step"));

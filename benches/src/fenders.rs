@@ -84,6 +84,14 @@ impl What {
     }
 }
 
+/// So many steps of a settled ship along fenders, to be counted by a profiler.
+pub(crate) fn run(count: usize, steps: usize) {
+    let mut simulation = ship_alongside(count);
+    for _ in 0..steps {
+        black_box(simulation.step().expect("a good step"));
+    }
+}
+
 /// Some steps of a simulation that never ends.
 fn steps(simulation: &mut Simulation) -> Duration {
     let start = Instant::now();

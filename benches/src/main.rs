@@ -8,6 +8,10 @@
 //! cargo run --release -p fenderline-bench -- mmg [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- berth [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- fenders [--markdown] [--rounds N]
+//! cargo run --release -p fenderline-bench -- fleet [--markdown] [--rounds N]
+//! cargo run --release -p fenderline-bench -- fleet-steps SHIPS N
+//! cargo run --release -p fenderline-bench -- fender-steps FENDERS N
+//! cargo run --release -p fenderline-bench -- berth-steps N
 //! cargo run --release -p fenderline-bench -- islands [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- threads [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- first [--markdown] [--rounds N]
@@ -29,6 +33,7 @@ mod clip;
 mod engine;
 mod fenders;
 mod first;
+mod fleet;
 mod islands;
 mod many;
 mod mmg;
@@ -61,6 +66,7 @@ usage: fenderline-bench clip [--markdown] [--rounds N]   the overlap of two conv
        fenderline-bench berth [--markdown] [--rounds N]  a whole berthing beside real time
        fenderline-bench fenders [--markdown] [--rounds N]
                                                          one ship along 100, 300 and 1,000 fenders
+       fenderline-bench fleet [--markdown] [--rounds N]  many ships, each in a simulation of its own
        fenderline-bench islands [--markdown] [--rounds N]
                                                          chains of tugs and rafts of barges
        fenderline-bench threads [--markdown] [--rounds N]
@@ -72,6 +78,9 @@ usage: fenderline-bench clip [--markdown] [--rounds N]   the overlap of two conv
        fenderline-bench many [--markdown] [--rounds N]   many runs of one scenario with other numbers
        fenderline-bench runs METHOD SET_UP N             N such runs, to be counted by a profiler; SET_UP is
                                                          anew or restart
+       fenderline-bench fleet-steps SHIPS N              N steps of a fleet, likewise
+       fenderline-bench fender-steps FENDERS N           N steps of a simulation along so many fenders, likewise
+       fenderline-bench berth-steps N                    the first N steps of the berthing, likewise
        fenderline-bench instructions SCENE METHOD N      N warm steps, to be counted by a profiler
        fenderline-bench callgrind                        instructions a warm step, by valgrind
 SCENE is tug, ship, faces, fenders-100, fenders-300, fenders-1000, blocks-100, blocks-1000, pairs-1000,
@@ -145,6 +154,13 @@ fn run(arguments: &[&str]) -> Result<(), String> {
             let (style, rounds) = options_of(options)?;
             println!("{}", fenders::bench(rounds).printed(style));
         }
+        ["fleet", options @ ..] => {
+            let (style, rounds) = options_of(options)?;
+            println!("{}", fleet::bench(rounds).printed(style));
+        }
+        ["fleet-steps", ships, steps] => fleet::steps(count_of(ships)?, count_of(steps)?),
+        ["fender-steps", count, steps] => fenders::run(count_of(count)?, count_of(steps)?),
+        ["berth-steps", steps] => berth::steps(count_of(steps)?),
         ["runs", method, set_up, count] => many::runs(method, set_up, count_of(count)?)?,
         ["accuracy", options @ ..] => accuracy_table(options)?,
         ["instructions", scene, method, steps] => {

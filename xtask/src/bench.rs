@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use crate::command::{cargo, run};
 use crate::tools;
 
-const BENCHES: [&str; 14] = [
+const BENCHES: [&str; 15] = [
     "clip",
     "step",
     "islands",
@@ -18,6 +18,7 @@ const BENCHES: [&str; 14] = [
     "accuracy",
     "mmg",
     "berth",
+    "fleet",
     "many",
     "campaign",
     "callgrind",

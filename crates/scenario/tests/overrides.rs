@@ -242,6 +242,11 @@ fn a_restarted_simulation_is_a_new_one_to_the_bit() {
             body.velocity.surge_mps *= 0.75;
             body.velocity.sway_mps *= 0.75;
         }
+        // With other gusts, where there are some.
+        other.wind = other.wind.map(|wind| {
+            let (speed_mps, from_rad) = wind.mean_at(0.0);
+            wind.changed_to(0.75 * speed_mps, from_rad).unwrap()
+        });
         let mut simulation = Simulation::new(setup.clone()).unwrap();
         let first = end_of(&mut simulation);
         simulation.set_wind(None);

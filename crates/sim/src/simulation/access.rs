@@ -260,6 +260,7 @@ impl Simulation {
     /// Sets the wind from the next step on; `None` for no wind. The change is a jump.
     pub fn set_wind(&mut self, wind: Option<Wind>) {
         self.setup.world.environment.wind = wind;
+        self.world.renew_gusts(&self.setup.world);
     }
 
     /// Sets the current from the next step on; `None` for no current. The change is a jump, but causes no

@@ -27,6 +27,7 @@ use self::azimuth_pilot::Stream;
 pub(crate) use self::backup::WorldBackup;
 use self::pilot::{Abilities, PilotWork};
 pub(crate) use self::shore::Shore;
+use crate::environment::wind::{ShipGusts, Wind};
 use crate::fender::FenderSetup;
 use crate::fixed_order::SumOrder;
 use crate::hull::{Heights, HullTouch, place_m};
@@ -56,6 +57,8 @@ pub(crate) struct World {
     pub(crate) tugs: Vec<TugAtWork>,
     pub(crate) events: Vec<WorldEvent>,
     abilities: Vec<Abilities>,
+    /// The gusts of the set-up over each vessel.
+    gusts: Vec<Option<ShipGusts>>,
     /// Orders sorted by time, and the number of those that have been carried out.
     orders: Vec<Order>,
     taken: usize,
@@ -80,6 +83,7 @@ impl World {
             tugs: setup.tugs.iter().map(TugAtWork::new).collect(),
             events: Vec::new(),
             abilities: setup.vessels.iter().map(|v| Abilities::of(v, water)).collect(),
+            gusts: setup.vessels.iter().map(|v| v.gusts(&setup.environment)).collect(),
             orders,
             taken: 0,
             clamped: vec![false; setup.vessels.len()],
@@ -102,11 +106,26 @@ impl World {
         for (own, setup) in self.tugs.iter_mut().zip(&setup.tugs) {
             *own = TugAtWork::new(setup);
         }
+        self.renew_gusts(setup);
         self.events.clear();
         self.orders.clone_from(&setup.orders);
         self.orders.sort_by(|one, other| one.at_s.total_cmp(&other.at_s));
         self.taken = 0;
         self.clamped.fill(false);
+    }
+
+    /// Takes the gusts of the set-up, whose wind may have changed.
+    pub(crate) fn renew_gusts(&mut self, setup: &WorldSetup) {
+        let gusts = setup.environment.wind.as_ref().and_then(Wind::gusts);
+        for (own, vessel) in self.gusts.iter_mut().zip(&setup.vessels) {
+            let is_same = match (&*own, gusts) {
+                (Some(own), Some(gusts)) => own.are_of(gusts),
+                (own, gusts) => own.is_none() && gusts.is_none(),
+            };
+            if !is_same {
+                *own = vessel.gusts(&setup.environment);
+            }
+        }
     }
 
     /// Adds the forces on each vessel in the step from `states` to the load of her body. The velocities belong to
@@ -161,7 +180,8 @@ impl World {
             }
             own.aground = aground;
             let (times, here) = ((t_s, velocity_time_s, step_s), (state, &stream.velocity));
-            let forces = vessel.forces(own, here, &setup.environment, times);
+            let around = (&setup.environment, self.gusts[index].as_ref());
+            let forces = vessel.forces(own, here, around, times);
             let water_inertia =
                 vessel.water_inertia(here, &setup.environment, (velocity_time_s, step_s));
             let wrench = vessel.wrench(&forces, &water_inertia, state);

@@ -12,7 +12,7 @@ use crate::attitude::{Attitude, AttitudeLoad, Hydrostatics, Motion};
 use crate::environment::waves::{
     DriftHull, FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion, mean_drift,
 };
-use crate::environment::wind::{RelativeWind, ShipWindage};
+use crate::environment::wind::{RelativeWind, ShipGusts, ShipWindage};
 use crate::environment::{BankWater, ShipAtBank, Tide};
 use crate::hydro::actuator::{Lag, Order, RateLimited};
 use crate::hydro::shallow::SHALLOWEST_RATIO;
@@ -283,12 +283,12 @@ impl VesselSetup {
     }
 
     /// The forces in a step from a state. `velocity` is that through the water; velocities belong to `velocity_t_s`, positions to
-    /// `t_s`. Stores the force of each azimuth unit in the unit.
+    /// `t_s`; `gusts` are those of the environment over her. Stores the force of each azimuth unit in the unit.
     pub(crate) fn forces(
         &self,
         vessel: &mut VesselState,
         (state, velocity): (&BodyState, &Velocity),
-        environment: &Environment,
+        (environment, gusts): (&Environment, Option<&ShipGusts>),
         (t_s, velocity_t_s, step_s): (f64, f64, f64),
     ) -> VesselForces {
         let water = environment.density();
@@ -306,7 +306,7 @@ impl VesselSetup {
             propeller: parts.propeller,
             rudder: parts.rudder,
             thrusters,
-            wind: self.wind(state, environment, t_s),
+            wind: self.wind(state, environment, gusts, t_s),
             waves: self.drift(state, environment, velocity_t_s),
             banks: self.banks(state, velocity, environment, t_s),
             bottom: self.bottom(vessel, state, environment, step_s),
@@ -462,14 +462,28 @@ impl VesselSetup {
         first_order_motion(sea, response, &place, t_s)
     }
 
-    fn wind(&self, state: &BodyState, environment: &Environment, t_s: f64) -> Force {
+    /// The gusts of a wind over her; `None` where there are none, or no wind acts on her.
+    pub(crate) fn gusts(&self, environment: &Environment) -> Option<ShipGusts> {
+        let gusts = environment.wind.as_ref()?.gusts()?;
+        self.windage.as_ref().map(|windage| ShipGusts::new(gusts, windage))
+    }
+
+    fn wind(
+        &self,
+        state: &BodyState,
+        environment: &Environment,
+        gusts: Option<&ShipGusts>,
+        t_s: f64,
+    ) -> Force {
         let (Some(windage), Some(wind)) = (&self.windage, &environment.wind) else {
             return Force::default();
         };
         // Gusts act as their mean over the front that she turns to the mean wind. The coefficients refer to the wind at 10 m.
         let (_, from_rad) = wind.mean_at(t_s);
-        let front = windage.front(from_rad - state.heading_rad);
-        let air = wind.velocity_over(&front, 10.0, t_s);
+        let gust = |gusts: &ShipGusts| {
+            gusts.speed_over_mps(&windage.front(from_rad - state.heading_rad), t_s)
+        };
+        let air = wind.velocity_in(gusts.map_or(0.0, gust), 10.0, t_s);
         let relative = RelativeWind::of(air, state.velocity_mps, state.heading_rad);
         let [surge_n, sway_n, yaw_nm] = windage.force(&relative, environment.air_density_kgpm3);
         Force { surge_n, sway_n, yaw_nm }

@@ -15,14 +15,14 @@ const BAND_HZ: [f64; 2] = [1.0 / 3600.0, 0.5];
 pub struct Gusts {
     harmonics: Vec<Harmonic>,
     /// The same, for their sums.
-    groups: Vec<Group>,
+    pub(super) groups: Vec<Group>,
     /// Mean wind (m/s).
-    mean_mps: f64,
+    pub(super) mean_mps: f64,
     /// What they were made from, for gusts about another mean wind.
     spectrum: GustSpectrum,
     realisation: Realisation,
     /// They act on the whole of a ship at once.
-    is_uniform: bool,
+    pub(super) is_uniform: bool,
 }
 
 impl Gusts {
@@ -63,7 +63,8 @@ impl Gusts {
         Gusts { is_uniform: true, ..self }
     }
 
-    /// Difference from the mean speed at a time, as its mean over a front (m/s).
+    /// Difference from the mean speed at a time, as its mean over a front (m/s). [`ShipGusts`](super::ShipGusts) is faster for many
+    /// times.
     #[must_use]
     pub fn speed_over_mps(&self, front: &WindFront, t_s: f64) -> f64 {
         if self.is_uniform || *front == WindFront::POINT {

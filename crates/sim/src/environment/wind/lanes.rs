@@ -11,7 +11,7 @@ use crate::environment::harmonics::Harmonic;
 /// Harmonics in a group.
 const LANES: usize = 4;
 
-type Lanes = [f64; LANES];
+pub(super) type Lanes = [f64; LANES];
 
 /// Four harmonics of rising frequency.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,10 +38,28 @@ impl Group {
         harmonics.chunks(LANES).map(group).collect()
     }
 
+    #[inline(always)]
+    fn cosines(&self, t_s: f64) -> Lanes {
+        cos_of_turns(from_fn(|k| self.frequency_hz[k] * t_s + self.phase_turns[k]))
+    }
+
     /// The harmonics at a time.
     fn at(&self, t_s: f64) -> Lanes {
-        let cosines = cos_of_turns(from_fn(|k| self.frequency_hz[k] * t_s + self.phase_turns[k]));
+        let cosines = self.cosines(t_s);
         from_fn(|k| self.amplitude[k] * cosines[k])
+    }
+
+    /// The shares √(R(s₁ f) R(s₂ f)) with R of [`correlated`].
+    fn shares(&self, scales_s: [f64; 2]) -> Lanes {
+        let [one, two] =
+            scales_s.map(|scale_s| correlated(from_fn(|k| scale_s * self.frequency_hz[k])));
+        from_fn(|k| (one[k] * two[k]).sqrt())
+    }
+
+    /// The amplitudes times the shares.
+    pub(super) fn reduced(&self, scales_s: [f64; 2]) -> Lanes {
+        let shares = self.shares(scales_s);
+        from_fn(|k| shares[k] * self.amplitude[k])
     }
 }
 
@@ -57,13 +75,31 @@ pub(super) fn sum(groups: &[Group], t_s: f64) -> f64 {
 /// Σ √(R(s₁ f) R(s₂ f)) a cos(2π f t + ε) with R of [`correlated`].
 pub(super) fn sum_over(groups: &[Group], scales_s: [f64; 2], t_s: f64) -> f64 {
     let add = |sums: Lanes, group: &Group| {
-        let now = group.at(t_s);
-        let [one, two] =
-            scales_s.map(|scale_s| correlated(from_fn(|k| scale_s * group.frequency_hz[k])));
-        let shares: Lanes = from_fn(|k| (one[k] * two[k]).sqrt());
+        let (now, shares) = (group.at(t_s), group.shares(scales_s));
         from_fn(|k| sums[k] + shares[k] * now[k])
     };
     total(groups.iter().fold([0.0; LANES], add))
+}
+
+/// Σ (Σ w b) cos(2π f t + ε): the amplitude of each harmonic is a weighted sum over `tables` of amplitudes b.
+pub(super) fn sum_between<const N: usize>(
+    groups: &[Group],
+    tables: [&[Lanes]; N],
+    weights: [f64; N],
+    t_s: f64,
+) -> f64 {
+    // Of one length, so that no bounds are checked for each harmonic.
+    let tables = tables.map(|table| &table[..groups.len()]);
+    let mut sums = [0.0; LANES];
+    for (index, group) in groups.iter().enumerate() {
+        let mut amplitude = [0.0; LANES];
+        for (table, weight) in tables.iter().zip(weights) {
+            amplitude = from_fn(|k| amplitude[k] + weight * table[index][k]);
+        }
+        let cosines = group.cosines(t_s);
+        sums = from_fn(|k| sums[k] + amplitude[k] * cosines[k]);
+    }
+    total(sums)
 }
 
 fn total([a, b, c, d]: Lanes) -> f64 {

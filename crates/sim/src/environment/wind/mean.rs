@@ -164,12 +164,23 @@ impl Wind {
     /// The same, with the gusts averaged over a front.
     #[must_use]
     pub fn velocity_over(&self, front: &WindFront, height_m: f64, t_s: f64) -> Vec2 {
+        let gust = |gusts: &Gusts| gusts.speed_over_mps(front, t_s);
+        self.velocity_in(self.gusts().map_or(0.0, gust), height_m, t_s)
+    }
+
+    /// The gusts; `None` for a wind without.
+    #[must_use]
+    pub fn gusts(&self) -> Option<&Gusts> {
         match &self.0 {
-            Kind::Mean(mean, gusts) => {
-                let gust = |gusts: &Gusts| gusts.speed_over_mps(front, t_s);
-                let gust_mps = gusts.as_ref().map_or(0.0, gust);
-                towards(mean.from_rad) * (mean.speed_at(height_m) + gust_mps)
-            }
+            Kind::Mean(_, gusts) => gusts.as_ref(),
+            Kind::Series(_) => None,
+        }
+    }
+
+    /// Velocity of the air in a gust (m/s), which a time series does not have.
+    pub(crate) fn velocity_in(&self, gust_mps: f64, height_m: f64, t_s: f64) -> Vec2 {
+        match &self.0 {
+            Kind::Mean(mean, _) => towards(mean.from_rad) * (mean.speed_at(height_m) + gust_mps),
             Kind::Series(series) => {
                 let (speed_mps, from_rad) = series.at(t_s);
                 towards(from_rad) * speed_mps

@@ -14,6 +14,7 @@ mod mean;
 mod method;
 mod relative;
 mod series;
+mod ship_gusts;
 mod spectrum;
 mod windage;
 
@@ -25,5 +26,6 @@ pub use mean::{MeanWind, Wind, WindProfile};
 pub use method::*;
 pub use relative::RelativeWind;
 pub use series::WindSeries;
+pub use ship_gusts::ShipGusts;
 pub use spectrum::{GustSpectrum, surface_drag};
 pub use windage::{ShipWindage, WindCoefficients};

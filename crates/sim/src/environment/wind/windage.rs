@@ -2,6 +2,8 @@
 
 use core::f64::consts::{PI, TAU};
 
+use fenderline_contact::number::lesser;
+
 use super::admittance::WindFront;
 use super::method::WindMethod;
 use super::relative::RelativeWind;
@@ -93,6 +95,13 @@ impl ShipWindage {
             width_m: across_m + self.beam_m * libm::cos(angle_rad).abs(),
             height_m: self.lateral_m2 / self.length_m,
         }
+    }
+
+    /// The least and the greatest width of [`ShipWindage::front`] (m): L |sin γ| + B |cos γ| is least at a bow or a side, and greatest at a
+    /// corner.
+    pub(super) fn widths_m(&self) -> [f64; 2] {
+        let (length_m, beam_m) = (self.length_m, self.beam_m);
+        [lesser(length_m, beam_m), libm::hypot(length_m, beam_m)]
     }
 
     /// Force and moment about midship, [X, Y, N] in (N, N, N·m), in air of a density (kg/m³), 1.224 at
