@@ -3,8 +3,8 @@
 use fenderline_sim::{OutputPlan, OutputTable, StepRecord, WorldSetup};
 
 use crate::columns::{
-    AzimuthRow, Layout, LineRow, Names, ThrusterRow, TugRow, VesselRow, azimuths_table,
-    lines_table, thrusters_table, tugs_table, vessels_table,
+    AzimuthRow, Layout, LineRow, Names, PassingRow, ThrusterRow, TugRow, VesselRow, azimuths_table,
+    lines_table, passing_table, thrusters_table, tugs_table, vessels_table,
 };
 use crate::interval::{Interval, Rows};
 use crate::medium::Medium;
@@ -18,6 +18,7 @@ pub(crate) struct WorldTables<M: Medium> {
     azimuths: Option<Rows<M, AzimuthRow>>,
     tugs: Option<Rows<M, TugRow>>,
     lines: Option<Rows<M, LineRow>>,
+    passing: Option<Rows<M, PassingRow>>,
 }
 
 impl<M: Medium> WorldTables<M> {
@@ -34,6 +35,7 @@ impl<M: Medium> WorldTables<M> {
         let has_vessels = plan.has(OutputTable::Vessels) && !setup.vessels.is_empty();
         let has_tugs = plan.has(OutputTable::Tugs) && !setup.tugs.is_empty();
         let has_lines = plan.has(OutputTable::Lines) && !setup.lines.is_empty();
+        let has_passing = plan.has(OutputTable::Passing) && !setup.flow.passing.is_empty();
         let of = (medium, names);
         Ok(WorldTables {
             vessels: table(has_vessels, of, vessels_table)?,
@@ -41,6 +43,7 @@ impl<M: Medium> WorldTables<M> {
             azimuths: table(has_azimuths, of, azimuths_table)?,
             tugs: table(has_tugs, of, tugs_table)?,
             lines: table(has_lines, of, lines_table)?,
+            passing: table(has_passing, of, passing_table)?,
             setup: setup.clone(),
         })
     }
@@ -95,6 +98,11 @@ impl<M: Medium> WorldTables<M> {
                 }
             }
         }
+        if let Some(table) = &mut self.passing {
+            for (index, ship) in self.setup.flow.passing.iter().enumerate() {
+                table.push(interval, PassingRow::new(t_s, index, ship))?;
+            }
+        }
         Ok(())
     }
 
@@ -104,7 +112,8 @@ impl<M: Medium> WorldTables<M> {
         self.thrusters.as_mut().map_or(Ok(()), |table| table.close(interval))?;
         self.azimuths.as_mut().map_or(Ok(()), |table| table.close(interval))?;
         self.tugs.as_mut().map_or(Ok(()), |table| table.close(interval))?;
-        self.lines.as_mut().map_or(Ok(()), |table| table.close(interval))
+        self.lines.as_mut().map_or(Ok(()), |table| table.close(interval))?;
+        self.passing.as_mut().map_or(Ok(()), |table| table.close(interval))
     }
 
     /// Names of the tables, with their numbers of rows.
@@ -115,6 +124,7 @@ impl<M: Medium> WorldTables<M> {
             self.azimuths.as_ref().map(Rows::rows),
             self.tugs.as_ref().map(Rows::rows),
             self.lines.as_ref().map(Rows::rows),
+            self.passing.as_ref().map(Rows::rows),
         ];
         rows.into_iter().flatten().collect()
     }
@@ -127,6 +137,7 @@ impl<M: Medium> WorldTables<M> {
             self.azimuths.map(Rows::finish),
             self.tugs.map(Rows::finish),
             self.lines.map(Rows::finish),
+            self.passing.map(Rows::finish),
         ];
         done.into_iter().flatten().collect()
     }

@@ -24,6 +24,7 @@ mod output;
 mod pairs;
 mod panel;
 mod particulars;
+mod passing;
 mod performance;
 mod plausible;
 mod providers;
@@ -124,6 +125,8 @@ pub(crate) fn setup(
     let of_bodies = file.given("body").named();
     let approaches = assembly.approaches(of_bodies, &mut bodies, &fenders, &pairs, &names)?;
     let vessels = assembly.vessels(file.given("body").named(), &kinds)?;
+    let flow =
+        assembly.flow(file, &libraries.vessels, (&kinds, &vessels, &bodies), &environment)?;
     let tugs = assembly.tugs(file.given("tug").named(), &vessels, &names)?;
     let lines =
         assembly.lines(file.given("line").named(), (&bodies, &environment.tide), &decks, &names)?;
@@ -162,11 +165,13 @@ pub(crate) fn setup(
             lines,
             bollards,
             line_handling,
+            flow,
             providers,
             chart,
         },
     };
     assembly.note_outside_hulls(&fender_tables, &setup);
+    assembly.check_passing(file, &setup)?;
     assembly.note_late_arrivals(of_bodies, &setup);
     assembly.note_draughts(file, &fender_tables, &setup);
     let orders = file.given("order").list();

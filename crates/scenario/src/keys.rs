@@ -19,6 +19,7 @@ pub(crate) mod mooring;
 pub(crate) mod order;
 mod output;
 mod panel;
+pub(crate) mod passing;
 mod provider;
 pub(crate) mod quantities;
 pub(crate) mod report;
@@ -160,6 +161,13 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             Kind::Table(&mooring::LINE_HANDLING),
             Is("{}"),
             "How lines come to a bollard.",
+            &[],
+        ),
+        key(
+            "passing",
+            Kind::Named(&passing::PASSING),
+            Is("{}"),
+            "Ships that pass, by name. They push vessels by the flow about them.",
             &[],
         ),
         key("order", Kind::List(&order::ORDER), Is("[]"), "Orders at times of the run.", &[]),

@@ -299,6 +299,7 @@ fn full() -> Json {
             "wind": { "speed": "12 m/s", "from": "270 deg", "gusts": true, "gust_admittance": false, "seed": 3 },
             "current": { "speed": "1 kn", "towards": "10 deg" },
             "bank": [{ "from": [-500, 90], "to": [500, 90] }],
+            "interaction": { "between_vessels": true, "midship_coefficient": 0.95, "sections": "outline" },
             "waves": {
                 "height": 1, "period": "8 s", "from": 0, "regular": false, "peakedness": 3.3,
                 "spreading": 2, "seed": 1
@@ -360,6 +361,17 @@ fn full() -> Json {
             },
             "on board": {
                 "from": "d", "fairlead": [70, 2], "rope": "wire", "break_load": "1000 kN", "rope_length": 180
+            }
+        },
+        "passing": {
+            "straight": {
+                "length": 185, "beam": "26 m", "draught": 7, "midship_coefficient": 0.97, "sections": "outline",
+                "outline": [[-92, -13], [92, 0], [-92, 13]], "position": [0, "9 km"], "heading": "90 deg",
+                "speed": "8 kn", "time": "5 s", "depth_factors": "kriebel", "berth": "quay"
+            },
+            "bent": {
+                "vessel": "kcs", "waypoints": [[-2000, 9000], [0, 9000], [2000, 9900]], "turning_radius": "600 m",
+                "speeds": [[0, "8 kn"], [5, "5 kn"]], "depth_factors": "none"
             }
         },
         "bollard": { "first": { "on": "b", "at": [0, 0], "height": 3, "lines": 2 } },

@@ -141,7 +141,7 @@
 //! | hull, propeller, rudder and thruster forces; standard manoeuvres | [`hydro`] |
 //! | wind, current, waves, tide and banks | [`environment`] |
 //! | mooring lines and winches | [`mooring`] |
-//! | forces of a passing ship on one at her berth; not yet part of a simulation | [`passing`] |
+//! | ships that pass, and the flow between ships | [`passing`] |
 //! | where a ship is that follows waypoints at given speeds | [`track`] |
 //! | heave, roll and pitch | [`attitude`] |
 //! | tugs as force vectors | [`tug`] |

@@ -66,6 +66,7 @@ impl LoadedStep<'_> {
         works.wind_j += of_force(forces.wind);
         works.waves_j += of_force(forces.waves);
         works.banks_j += of_force(forces.banks);
+        works.passing_j += of_force(forces.passing);
         works.bottom_j += of_force(forces.bottom);
         let stream_j = |state: &BodyState| {
             let drifting = BodyState {

@@ -26,6 +26,8 @@ pub enum OutputTable {
     Tugs,
     /// Mooring lines.
     Lines,
+    /// Passing ships.
+    Passing,
     /// Flexible dolphins.
     Dolphins,
     /// The energy ledger.
@@ -34,7 +36,7 @@ pub enum OutputTable {
 
 impl OutputTable {
     /// All tables, in the order of the reference.
-    pub const ALL: [OutputTable; 12] = [
+    pub const ALL: [OutputTable; 13] = [
         OutputTable::Bodies,
         OutputTable::Contacts,
         OutputTable::Fenders,
@@ -45,6 +47,7 @@ impl OutputTable {
         OutputTable::Azimuths,
         OutputTable::Tugs,
         OutputTable::Lines,
+        OutputTable::Passing,
         OutputTable::Dolphins,
         OutputTable::Energy,
     ];
@@ -63,6 +66,7 @@ impl OutputTable {
             OutputTable::Azimuths => "azimuths",
             OutputTable::Tugs => "tugs",
             OutputTable::Lines => "lines",
+            OutputTable::Passing => "passing",
             OutputTable::Dolphins => "dolphins",
             OutputTable::Energy => "energy",
         }

@@ -113,6 +113,8 @@ pub struct LoadWork {
     pub waves_j: f64,
     /// Banks.
     pub banks_j: f64,
+    /// The flow of passing ships and of other vessels.
+    pub passing_j: f64,
     /// The bottom, where vessels are aground.
     pub bottom_j: f64,
     /// Work of a current beyond its part in the hull force: an accelerating current accelerates the vessel, and the
@@ -131,7 +133,7 @@ pub struct LoadWork {
 impl LoadWork {
     /// Each work with its name in tables.
     #[must_use]
-    pub fn parts(&self) -> [(&'static str, f64); 13] {
+    pub fn parts(&self) -> [(&'static str, f64); 14] {
         [
             ("hull", self.hull_j),
             ("propeller", self.propeller_j),
@@ -140,6 +142,7 @@ impl LoadWork {
             ("wind", self.wind_j),
             ("waves", self.waves_j),
             ("banks", self.banks_j),
+            ("passing", self.passing_j),
             ("bottom", self.bottom_j),
             ("current", self.current_j),
             ("tugs", self.tugs_j),
@@ -163,6 +166,7 @@ impl LoadWork {
         self.wind_j += step.wind_j;
         self.waves_j += step.waves_j;
         self.banks_j += step.banks_j;
+        self.passing_j += step.passing_j;
         self.bottom_j += step.bottom_j;
         self.current_j += step.current_j;
         self.tugs_j += step.tugs_j;

@@ -24,7 +24,7 @@ use fenderline_contact::{
 };
 
 use self::buffers::Buffers;
-use self::check::{berthing_study, check_lines, check_load, count_steps};
+use self::check::{berthing_study, check_flow, check_lines, check_load, count_steps};
 use self::model::{Fenders, build_model, inertias};
 use crate::attitude::Attitude;
 use crate::berthing::{Study, StudyStep};
@@ -86,6 +86,7 @@ impl Simulation {
         let states = setup.initial_states();
         setup.world.environment.check().map_err(SetupError::Environment)?;
         check_lines(&setup)?;
+        check_flow(&setup)?;
         let mut loads = setup.loads.clone();
         sort_loads(&mut loads);
         let mut memory = Memory::new(&model);

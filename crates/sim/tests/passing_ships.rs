@@ -2,7 +2,7 @@
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{Pose, Vec2, vec2};
-use fenderline_sim::passing::{Berth, PassingShip, Sections, factors, force};
+use fenderline_sim::passing::{Berth, PassingShip, Sections, factors, force, force_under_way};
 
 const DENSITY_KGPM3: f64 = 1025.0;
 
@@ -146,4 +146,77 @@ fn depths_and_gaps_that_cannot_be_are_refused() {
     }
     let [open, quay] = [Berth::Open, Berth::Quay].map(|berth| factors(0.7, 2.0, berth).unwrap());
     assert!(quay[0] > open[0] && quay[1] < open[1] && quay[2] < open[2]);
+}
+
+/// Two ships under way at an angle, beside the momentum of the water by differences in time: the velocity of the sources' water is
+/// summed at places of the own ship, at rest and moving with her, a moment before and after. 1e-5: the differences.
+#[test]
+fn the_force_under_way_is_the_change_of_the_waters_momentum() {
+    let (half_m, other_half_m, area_m2, other_area_m2) = (100.0, 80.0, 300.0, 200.0);
+    let ships = [(2.0 * half_m, area_m2), (2.0 * other_half_m, other_area_m2)];
+    let [own, other] = ships.map(|(l, s)| Sections::parabola(l, s).unwrap());
+    let (own_mps, other_mps) = (3.0, 5.0);
+    let heading = Pose::new(Vec2::ZERO, 0.3).rotation;
+    let start_m = vec2(20.0, 70.0);
+    // The same panels as the sections: 48, changes at their middles.
+    let places =
+        |half_m: f64| (0..48).map(move |i| half_m * (2.0 * (f64::from(i) + 0.5) / 48.0 - 1.0));
+    let edge_area = |x_m: f64, half_m: f64, s: f64| s * (1.0 - (x_m / half_m) * (x_m / half_m));
+    let flow = |at_m: Vec2, t_s: f64| {
+        let mut sum = Vec2::ZERO;
+        for x_m in places(other_half_m) {
+            let d_m = other_half_m / 48.0;
+            let area = |x_m| edge_area(x_m, other_half_m, other_area_m2);
+            let change = area(x_m + d_m) - area(x_m - d_m);
+            let from = start_m + heading.apply(vec2(other_mps * t_s + x_m, 0.0));
+            let d = at_m - from;
+            sum += d * (change / (d.length() * d.length_squared()));
+        }
+        sum * (-other_mps / std::f64::consts::TAU)
+    };
+    let dt_s = 1e-3;
+    let mut wanted = [0.0; 3];
+    for x_m in places(half_m) {
+        let d_m = half_m / 48.0;
+        let volume = |x: f64| area_m2 * (x - x * x * x / (3.0 * half_m * half_m));
+        let mass_kg = DENSITY_KGPM3 * (volume(x_m + d_m) - volume(x_m - d_m));
+        let change = |speed_mps: f64| {
+            let at = |t_s: f64| flow(vec2(x_m + speed_mps * t_s, 0.0), t_s);
+            (at(dt_s) - at(-dt_s)) * (0.5 / dt_s)
+        };
+        let (at_rest, with_her) = (change(0.0), change(own_mps));
+        let across_n = mass_kg * (at_rest.y + with_her.y);
+        wanted[0] += mass_kg * at_rest.x;
+        wanted[1] += across_n;
+        wanted[2] += x_m * across_n + own_mps * mass_kg * flow(vec2(x_m, 0.0), 0.0).y;
+    }
+    let under_way = |sections, pose, velocity_mps| PassingShip { sections, pose, velocity_mps };
+    let own = under_way(&own, Pose::new(Vec2::ZERO, 0.0), vec2(own_mps, 0.0));
+    let pose = Pose { position_m: start_m, rotation: heading };
+    let other = under_way(&other, pose, heading.apply(vec2(other_mps, 0.0)));
+    let found = force_under_way(&own, &other, DENSITY_KGPM3, 1.0);
+    for (found, wanted) in found.iter().zip(wanted) {
+        assert!((found / wanted - 1.0).abs() < 1e-5, "{found} of {wanted}");
+    }
+}
+
+/// Momentum: two ships on parallel courses at one speed push each other equally, as the flow about them is steady. They attract each
+/// other abreast.
+#[test]
+fn ships_abreast_at_one_speed_push_each_other_equally() {
+    let ships = [(243.5, 585.0), (185.4, 172.0)].map(|(l, s)| Sections::parabola(l, s).unwrap());
+    for along_m in [0.0, 40.0, 150.0] {
+        let at = |index: usize| PassingShip {
+            sections: &ships[index],
+            pose: Pose::new(vec2([0.0, along_m][index], [0.0, 60.0][index]), 0.0),
+            velocity_mps: vec2(4.0, 0.0),
+        };
+        let (one, other) = (at(0), at(1));
+        let [x1, y1, _] = force_under_way(&one, &other, DENSITY_KGPM3, 1.0);
+        let [x2, y2, _] = force_under_way(&other, &one, DENSITY_KGPM3, 1.0);
+        // The sections and the sources of one ship are at slightly different places: 1 %.
+        assert!((y1 + y2).abs() < 0.01 * y1.abs(), "{along_m}: {y1} {y2}");
+        assert!((x1 + x2).abs() < 0.01 * greater(y1.abs(), x1.abs()), "{along_m}: {x1} {x2}");
+        assert!(along_m > 0.0 || y1 > 0.0, "{y1}");
+    }
 }

@@ -9,6 +9,7 @@ mod furniture;
 mod harbour;
 mod labels;
 mod map;
+mod passing;
 
 use fenderline_contact::Vec2;
 use maud::{Markup, html};
@@ -22,6 +23,7 @@ pub use harbour::{Harbour, LineDrawn, TugDrawn, Weather, harbour_legend};
 use labels::text_places;
 use map::{ARROW, BOTTOM, Map, TOP, WIDTH, arrow_text};
 pub use map::{Arrow, Frame, Label, Place};
+pub use passing::PassingDrawn;
 
 impl Plan {
     /// The view as a `figure` with its title and note.
@@ -38,6 +40,7 @@ impl Plan {
                     svg x=(format!("{:.1}", map.left)) y=(TOP) width=(format!("{:.1}", map.width))
                         height=(format!("{:.1}", map.height)) overflow="hidden" {
                         (chart::charted(&self.harbour.chart, &map))
+                        @for ship in &self.harbour.passing { (passing::passing(ship, &map)) }
                         @for outline in &self.outlines { (outlined(outline, &map)) }
                         @for fender in &self.fenders { (fenders::fender(fender, &map)) }
                         @for track in &self.tracks {
@@ -204,6 +207,10 @@ mod tests {
                     label: "<script>".to_owned(),
                 }],
                 banks: vec![[frame.low, frame.high]],
+                passing: vec![PassingDrawn {
+                    outline_m: vec![frame.low, frame.high],
+                    track_m: vec![frame.low, frame.high],
+                }],
                 weather: vec![Weather {
                     towards: vec2(1.0, 0.0),
                     text: "<script>".to_owned(),

@@ -145,6 +145,7 @@ fn load(name: &str) -> &'static str {
         "wind" => "wind",
         "waves" => "waves (mean drift)",
         "banks" => "banks",
+        "passing" => "passing ships",
         "bottom" => "seabed",
         "current" => "accelerating current, and current past a turning ship",
         "tugs" => "vector tugs",

@@ -107,13 +107,14 @@ fn footer(outcome: &Outcome<'_>) -> String {
     parts.join(" · ")
 }
 
-/// The key to lines, tugs and banks, if there are any.
+/// The key to lines, tugs, banks and passing ships, if there are any.
 fn harbour(outcome: &Outcome<'_>) -> Markup {
     let world = &outcome.setup.world;
     let (has_lines, has_tugs) = (!world.lines.is_empty(), !world.tugs.is_empty());
     let has_banks = !world.environment.banks.is_empty();
+    let has = [has_lines, has_tugs, has_banks, !world.flow.passing.is_empty()];
     html! {
-        @if has_lines || has_tugs || has_banks { (harbour_legend(has_lines, has_tugs, has_banks)) }
+        @if has.contains(&true) { (harbour_legend(has)) }
         @if !world.chart.features.is_empty() { (chart_note()) }
     }
 }

@@ -29,7 +29,7 @@ pub(crate) fn energy_table() -> Layout<EnergyRow> {
         float(
             "load_work_j",
             "J",
-            "work of all loads other than contact since the start, in the ground frame: the sum of the next thirteen columns",
+            "work of all loads other than contact since the start, in the ground frame: the sum of the next fourteen columns",
             |r| r.energy.load_work_j,
         ),
         float(
@@ -46,6 +46,12 @@ pub(crate) fn energy_table() -> Layout<EnergyRow> {
         float("wind_work_j", "J", "work of wind on vessels", |r| r.energy.loads.wind_j),
         float("waves_work_j", "J", "work of mean wave drift", |r| r.energy.loads.waves_j),
         float("banks_work_j", "J", "work of banks", |r| r.energy.loads.banks_j),
+        float(
+            "passing_work_j",
+            "J",
+            "work of the flow of passing ships and of other vessels",
+            |r| r.energy.loads.passing_j,
+        ),
         float("bottom_work_j", "J", "work of the seabed on vessels aground", |r| {
             r.energy.loads.bottom_j
         }),

@@ -38,6 +38,7 @@ mod energy;
 mod fenders;
 mod lines;
 mod panels;
+mod passing;
 mod thrusters;
 mod tugs;
 mod vessels;
@@ -53,6 +54,7 @@ pub(crate) use energy::{EnergyRow, energy_table};
 pub(crate) use fenders::{FenderRow, fenders_table};
 pub(crate) use lines::{LineRow, lines_table};
 pub(crate) use panels::{PanelRow, panels_table};
+pub(crate) use passing::{PassingRow, passing_table};
 pub(crate) use thrusters::{ThrusterRow, thrusters_table};
 pub(crate) use tugs::{TugRow, tugs_table};
 pub(crate) use vessels::{VesselRow, vessels_table};
@@ -102,6 +104,7 @@ pub fn reference() -> Vec<TableReference> {
         refer(azimuths_table()),
         refer(tugs_table()),
         refer(lines_table()),
+        refer(passing_table()),
         refer(dolphins_table()),
         refer(energy_table()),
     ]
@@ -168,6 +171,8 @@ pub enum List {
     Tugs,
     /// Mooring lines.
     Lines,
+    /// Passing ships.
+    Passing,
     /// All vessels' thrusters, one after the other.
     Thrusters,
     /// All vessels' azimuth units, one after the other.
@@ -183,6 +188,7 @@ pub struct Names {
     vessels: Vec<String>,
     tugs: Vec<String>,
     lines: Vec<String>,
+    passing: Vec<String>,
     thrusters: Vec<String>,
     azimuths: Vec<String>,
 }
@@ -199,6 +205,7 @@ impl Names {
             vessels: world.vessels.iter().map(|vessel| body(vessel.body)).collect(),
             tugs: world.tugs.iter().map(|tug| tug.tug.name.clone()).collect(),
             lines: world.lines.iter().map(|line| line.line.name.clone()).collect(),
+            passing: world.flow.passing.iter().map(|ship| ship.name.clone()).collect(),
             thrusters: world
                 .vessels
                 .iter()
@@ -227,6 +234,7 @@ impl Names {
             List::Vessels => &self.vessels,
             List::Tugs => &self.tugs,
             List::Lines => &self.lines,
+            List::Passing => &self.passing,
             List::Thrusters => &self.thrusters,
             List::Azimuths => &self.azimuths,
         }

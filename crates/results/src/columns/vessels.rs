@@ -89,6 +89,7 @@ fn each_force(
         wind: with(forces.wind, |f| f.wind),
         waves: with(forces.waves, |f| f.waves),
         banks: with(forces.banks, |f| f.banks),
+        passing: with(forces.passing, |f| f.passing),
         bottom: with(forces.bottom, |f| f.bottom),
     }
 }
@@ -138,6 +139,12 @@ pub(crate) fn vessels_table() -> Layout<VesselRow> {
         force_columns!(VesselRow, "wind_", "the wind", forces.wind),
         force_columns!(VesselRow, "waves_", "mean wave drift", forces.waves),
         force_columns!(VesselRow, "banks_", "banks (unvalidated)", forces.banks),
+        force_columns!(
+            VesselRow,
+            "passing_",
+            "the flow of passing ships and of other vessels",
+            forces.passing
+        ),
         force_columns!(VesselRow, "bottom_", "the seabed while aground", forces.bottom),
     ];
     let motions: Vec<Column<VesselRow>> = vec![

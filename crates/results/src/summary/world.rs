@@ -3,12 +3,13 @@
 use crate::events::world_event_key;
 use fenderline_sim::Setup;
 use fenderline_sim::external::ProviderEvent;
+use fenderline_sim::passing::PassingSetup;
 use serde_json::{Map, Value, json};
 
 use crate::accuracy::{accuracy_json, source_json};
 use crate::outcome::Outcome;
 use crate::provider_notices::provider_event_key;
-use crate::world_totals::{LineTotals, TugTotals, VesselTotals, Who};
+use crate::world_totals::{LineTotals, PassingTotals, TugTotals, VesselTotals, Who};
 
 /// Adds a section each for vessels, tugs and lines, if the set-up has any.
 pub(super) fn put_world(whole: &mut Value, outcome: &Outcome<'_>) {
@@ -34,7 +35,47 @@ pub(super) fn put_world(whole: &mut Value, outcome: &Outcome<'_>) {
         let lines = setup.world.lines.iter().zip(&world.lines);
         whole["lines"] = lines.map(|(line, totals)| line_json(&line.line.name, totals)).collect();
     }
+    if !world.passing.is_empty() {
+        let ships = setup.world.flow.passing.iter().zip(&world.passing);
+        whole["passing"] = ships.map(|(ship, totals)| passing_json(ship, totals, setup)).collect();
+    }
+    if !setup.world.flow.hulls.is_empty() {
+        for (object, totals) in
+            whole["vessels"].as_array_mut().into_iter().flatten().zip(&world.vessels)
+        {
+            put_peaks(object, totals);
+        }
+    }
     put_events(whole, outcome);
+}
+
+/// Peaks of the flow of passing ships and of other vessels.
+fn put_peaks(vessel: &mut Value, totals: &VesselTotals) {
+    for (name, unit, peak) in [
+        ("surge", "n", totals.passing[0]),
+        ("sway", "n", totals.passing[1]),
+        ("yaw", "nm", totals.passing[2]),
+    ] {
+        vessel[format!("peak_passing_{name}_{unit}")] = json!(peak.value);
+        vessel[format!("peak_passing_{name}_at_s")] = json!(peak.at_s);
+    }
+}
+
+fn passing_json(ship: &PassingSetup, totals: &PassingTotals, setup: &Setup) -> Value {
+    let mut object = json!({
+        "name": ship.name,
+        "length_m": ship.hull.length_m,
+        "beam_m": ship.hull.beam_m,
+        "draught_m": ship.hull.draught_m,
+        "fastest_mps": ship.track.pace.fastest_mps(),
+    });
+    if let Some((vessel, nearest)) = totals.nearest {
+        object["nearest_vessel"] = json!(setup.bodies[setup.world.vessels[vessel].body].name);
+        object["least_gap_m"] = json!(nearest.distance_m);
+        object["least_gap_at_s"] = json!(nearest.t_s);
+        object["speed_there_mps"] = json!(totals.speed_mps);
+    }
+    object
 }
 
 /// In deep water there is no key for the under-keel clearance.

@@ -2,13 +2,16 @@
 
 mod events;
 mod line;
+mod passing;
 mod tug;
 mod vessel;
 
+use fenderline_contact::{Pose, Vec2};
 use fenderline_sim::{Setup, StepRecord, WorldSetup};
 
 pub use events::{Who, WorldEvents};
 pub use line::{LineTotals, LineVerdict};
+pub use passing::PassingTotals;
 pub use tug::TugTotals;
 pub use vessel::VesselTotals;
 
@@ -23,8 +26,12 @@ pub struct WorldTotals {
     pub tugs: Vec<TugTotals>,
     /// Mooring lines, in the order of the set-up.
     pub lines: Vec<LineTotals>,
+    /// Passing ships, in the order of the set-up.
+    pub passing: Vec<PassingTotals>,
     /// Their events.
     pub events: WorldEvents,
+    /// Outlines and poses of the vessels, if ships pass.
+    hulls: Vec<(Vec<Vec2>, Pose)>,
 }
 
 impl WorldTotals {
@@ -35,7 +42,12 @@ impl WorldTotals {
             vessels: vec![VesselTotals::default(); world.vessels.len()],
             tugs: vec![TugTotals::default(); world.tugs.len()],
             lines: vec![LineTotals::default(); world.lines.len()],
+            passing: vec![PassingTotals::default(); world.flow.passing.len()],
             events: WorldEvents::default(),
+            hulls: passing::outlines(setup)
+                .into_iter()
+                .map(|outline_m| (outline_m, Pose::new(Vec2::ZERO, 0.0)))
+                .collect(),
             step_s: setup.step_s,
             setup: world,
         }
@@ -43,8 +55,12 @@ impl WorldTotals {
 
     /// Adds one step.
     pub fn add(&mut self, step: &StepRecord<'_>) {
-        let WorldTotals { setup, step_s, vessels, tugs, lines, events } = self;
-        for ((totals, vessel), now) in vessels.iter_mut().zip(&setup.vessels).zip(step.vessels) {
+        let WorldTotals { setup, step_s, vessels, tugs, lines, passing, events, hulls } = self;
+        let forces = step.vessel_forces;
+        for (((totals, vessel), now), forces) in
+            vessels.iter_mut().zip(&setup.vessels).zip(step.vessels).zip(forces)
+        {
+            totals.add_passing(step.t_s, &forces.passing);
             let state = &step.states[vessel.body];
             let water = vessel.velocity(state, &setup.environment, step.t_s);
             totals.add(step.t_s, *step_s, state, &water, now);
@@ -54,6 +70,12 @@ impl WorldTotals {
         }
         for ((totals, line), now) in lines.iter_mut().zip(&setup.lines).zip(step.lines) {
             totals.add((step.t_s, *step_s), (line, setup.bollards.as_slice()), now);
+        }
+        for ((_, pose), vessel) in hulls.iter_mut().zip(&setup.vessels) {
+            *pose = step.states[vessel.body].pose();
+        }
+        for (totals, ship) in passing.iter_mut().zip(&setup.flow.passing) {
+            totals.add(step.t_s, ship, hulls);
         }
         events.add(step);
     }

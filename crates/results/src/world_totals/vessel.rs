@@ -2,7 +2,7 @@
 
 use fenderline_contact::BodyState;
 use fenderline_sim::VesselState;
-use fenderline_sim::hydro::Velocity;
+use fenderline_sim::hydro::{Force, Velocity};
 
 use super::{Lasting, Peak};
 
@@ -27,11 +27,20 @@ pub struct VesselTotals {
     pub squat_m: Peak,
     /// Minimum under-keel clearance, squat included (m); `None` in deep water.
     pub under_keel_m: Option<Peak>,
+    /// Surge, sway and yaw of the flow of passing ships and of other vessels (N, N, N·m).
+    pub passing: [Peak; 3],
     /// Time aground.
     pub aground: Lasting,
 }
 
 impl VesselTotals {
+    pub(super) fn add_passing(&mut self, t_s: f64, force: &Force) {
+        let parts = [force.surge_n, force.sway_n, force.yaw_nm];
+        for (peak, part) in self.passing.iter_mut().zip(parts) {
+            peak.raise(part, t_s);
+        }
+    }
+
     pub(super) fn add(
         &mut self,
         t_s: f64,

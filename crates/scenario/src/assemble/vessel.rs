@@ -47,6 +47,11 @@ impl Kinds {
         index
     }
 
+    /// The data of a kind that the scenario has named or defined.
+    pub(super) fn data(&self, name: &str) -> Option<&VesselData> {
+        self.by_name.get(name).map(|index| &self.all[*index].1.data)
+    }
+
     /// The kind of each body that is a vessel, in the order of the bodies.
     pub(super) fn of_bodies(&self) -> impl Iterator<Item = Option<&Kind>> {
         self.of_bodies.iter().map(|index| index.map(|index| &self.all[index].1))

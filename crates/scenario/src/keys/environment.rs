@@ -3,6 +3,7 @@
 use fenderline_sim::hydro::Squat;
 use serde_json::json;
 
+use super::passing::INTERACTION;
 use super::quantities::{DIRECTION, POSITION};
 use crate::choices::{Choice, Choices};
 use crate::spec::Absent::{Is, Means, Refused, Unless};
@@ -48,6 +49,13 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
         key("wind", Kind::Table(&WIND), Means("no wind"), "Wind.", &[]),
         key("current", Kind::Table(&CURRENT), Means("no current"), "Current.", &[]),
         key("waves", Kind::Table(&WAVES), Means("no waves"), "Waves.", &[]),
+        key(
+            "interaction",
+            Kind::Table(&INTERACTION),
+            Is("{}"),
+            "The vessels in the flow of passing ships and of each other.",
+            &[],
+        ),
         key(
             "bank",
             Kind::List(&BANK),

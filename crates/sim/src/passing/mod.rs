@@ -17,10 +17,16 @@
 //! the depth. The ship at rest does not disturb the flow of the other one. Model tests have forces that grow with U^2.32 (Swiegers,
 //! Calculation of the forces on a moored ship due to a passing container ship, Stellenbosch 2011).
 
+mod act;
 mod flow;
+mod nearest;
 mod restricted;
 mod sections;
+mod setup;
 
-pub use flow::{PassingShip, force};
+pub(crate) use act::act;
+pub use flow::{PassingShip, force, force_under_way};
+pub use nearest::Nearest;
 pub use restricted::{Berth, factors};
 pub use sections::{Sections, SectionsError};
+pub use setup::{DepthFactors, FlowHull, FlowSetup, PassingSetup};

@@ -32,8 +32,17 @@ pub fn factors(
     };
     let [surge, sway, yaw] =
         [[1.70, 2.92, 3.0], [0.52, 4.33, 2.0], [0.48, 3.87, 2.0]].map(of_depth);
-    Ok(match berth {
-        Berth::Open => [surge, sway, yaw],
-        Berth::Quay => [1.4 * surge, 0.4 * sway, 0.5 * yaw],
-    })
+    let [of_surge, of_sway, of_yaw] = berth.factors();
+    Ok([of_surge * surge, of_sway * sway, of_yaw * yaw])
+}
+
+impl Berth {
+    /// Factors on surge, sway and yaw of an open berth.
+    #[must_use]
+    pub fn factors(self) -> [f64; 3] {
+        match self {
+            Berth::Open => [1.0; 3],
+            Berth::Quay => [1.4, 0.4, 0.5],
+        }
+    }
 }

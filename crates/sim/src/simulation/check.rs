@@ -50,6 +50,15 @@ pub(super) fn check_load(load: &Load, setup: &Setup) -> Result<(), SetupError> {
     Ok(())
 }
 
+/// Checks that the flow between ships knows the hull of every vessel, or none.
+pub(super) fn check_flow(setup: &Setup) -> Result<(), SetupError> {
+    let hulls = setup.world.flow.hulls.len();
+    if hulls == setup.world.vessels.len() || hulls == 0 {
+        return Ok(());
+    }
+    Err(SetupError::OutOfRange { field: "the number of hulls in the flow", value: hulls as f64 })
+}
+
 /// Checks that every line joins existing bodies, and that lines fast at the start fit between their ends.
 pub(super) fn check_lines(setup: &Setup) -> Result<(), SetupError> {
     for line in &setup.world.lines {

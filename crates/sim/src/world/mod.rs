@@ -31,7 +31,9 @@ use crate::environment::wind::{ShipGusts, Wind};
 use crate::fender::FenderSetup;
 use crate::fixed_order::SumOrder;
 use crate::hull::{Heights, HullTouch, place_m};
+use crate::hydro::Force;
 use crate::order::{Action, LineAction, Order, OrderError};
+use crate::passing;
 use crate::setup::BodySetup;
 
 pub use assist::{Assist, AssistPilot, Job, NotAtTheSide, PushJob};
@@ -53,6 +55,8 @@ pub(crate) struct World {
     pub(crate) vessels: Vec<VesselState>,
     pub(crate) forces: Vec<VesselForces>,
     pub(crate) water_inertia: Vec<WaterInertia>,
+    /// Forces of passing ships and of other vessels on each vessel; found anew in each step.
+    passing: Vec<Force>,
     pub(crate) lines: Vec<Mooring>,
     pub(crate) tugs: Vec<TugAtWork>,
     pub(crate) events: Vec<WorldEvent>,
@@ -79,6 +83,7 @@ impl World {
             vessels: setup.vessels.iter().map(VesselState::new).collect(),
             forces: vec![VesselForces::default(); setup.vessels.len()],
             water_inertia: vec![WaterInertia::default(); setup.vessels.len()],
+            passing: vec![Force::default(); setup.vessels.len()],
             lines: setup.lines.iter().map(Mooring::new).collect(),
             tugs: setup.tugs.iter().map(TugAtWork::new).collect(),
             events: Vec::new(),
@@ -140,6 +145,8 @@ impl World {
     ) {
         self.events.clear();
         self.take_orders(setup, states, t_s, step_s);
+        let vessels = (setup.vessels.as_slice(), states);
+        passing::act(&setup.flow, vessels, &setup.environment, t_s, &mut self.passing);
         for (index, vessel) in setup.vessels.iter().enumerate() {
             let (state, own) = (&states[vessel.body], &mut self.vessels[index]);
             let abilities = &self.abilities[index];
@@ -181,7 +188,8 @@ impl World {
             own.aground = aground;
             let (times, here) = ((t_s, velocity_time_s, step_s), (state, &stream.velocity));
             let around = (&setup.environment, self.gusts[index].as_ref());
-            let forces = vessel.forces(own, here, around, times);
+            let mut forces = vessel.forces(own, here, around, times);
+            forces.passing = self.passing[index];
             let water_inertia =
                 vessel.water_inertia(here, &setup.environment, (velocity_time_s, step_s));
             let wrench = vessel.wrench(&forces, &water_inertia, state);

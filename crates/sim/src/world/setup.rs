@@ -7,6 +7,7 @@ use super::tug::TugSetup;
 use super::vessel::VesselSetup;
 use crate::chart::Chart;
 use crate::order::Order;
+use crate::passing::FlowSetup;
 
 /// Everything around the bodies of a [`crate::Setup`]; empty by default.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -25,6 +26,8 @@ pub struct WorldSetup {
     pub bollards: Vec<BollardSetup>,
     /// How lines come to a bollard.
     pub line_handling: LineHandling,
+    /// Ships that pass, and vessels that act on each other by the flow about them.
+    pub flow: FlowSetup,
     /// Programs that give forces on bodies.
     pub providers: Vec<ProviderSetup>,
     /// What is drawn behind the bodies. It exerts no force.

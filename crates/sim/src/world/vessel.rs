@@ -151,6 +151,8 @@ pub struct VesselForces {
     pub waves: Force,
     /// Banks: unvalidated.
     pub banks: Force,
+    /// The flow of ships that pass, and of other vessels.
+    pub passing: Force,
     /// The bottom, where she is aground.
     pub bottom: Force,
 }
@@ -181,6 +183,7 @@ impl VesselForces {
             + self.wind
             + self.waves
             + self.banks
+            + self.passing
             + self.bottom
     }
 }
@@ -309,6 +312,7 @@ impl VesselSetup {
             wind: self.wind(state, environment, gusts, t_s),
             waves: self.drift(state, environment, velocity_t_s),
             banks: self.banks(state, velocity, environment, t_s),
+            passing: Force::default(),
             bottom: self.bottom(vessel, state, environment, step_s),
         }
     }
@@ -560,6 +564,7 @@ impl VesselSetup {
             forces.thrusters,
             forces.waves,
             forces.banks,
+            forces.passing,
         ];
         for part in below {
             load.add(part.surge_n, part.sway_n, water_m);

@@ -7,6 +7,7 @@ use maud::{Markup, html};
 
 use super::box2::{Box2, HALF_LINE};
 use super::map::Map;
+use super::passing::{self, PassingDrawn};
 
 /// Everything besides hulls and fenders; nothing by default.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -19,6 +20,8 @@ pub struct Harbour {
     pub tugs: Vec<TugDrawn>,
     /// Banks, from end to end (m).
     pub banks: Vec<[Vec2; 2]>,
+    /// Passing ships.
+    pub passing: Vec<PassingDrawn>,
     /// Wind, current and waves, in a corner.
     pub weather: Vec<Weather>,
 }
@@ -205,8 +208,8 @@ pub(super) fn corner(weather: &[Weather]) -> Markup {
     }
 }
 
-/// The key to lines, tugs and banks.
-pub fn harbour_legend(has_lines: bool, has_tugs: bool, has_banks: bool) -> Markup {
+/// The key to lines, tugs, banks and passing ships.
+pub fn harbour_legend([has_lines, has_tugs, has_banks, has_passing]: [bool; 4]) -> Markup {
     let entries = [
         (0.1, false, "peak to 25 % of break load"),
         (0.3, false, "to 50 %"),
@@ -245,6 +248,7 @@ pub fn harbour_legend(has_lines: bool, has_tugs: bool, has_banks: bool) -> Marku
                     "bank (its pull is unvalidated)"
                 }
             }
+            @if has_passing { (passing::legend()) }
         }
     }
 }

@@ -228,6 +228,7 @@ mod tests {
                 lines: (0..24).map(line).collect(),
                 tugs: (0..6).map(tug).collect(),
                 banks: Vec::new(),
+                passing: Vec::new(),
                 weather: vec![weather("wind 12 m/s (23.3 kn) from west"), weather("current")],
             },
             tracks: Vec::new(),

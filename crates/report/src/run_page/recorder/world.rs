@@ -41,6 +41,8 @@ pub(in crate::run_page) struct VesselTrace {
     pub(in crate::run_page) squat_m: Decimator,
     /// Under-keel clearance (m); nothing in deep water.
     pub(in crate::run_page) under_keel_m: Decimator,
+    /// Surge, sway and yaw of passing ships (N, N, N·m); nothing without them.
+    pub(in crate::run_page) passing: [Decimator; 3],
     /// Distance of her ends to a row of fenders, if there is one.
     pub(in crate::run_page) docking: Option<DockingTrace>,
 }
@@ -117,6 +119,7 @@ impl WorldTrace {
                 heave_m: Decimator::new(),
                 squat_m: Decimator::new(),
                 under_keel_m: Decimator::new(),
+                passing: Default::default(),
                 docking: docking.map(|berth| DockingTrace::new(berth, hull)),
             }
         });
@@ -129,8 +132,13 @@ impl WorldTrace {
     }
 
     pub(super) fn push(&mut self, step: &StepRecord<'_>) {
-        for (trace, now) in self.vessels.iter_mut().zip(step.vessels) {
-            trace.push(step.t_s, self.step_s, step.states, now);
+        for (index, trace) in self.vessels.iter_mut().enumerate() {
+            trace.push(step.t_s, self.step_s, step.states, &step.vessels[index]);
+            let force = &step.vessel_forces[index].passing;
+            let parts = [force.surge_n, force.sway_n, force.yaw_nm];
+            for (trace, part) in trace.passing.iter_mut().zip(parts) {
+                trace.push(step.t_s, part);
+            }
         }
         for (trace, now) in self.tugs.iter_mut().zip(step.tugs) {
             let ordered_n = match now.state.order {

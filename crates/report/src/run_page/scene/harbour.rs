@@ -9,8 +9,8 @@ use maud::{Markup, html};
 
 use super::{NAME_LENGTH, body_label, middle, outlined, styles};
 use crate::plot::{
-    Frame, Harbour, Label, LineDrawn, Place, Plan, Stage, TugDrawn, Weather, chart_labels,
-    charted_in, fixed, plain, shortened, significant,
+    Frame, Harbour, Label, LineDrawn, PassingDrawn, Place, Plan, Stage, TugDrawn, Weather,
+    chart_labels, charted_in, fixed, plain, shortened, significant,
 };
 use crate::run_page::Recorder;
 use crate::run_page::fenders::boxes;
@@ -58,15 +58,51 @@ fn tugs(setup: &Setup, marks: &[TugMark]) -> Vec<TugDrawn> {
 }
 
 /// Tugs at the peak force, or at the end of a run without contact, and the weather.
-pub(super) fn around(setup: &Setup, recorder: &Recorder, frame: Frame) -> Harbour {
+pub(super) fn around(outcome: &Outcome<'_>, recorder: &Recorder, frame: Frame) -> Harbour {
+    let setup = outcome.setup;
     let marks = recorder.peak.as_ref().map_or(&recorder.last_tugs, |peak| &peak.tugs);
     Harbour {
         chart: charted_in(&setup.world.chart.features, frame),
         lines: Vec::new(),
         tugs: tugs(setup, marks),
         banks: banks(&setup.world.environment),
+        passing: passing(outcome),
         weather: weather(&setup.world.environment),
     }
+}
+
+/// Passing ships where they were nearest, with their tracks of the run.
+pub(super) fn passing(outcome: &Outcome<'_>) -> Vec<PassingDrawn> {
+    let end_s = outcome.duration_s();
+    let ships = outcome.setup.world.flow.passing.iter().zip(&outcome.world.passing);
+    let drawn = ships.map(|(ship, totals)| {
+        let track = &ship.track;
+        let at_s = totals.nearest.map_or(0.0, |(_, nearest)| nearest.t_s);
+        let pose = track.at(at_s).pose;
+        let [from_m, to_m] = [0.0, end_s].map(|t_s| track.pace.distance_m(t_s));
+        PassingDrawn {
+            outline_m: ship.outline_m.iter().map(|point| pose.apply(*point)).collect(),
+            track_m: track.path.points_m(from_m, to_m),
+        }
+    });
+    drawn.collect()
+}
+
+/// Names of passing ships, on them where they were nearest.
+pub(super) fn passing_names(outcome: &Outcome<'_>) -> Vec<Label> {
+    let ships = outcome.setup.world.flow.passing.iter().zip(&outcome.world.passing);
+    let named = ships.map(|(ship, totals)| {
+        let at_s = totals.nearest.map_or(0.0, |(_, nearest)| nearest.t_s);
+        let now = ship.track.at(at_s);
+        let text = format!(
+            "{}, {} kn",
+            shortened(&ship.name, NAME_LENGTH),
+            fixed(now.speed_mps / KNOT_MPS, 1)
+        );
+        let half_length_m = now.pose.rotation.apply(vec2(0.5 * ship.hull.length_m, 0.0));
+        Label { text, place: Place::On { middle_m: now.pose.position_m, half_length_m } }
+    });
+    named.collect()
 }
 
 fn banks(environment: &Environment) -> Vec<[Vec2; 2]> {
@@ -185,6 +221,7 @@ pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) ->
             lines: lines.clone(),
             tugs: tugs(setup, &marks),
             banks: banks(&setup.world.environment),
+            passing: Vec::new(),
             weather: weather(&setup.world.environment),
         },
         tracks: Vec::new(),

@@ -128,6 +128,10 @@ fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Ma
         None => "Whole scene; no contact".to_owned(),
     };
     let Some(frame) = berth.or_else(|| scene_frame(floating, fixed)) else { return html! {} };
+    // Passing ships where they were nearest.
+    let frame = harbour::passing(outcome).iter().fold(frame, |frame, ship| {
+        Frame::around(ship.outline_m.iter().copied()).map_or(frame, |ship| frame.with(ship))
+    });
     let note = if setup.bodies.len() > drawn.len() {
         format!("{} of {} bodies are drawn.", drawn.len(), setup.bodies.len())
     } else if berth.is_some() {
@@ -141,14 +145,15 @@ fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Ma
         drawn.contains(&body).then_some(state)
     };
     let fenders = boxes(outcome, pressed_m, shown);
+    let passing = harbour::passing_names(outcome);
     let of_chart = chart_labels(&setup.world.chart.features, frame);
-    let labels = names(outcome, shown).into_iter().chain(labels).chain(of_chart);
+    let labels = names(outcome, shown).into_iter().chain(labels).chain(passing).chain(of_chart);
     Plan {
         title,
         frame,
         outlines,
         fenders,
-        harbour: harbour::around(setup, recorder, frame),
+        harbour: harbour::around(outcome, recorder, frame),
         tracks: tracks.collect(),
         arrows: contact_point.collect(),
         labels: labels.collect(),

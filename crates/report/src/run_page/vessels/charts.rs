@@ -101,6 +101,28 @@ fn of_vessel(page: &Charts<'_>, name: &str, setup: &VesselSetup, trace: &VesselT
     }
 }
 
+/// Forces of the flow of passing ships and of other vessels on each vessel.
+pub(super) fn passing(page: &Charts<'_>, recorder: &Recorder) -> Markup {
+    let setup = page.outcome.setup;
+    let all = setup.world.vessels.iter().zip(&recorder.world.vessels);
+    html! {
+        @for (vessel, trace) in all.take(VESSELS) {
+            @let [surge, sway, yaw] = &trace.passing;
+            @let name = &setup.bodies[vessel.body].name;
+            (page.chart(
+                &format!("Force of passing ships, {name}"),
+                Axis::new("force", "kN").including(0.0),
+                vec![line("surge", surge, 1e-3), line("sway", sway, 1e-3)],
+            ).render())
+            (page.chart(
+                &format!("Yaw moment of passing ships, {name}"),
+                Axis::new("moment", "MN·m").including(0.0),
+                vec![line("yaw", yaw, 1e-6)],
+            ).render())
+        }
+    }
+}
+
 /// Distance and speed, as on a docking aid.
 fn of_docking(page: &Charts<'_>, name: &str, docking: &DockingTrace) -> Markup {
     let two = |of: &[Decimator; 2], factor: f64| {

@@ -3,6 +3,7 @@
 mod charts;
 mod headline;
 mod orders;
+mod passing;
 mod tables;
 
 use maud::{Markup, html};
@@ -39,6 +40,11 @@ pub(super) fn sections(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
             h2 { "Vessels" }
             (tables::vessels(outcome))
             (charts::vessels(&page, recorder))
+        }
+        @if !world.flow.hulls.is_empty() {
+            h2 { "Passing ships and interaction" }
+            (passing::section(outcome))
+            (charts::passing(&page, recorder))
         }
         @if !world.tugs.is_empty() {
             h2 { "Tugs" }

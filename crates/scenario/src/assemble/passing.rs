@@ -1,0 +1,355 @@
+//! Passing ships, and the flow between vessels.
+
+use fenderline_contact::number::bounded;
+use fenderline_contact::{Outline, Pose, Vec2, vec2};
+use fenderline_sim::constants::STANDARD_GRAVITY_MPS2;
+use fenderline_sim::passing::{Berth, DepthFactors, FlowHull, FlowSetup, PassingSetup};
+use fenderline_sim::track::{Pace, Path, Track};
+use fenderline_sim::{BodySetup, Environment, Setup, VesselSetup};
+
+use super::rows::rounded;
+use super::vessel::Kinds;
+use super::{Assembly, Checked};
+use crate::checked::Table;
+use crate::keys::passing::SectionsBy;
+use crate::sources::quoted;
+use crate::vessels::{VesselData, VesselLibrary};
+
+/// Length over beam below which a passing ship is named as hardly slender; our choice.
+const HARDLY_SLENDER: f64 = 4.0;
+/// Speed over that of long waves in the depth from which forces are named as too small; our choice.
+const NEARLY_CRITICAL: f64 = 0.6;
+/// Clear distance at the start over the mean length within which the force begins suddenly; our choice.
+const SUDDEN: f64 = 1.0;
+/// Angle between a track and a vessel from which factors of parallel passing are named as doubtful (rad); our choice.
+const ASKEW_RAD: f64 = 0.35;
+
+impl Assembly<'_, '_> {
+    /// The flow between ships: passing ships and, where they or `between_vessels` need them, the hulls of the vessels.
+    pub(super) fn flow(
+        &mut self,
+        file: &Table,
+        library: &VesselLibrary,
+        (kinds, vessels, bodies): (&Kinds, &[VesselSetup], &[BodySetup]),
+        environment: &Environment,
+    ) -> Checked<FlowSetup> {
+        let passing = file.given("passing").named();
+        let interaction = file.given("environment").table().given("interaction").table();
+        let between_vessels = *interaction.given("between_vessels").flag();
+        if passing.is_empty() && !between_vessels {
+            return Ok(FlowSetup::default());
+        }
+        if let (Some((_, table)), true) = (passing.first(), vessels.is_empty()) {
+            let message = format!(
+                "`{}`: passing ships act on vessels, and no body has a `vessel`",
+                table.path
+            );
+            let error = self.sources.error(&table.span, &table.path, message);
+            return Err(error.with_help("give the moored ship a `vessel`"));
+        }
+        let hulls = vessels.iter().map(|vessel| {
+            let ship = &vessel.ship.particulars;
+            let ahead = vec2(ship.centre_of_gravity_m, 0.0);
+            let outline = bodies[vessel.body].outline.vertices().iter();
+            let outline: Vec<Vec2> = outline.map(|point| *point + ahead).collect();
+            let size_m = [ship.length_m, ship.beam_m, ship.draught_m];
+            self.flow_hull(interaction, size_m, &outline)
+        });
+        let hulls = hulls.collect::<Checked<Vec<FlowHull>>>()?;
+        if between_vessels {
+            self.note_between_vessels(interaction, &hulls, (vessels, bodies), environment);
+        }
+        let passing =
+            passing.iter().map(|(name, table)| self.passing_ship(name, table, (library, kinds)));
+        Ok(FlowSetup { passing: passing.collect::<Checked<_>>()?, hulls, between_vessels })
+    }
+
+    /// The sections of a hull by a table that says how they are found.
+    fn flow_hull(&self, table: &Table, size_m: [f64; 3], outline_m: &[Vec2]) -> Checked<FlowHull> {
+        let coefficient = *table.given("midship_coefficient").number();
+        let by_outline = table.given("sections").choice::<SectionsBy>() == SectionsBy::Outline;
+        FlowHull::new(size_m, coefficient, by_outline.then_some(outline_m))
+            .map_err(|error| self.wrong(table, &error))
+    }
+
+    fn note_between_vessels(
+        &mut self,
+        table: &Table,
+        hulls: &[FlowHull],
+        (vessels, bodies): (&[VesselSetup], &[BodySetup]),
+        environment: &Environment,
+    ) {
+        let mut message = String::from(
+            "the flow between vessels is that of slender ships in deep water without lift; nearer than a quarter of the mean beam it \
+             is left out",
+        );
+        if environment.depth_m.is_some() {
+            message += ", and the depth is not taken into account";
+        }
+        let short = hulls.iter().zip(vessels).filter(|(hull, _)| !hull.is_slender());
+        let short: Vec<String> =
+            short.map(|(_, vessel)| quoted(&bodies[vessel.body].name)).collect();
+        if !short.is_empty() {
+            message += &format!("; none for {}, shorter than 3.5 beams", short.join(", "));
+        }
+        self.note(table, &message);
+    }
+
+    fn passing_ship(
+        &self,
+        name: &str,
+        table: &Table,
+        (library, kinds): (&VesselLibrary, &Kinds),
+    ) -> Checked<PassingSetup> {
+        let data = match table.item("vessel") {
+            None => None,
+            Some(item) => {
+                self.none_of(table, &["length", "beam", "draught"], "vessel")?;
+                let known = kinds.data(item.text());
+                Some(match known.or_else(|| library.vessel(item.text()).ok()) {
+                    Some(data) => data,
+                    None => {
+                        let known = library.vessels().iter().map(|known| known.name.as_str());
+                        return Err(self.unknown("vessel", table, item, item.text(), known));
+                    }
+                })
+            }
+        };
+        let size_m = match data {
+            Some(data) => {
+                let ship = &data.ship.particulars;
+                [ship.length_m, ship.beam_m, ship.draught_m]
+            }
+            None => {
+                let help = "a passing ship has a `vessel`, or `length`, `beam` and `draught`";
+                self.all_of(table, &["length", "beam", "draught"], help)?;
+                ["length", "beam", "draught"].map(|key| *table.given(key).number())
+            }
+        };
+        let outline_m = self.outline_of(table, data, size_m)?;
+        let hull = self.flow_hull(table, size_m, &outline_m)?;
+        let track = self.track(table, size_m[0])?;
+        let depth = table.given("depth_factors").choice();
+        let berth = table.given("berth").choice();
+        Ok(PassingSetup { name: name.to_owned(), hull, outline_m, track, depth, berth })
+    }
+
+    /// Her outline about midship: her own, that of her vessel, or a rectangle.
+    fn outline_of(
+        &self,
+        table: &Table,
+        data: Option<&VesselData>,
+        [length_m, beam_m, _]: [f64; 3],
+    ) -> Checked<Vec<Vec2>> {
+        let own = table.item("outline");
+        let known = data.and_then(|data| data.outline_m.as_ref());
+        let Some(item) = own else {
+            let (l, b) = (0.5 * length_m, 0.5 * beam_m);
+            let box_m = || vec![vec2(-l, -b), vec2(l, -b), vec2(l, b), vec2(-l, b)];
+            return Ok(known.map_or_else(box_m, Vec::clone));
+        };
+        let outline = Outline::new(item.outline());
+        let (outline, _) = outline.map_err(|error| self.refused(table, item, &error))?;
+        Ok(outline.vertices().to_vec())
+    }
+
+    fn track(&self, table: &Table, length_m: f64) -> Checked<Track> {
+        let path = match table.item("waypoints") {
+            Some(item) => {
+                self.none_of(table, &["position", "heading"], "waypoints")?;
+                let radius_m = table.item("turning_radius").map(|radius| *radius.number());
+                let path = Path::through(item.outline(), radius_m.unwrap_or(3.0 * length_m));
+                path.map_err(|error| self.refused(table, item, &error))?
+            }
+            None => {
+                self.none_of(table, &["turning_radius"], "a straight track")?;
+                let help = "a track has a `position` and a `heading`, or `waypoints`";
+                self.all_of(table, &["position", "heading"], help)?;
+                let heading = table.given("heading");
+                let path = Path::straight(*table.given("position").vector(), *heading.number());
+                path.map_err(|error| self.refused(table, heading, &error))?
+            }
+        };
+        let at_s = *table.given("time").number();
+        let pace = match table.item("speeds") {
+            Some(item) => {
+                self.none_of(table, &["speed"], "speeds")?;
+                Pace::by_time(item.curve(), at_s)
+                    .map_err(|error| self.refused(table, item, &error))?
+            }
+            None => {
+                self.all_of(
+                    table,
+                    &["speed"],
+                    "a passing ship has a `speed`, or `speeds` by time",
+                )?;
+                let item = table.given("speed");
+                Pace::steady(*item.number(), at_s)
+                    .map_err(|error| self.refused(table, item, &error))?
+            }
+        };
+        Ok(Track { path, pace })
+    }
+
+    /// Refuses passing ships that would go through a body or faster than long waves, and notes what their forces leave out.
+    pub(super) fn check_passing(&mut self, file: &Table, setup: &Setup) -> Checked<()> {
+        let tables = file.given("passing").named();
+        for ((_, table), ship) in tables.iter().zip(&setup.world.flow.passing) {
+            self.check_passing_track(table, ship, setup)?;
+            let fastest_mps = ship.track.pace.fastest_mps();
+            if let Some([shallowest_m, _]) = setup.world.environment.depth_range_m() {
+                self.check_depth(table, ship, shallowest_m, fastest_mps)?;
+            }
+            self.note_formulas(table, ship, setup);
+            if ship.hull.length_m < HARDLY_SLENDER * ship.hull.beam_m {
+                let message = format!(
+                    "she is {} beams long: the flow is that of slender ships, and less is known of her",
+                    rounded(ship.hull.length_m / ship.hull.beam_m)
+                );
+                self.note(table, &message);
+            }
+            let most_s = 0.05 * ship.hull.length_m / fastest_mps;
+            if setup.step_s > most_s {
+                let message = format!(
+                    "in a step of {} s she moves by more than a twentieth of her length: peaks of her force may be missed; take {} s \
+                     or less",
+                    rounded(setup.step_s),
+                    rounded(most_s)
+                );
+                self.note(table, &message);
+            }
+        }
+        Ok(())
+    }
+
+    /// Her way past the bodies that do not move at the start.
+    fn check_passing_track(
+        &mut self,
+        table: &Table,
+        ship: &PassingSetup,
+        setup: &Setup,
+    ) -> Checked<()> {
+        let mut nearest_vessel: Option<(usize, f64, f64)> = None;
+        for (index, body) in setup.bodies.iter().enumerate() {
+            let velocity = &body.velocity;
+            let at_rest = [velocity.surge_mps, velocity.sway_mps, velocity.yaw_radps] == [0.0; 3];
+            if !(body.is_fixed() || at_rest) {
+                continue;
+            }
+            let pose = Pose::new(body.position_m, body.heading_rad);
+            let nearest = ship.nearest(body.outline.vertices(), pose, setup.duration_s);
+            if nearest.distance_m <= 0.0 {
+                let message = format!(
+                    "`{}`: she would go through {} at {:.0} s",
+                    table.path,
+                    quoted(&body.name),
+                    nearest.t_s
+                );
+                let error = self.sources.error(&table.span, &table.path, message);
+                return Err(error.with_help("move her track away, until there is a clear gap"));
+            }
+            if setup.world.vessels.iter().any(|vessel| vessel.body == index)
+                && nearest_vessel.is_none_or(|(_, distance_m, _)| nearest.distance_m < distance_m)
+            {
+                nearest_vessel = Some((index, nearest.distance_m, nearest.t_s));
+            }
+        }
+        let Some((body, distance_m, t_s)) = nearest_vessel else { return Ok(()) };
+        let body = &setup.bodies[body];
+        if t_s >= setup.duration_s && ship.track.pace.speed_mps(t_s) > 0.0 {
+            let message = format!(
+                "the run ends before she has passed {}: she is still coming nearer, {} m away",
+                quoted(&body.name),
+                rounded(distance_m)
+            );
+            self.note(table, &message);
+        }
+        let start = ship.track.at(0.0);
+        let pose = Pose::new(body.position_m, body.heading_rad);
+        let at_start_m = ship.nearest(body.outline.vertices(), pose, 0.0).distance_m;
+        if at_start_m < SUDDEN * ship.hull.length_m && start.speed_mps > 0.0 {
+            let message = format!(
+                "she is {} m from {} at the start: her force begins suddenly; let her come from farther away",
+                rounded(at_start_m),
+                quoted(&body.name)
+            );
+            self.note(table, &message);
+        }
+        if ship.depth == DepthFactors::Kriebel || ship.berth == Berth::Quay {
+            let turned = ship.track.at(t_s).heading_rad - body.heading_rad;
+            let askew_rad = libm::asin(bounded(libm::sin(turned), -1.0, 1.0)).abs();
+            if askew_rad > ASKEW_RAD {
+                let message = format!(
+                    "she passes {} at an angle of {:.0} degrees, but the factors for depth and quay are of parallel passing",
+                    quoted(&body.name),
+                    askew_rad.to_degrees()
+                );
+                self.note(table, &message);
+            }
+        }
+        Ok(())
+    }
+
+    fn check_depth(
+        &mut self,
+        table: &Table,
+        ship: &PassingSetup,
+        shallowest_m: f64,
+        fastest_mps: f64,
+    ) -> Checked<()> {
+        let item = table.item("speeds").unwrap_or_else(|| table.given("speed"));
+        let draught_m = ship.hull.draught_m;
+        if draught_m >= shallowest_m {
+            let message = format!(
+                "`{}`: she draws {} m, but there are {} m of water at the lowest level",
+                table.path,
+                rounded(draught_m),
+                rounded(shallowest_m)
+            );
+            return Err(self.sources.error(&table.span, &table.path, message));
+        }
+        let critical_mps = libm::sqrt(STANDARD_GRAVITY_MPS2 * shallowest_m);
+        let share = fastest_mps / critical_mps;
+        if share >= 1.0 {
+            let message = format!(
+                "{} m/s is faster than long waves in {} m of water, {} m/s: no ship passes at that speed, and the flow knows no waves",
+                rounded(fastest_mps),
+                rounded(shallowest_m),
+                rounded(critical_mps)
+            );
+            return Err(self.refused(table, item, &message));
+        }
+        if share > NEARLY_CRITICAL {
+            let message = format!(
+                "she goes at {share:.2} of the speed of long waves in {} m of water: the flow knows no waves, and the forces are too small",
+                rounded(shallowest_m)
+            );
+            self.note_at(&item.span, table.path_of(item.name), message);
+        }
+        Ok(())
+    }
+
+    /// Names what is recalled, estimated or left out in the factors.
+    fn note_formulas(&mut self, table: &Table, ship: &PassingSetup, setup: &Setup) {
+        let is_deep = setup.world.environment.depth_m.is_none();
+        let mut parts = Vec::new();
+        match ship.depth {
+            DepthFactors::Kriebel if is_deep => {
+                parts.push("the water is deep: it has no factors for the depth");
+            }
+            DepthFactors::Kriebel => parts.push(
+                "the factors for the depth are recalled (Kriebel 2005, not read) and compared with one worked case",
+            ),
+            DepthFactors::DeepWater if !is_deep => parts.push(
+                "the depth is not taken into account: model tests in shallow water found several times these forces",
+            ),
+            DepthFactors::DeepWater => {}
+        }
+        if ship.berth == Berth::Quay {
+            parts.push("the factors for a quay are an estimate (from figures of Swiegers 2011)");
+        }
+        if !parts.is_empty() {
+            self.note(table, &parts.join("; "));
+        }
+    }
+}

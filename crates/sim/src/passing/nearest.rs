@@ -1,0 +1,131 @@
+//! How near a passing ship comes to a body that does not move.
+
+use fenderline_contact::number::{greater, lesser};
+use fenderline_contact::{Pose, Vec2};
+
+use super::setup::PassingSetup;
+
+/// Most places of the ship that are looked at.
+const MOST_PLACES: f64 = 1e6;
+
+/// Where a passing ship is nearest to a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nearest {
+    /// Clear distance between the outlines (m); 0 where they meet.
+    pub distance_m: f64,
+    /// When (s).
+    pub t_s: f64,
+}
+
+impl PassingSetup {
+    /// How near she comes to an outline in a pose, from time 0 to `duration_s`. She is looked at each time that she has moved by a
+    /// tenth of her beam at her highest speed; farther away than three of her lengths only the distance of the middles is.
+    #[must_use]
+    pub fn nearest(&self, outline_m: &[Vec2], pose: Pose, duration_s: f64) -> Nearest {
+        let fastest_mps = self.track.pace.fastest_mps();
+        let parts = duration_s * fastest_mps / (0.1 * self.hull.beam_m);
+        let parts = libm::ceil(lesser(greater(parts, 1.0), MOST_PLACES));
+        let mut nearest = Nearest { distance_m: f64::INFINITY, t_s: 0.0 };
+        for part in 0..=(parts as u32) {
+            let t_s = duration_s * f64::from(part) / parts;
+            if let Some(distance_m) = self.nearer_than_m(nearest.distance_m, t_s, outline_m, pose) {
+                nearest = Nearest { distance_m, t_s };
+            }
+        }
+        nearest
+    }
+
+    /// Her clear distance from an outline in a pose at a time, if it is less than `most_m`.
+    #[must_use]
+    pub fn nearer_than_m(
+        &self,
+        most_m: f64,
+        t_s: f64,
+        outline_m: &[Vec2],
+        pose: Pose,
+    ) -> Option<f64> {
+        let radius =
+            |points: &[Vec2]| points.iter().fold(0.0, |most, point| greater(most, point.length()));
+        let at = self.track.at(t_s).pose;
+        let between_m = (at.position_m - pose.position_m).length()
+            - radius(&self.outline_m)
+            - radius(outline_m);
+        if between_m >= most_m {
+            return None;
+        }
+        let found_m = if between_m > 3.0 * self.hull.length_m {
+            between_m
+        } else {
+            // In the frame of the outline.
+            let relative = pose.to(at);
+            let hull: Vec<Vec2> =
+                self.outline_m.iter().map(|point| relative.apply(*point)).collect();
+            distance_m(&hull, outline_m)
+        };
+        (found_m < most_m).then_some(found_m)
+    }
+}
+
+/// The clear distance between two outlines (m); 0 where they overlap.
+fn distance_m(one: &[Vec2], other: &[Vec2]) -> f64 {
+    if contains(one, other[0]) || contains(other, one[0]) {
+        return 0.0;
+    }
+    let edges = |of: &[Vec2]| -> Vec<[Vec2; 2]> {
+        of.iter().zip(of.iter().cycle().skip(1)).map(|(from, to)| [*from, *to]).collect()
+    };
+    let (ones, others) = (edges(one), edges(other));
+    let pairs = ones.iter().flat_map(|one| others.iter().map(move |other| (*one, *other)));
+    pairs.fold(f64::INFINITY, |least, (one, other)| {
+        lesser(least, super::act::distance_of_segments_m(one, other))
+    })
+}
+
+/// Whether a point is within an outline.
+fn contains(outline: &[Vec2], point: Vec2) -> bool {
+    let edges = outline.iter().zip(outline.iter().cycle().skip(1));
+    let crossed = edges.filter(|(from, to)| {
+        let cuts = (from.y <= point.y) != (to.y <= point.y);
+        cuts && from.x + (point.y - from.y) / (to.y - from.y) * (to.x - from.x) > point.x
+    });
+    crossed.count() % 2 == 1
+}
+
+#[cfg(test)]
+mod tests {
+    use fenderline_contact::vec2;
+
+    use super::super::{Berth, DepthFactors, FlowHull};
+    use super::*;
+    use crate::track::{Pace, Path, Track};
+
+    fn ship(across_m: f64) -> PassingSetup {
+        let outline_m =
+            vec![vec2(-80.0, -12.0), vec2(80.0, -12.0), vec2(80.0, 12.0), vec2(-80.0, 12.0)];
+        PassingSetup {
+            name: "coaster".into(),
+            hull: FlowHull::new([160.0, 24.0, 7.0], 0.98, None).unwrap(),
+            outline_m,
+            track: Track {
+                path: Path::straight(vec2(0.0, across_m), 0.0).unwrap(),
+                pace: Pace::steady(4.0, 300.0).unwrap(),
+            },
+            depth: DepthFactors::DeepWater,
+            berth: Berth::Open,
+        }
+    }
+
+    #[test]
+    fn she_is_nearest_where_she_is_abreast_and_meets_what_is_in_her_way() {
+        let quay = [vec2(-150.0, 20.0), vec2(150.0, 20.0), vec2(150.0, 60.0), vec2(-150.0, 60.0)];
+        let at = Pose::new(Vec2::ZERO, 0.0);
+        let clear = ship(-50.0).nearest(&quay, at, 600.0);
+        assert!((clear.distance_m - 58.0).abs() < 1e-9, "{clear:?}");
+        let struck = ship(10.0).nearest(&quay, at, 600.0);
+        assert_eq!(struck.distance_m, 0.0);
+        // Bow and corner meet 230 m before the middles are abreast.
+        assert!((struck.t_s - (300.0 - 230.0 / 4.0)).abs() < 1.0, "{struck:?}");
+        // A run that ends before she is there.
+        assert!(ship(10.0).nearest(&quay, at, 100.0).distance_m > 0.0);
+    }
+}
