@@ -13,6 +13,7 @@ import { ON_PAGE, isOrder, unknownOrders } from "./orders";
 import type { Page } from "./page";
 import { PALETTE_NAMES, type PaletteName, applyPalette } from "./palette";
 import type { Action, Alarm, FromServer, Hello, Role, VerdictNow } from "./protocol";
+import { Trial } from "./trial";
 import { button, h, setAttribute, setClass, setText } from "./ui/dom";
 import { clock, fixed, spoken } from "./units";
 import { Alarms } from "./views/alarms";
@@ -24,6 +25,7 @@ import { Lines } from "./views/lines";
 import { Plan } from "./views/plan";
 import { Session } from "./views/session";
 import { Strips } from "./views/strips";
+import { TrialView } from "./views/trial";
 import { Verdict, setGravity } from "./views/verdict";
 import type { View } from "./views/view";
 
@@ -41,6 +43,7 @@ interface Tab {
 
 export class App implements Page {
   readonly live = new Live();
+  readonly trial = new Trial();
   private readonly connection: Connection;
   private readonly history = new History();
   private readonly hints = new Hints();
@@ -49,6 +52,7 @@ export class App implements Page {
   );
   private built = "";
   private plan: Plan | null = null;
+  private trialView: TrialView | null = null;
   private tabs: Tab[] = [];
   private groups: Group[] = [];
   private shownTab = "";
@@ -122,9 +126,21 @@ export class App implements Page {
   // ---------------------------------------------------------------------------------------- for views
 
   async order(action: Action): Promise<boolean> {
+    if (this.tries(action)) return true;
     const done = this.answered(await this.connection.send(action));
     if (done) this.hinted(action);
     return done;
+  }
+
+  trialOf(action: Action): Promise<string | null> {
+    return this.connection.send(action);
+  }
+
+  /** Puts an order into the trial, if one is on. */
+  private tries(action: Action): boolean {
+    if (!this.trial.take(action)) return false;
+    this.trialView?.changed();
+    return true;
   }
 
   async report(): Promise<void> {
@@ -138,6 +154,7 @@ export class App implements Page {
   }
 
   drag(control: string, action: Action): void {
+    if (this.tries(action)) return;
     this.connection.drag(control, action, (reason) => this.answered(reason));
     this.hinted(action);
   }
@@ -181,6 +198,9 @@ export class App implements Page {
         break;
       case "prediction":
         this.live.prediction = message;
+        break;
+      case "trial":
+        this.trial.heard(message);
         break;
       case "refused":
         this.say(`Refused: ${message.reason}`, "refusal");
@@ -238,7 +258,7 @@ export class App implements Page {
   }
 
   private buildStage(hello: Hello): void {
-    const plan = new Plan(this.live);
+    const plan = new Plan(this.live, this.trial);
     this.plan = plan;
     const views: [string, string | null, View][] = [
       ["Docking", "d", new Docking(this, hello)],
@@ -254,6 +274,13 @@ export class App implements Page {
         ["Session", null, new Session(this, hello)],
         ["Weather, faults", null, new Conditions(this, hello)],
       );
+    this.trialView = null;
+    this.trial.end();
+    this.markTrial(false);
+    if (hello.role.name !== "observer" && hello.vessels.length > 0) {
+      this.trialView = new TrialView(this, hello, (on) => this.markTrial(on));
+      views.push(["Trial", "y", this.trialView]);
+    }
     this.tabs = views.map(([name, key, view]) => ({
       name,
       key,
@@ -358,6 +385,11 @@ export class App implements Page {
     // Does not wait for the next tick: there is none while the session is paused.
     if (this.live.frame && this.live.hello)
       this.tabs.find((tab) => tab.name === name)?.view.tick(this.live.frame, this.live.hello);
+  }
+
+  /** While a trial is on, the controls give no orders: they say so. */
+  private markTrial(on: boolean): void {
+    setClass(this.strip, "in-trial", on);
   }
 
   private widen(): void {
@@ -484,6 +516,16 @@ export class App implements Page {
       { key: "b", text: "Day, dusk, night", run: () => this.nextPalette() },
       { key: "?", text: "This help", run: () => this.help.open(this.keys()) },
     ];
+    const { trialView } = this;
+    if (trialView)
+      common.push({
+        key: "z",
+        text: "Start or end a trial manoeuvre",
+        run: () => {
+          this.show("Trial");
+          trialView.toggle();
+        },
+      });
     return [...this.groups.flatMap((group) => group.keys), ...common];
   }
 

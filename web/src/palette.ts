@@ -27,6 +27,9 @@ export interface Palette {
   tug: string;
   tug_edge: string;
   path: string;
+  /** The ghost of a trial manoeuvre. */
+  trial: string;
+  trial_text: string;
   ok: string;
   caution: string;
   alarm: string;
@@ -64,6 +67,8 @@ export const PALETTES: Record<PaletteName, Palette> = {
     tug: "#e08a2c",
     tug_edge: "#5b3000",
     path: "#b0106a",
+    trial: "#0057c8",
+    trial_text: "#ffffff",
     ok: "#0a7a33",
     caution: "#a45600",
     alarm: "#c8102e",
@@ -98,6 +103,8 @@ export const PALETTES: Record<PaletteName, Palette> = {
     tug: "#b5722a",
     tug_edge: "#f0b878",
     path: "#e060a8",
+    trial: "#5ab0ff",
+    trial_text: "#05101a",
     ok: "#3cb869",
     caution: "#e8a317",
     alarm: "#ff5252",
@@ -132,6 +139,8 @@ export const PALETTES: Record<PaletteName, Palette> = {
     tug: "#3a1a08",
     tug_edge: "#a85a1a",
     path: "#f0603a",
+    trial: "#a58a00",
+    trial_text: "#000000",
     ok: "#838f26",
     caution: "#dc8200",
     alarm: "#ff2d1a",

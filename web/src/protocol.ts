@@ -11,7 +11,7 @@ import type { Order } from "./orders";
 
 // ---------------------------------------------------------------- server → page
 
-export type FromServer = Hello | Frame | Prediction | Ack | Refused | Notice;
+export type FromServer = Hello | Frame | Prediction | Trial | Ack | Refused | Notice;
 
 /** A place or a vector: [north, east] or [forward, starboard]. */
 export type Pair = [number, number];
@@ -19,7 +19,7 @@ export type Pair = [number, number];
 /** Sent first, and again whenever the scenario, the branch or the claims change. */
 export interface Hello {
   type: "hello";
-  protocol: 3;
+  protocol: 4;
   role: Role;
   title: string;
   /** File name of the scenario, as in `gallery`. */
@@ -104,6 +104,8 @@ export interface CommandLimits {
   approach_limit_mps: Pair;
   /** Simulated time over wall time. */
   pace: Pair;
+  /** How far a trial looks ahead [s]. */
+  trial_s: Pair;
 }
 
 /** A feature of the chart. */
@@ -399,13 +401,38 @@ export interface VerdictNow {
   findings: { key: string; gravity: Gravity; text: string }[];
 }
 
-/** Once a second: the predicted path of the pilot's ship without further orders. */
+/** [t_s, north, east, heading]. */
+export type PathPoint = [t_s: number, north: number, east: number, heading: number];
+
+export interface ShipPath {
+  /** Index into `vessels`. */
+  vessel: number;
+  path: PathPoint[];
+}
+
+/**
+ * Up to ten times a second: the predicted paths without further orders of up to three ships. The pilot's ship first, then the
+ * other ships, then the tugs.
+ */
 export interface Prediction {
   type: "prediction";
   tick: number;
-  vessel: number;
-  /** [t_s, north, east, heading]. */
-  path: [number, number, number, number][];
+  paths: ShipPath[];
+}
+
+/** An answer to `trial`, first with what is known so far, at last complete. The ships are those of `prediction`. */
+export interface Trial {
+  type: "trial";
+  /** Of the command. */
+  id: number;
+  /** The tick from which it begins. */
+  tick: number;
+  horizon_s: number;
+  /** The paths reach the horizon. */
+  complete: boolean;
+  paths: ShipPath[];
+  /** What would be struck or broken, in sentences without a full stop; once it has ended. */
+  findings: string[];
 }
 
 export interface Ack {
@@ -453,12 +480,31 @@ export type Place =
   | "starboard midships"
   | "starboard quarter";
 
+/** What a trial takes: an order of the table, or one to a tug in words. */
+export type TrialOrder = Order | TugOrder;
+
+export interface TugOrder {
+  do: "tug";
+  tug: string;
+  order: TugWord;
+  power?: number;
+  lead: Lead;
+  place: Place;
+}
+
 export type OtherAction =
   /** To a tug of either kind, in words: the server finds force, direction and place. `power` is over her bollard pull; a push and a pull need it. */
-  | { do: "tug"; tug: string; order: TugWord; power?: number; lead: Lead; place: Place }
+  | TugOrder
   // Claims.
   | { do: "claim"; control: Control }
   | { do: "release"; control: Control }
+  /**
+   * Shows where orders would take the ships, on a copy of the run. `trial` messages with the number of this command follow. A new
+   * trial of this page ends the one before.
+   */
+  | { do: "trial"; orders: TrialOrder[]; horizon_s: number }
+  /** Gives up to 16 orders at once: all of them or none. */
+  | { do: "give"; orders: TrialOrder[] }
   // For the instructor only.
   | { do: "pause" }
   | { do: "resume" }

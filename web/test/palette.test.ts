@@ -38,6 +38,7 @@ const WRITTEN: [texts: (keyof Palette)[], on: (keyof Palette)[]][] = [
   ],
   [["alarm_text"], ["caution", "alarm", "port", "starboard"]],
   [["chosen_text"], ["chosen"]],
+  [["trial_text"], ["trial"]],
   [["panel"], ["text"]],
   [["path", "wind", "current"], ["panel"]],
 ];
@@ -67,7 +68,7 @@ test("every text has a contrast of 4.5:1 on what it is written on, in each palet
     const loads = Array.from({ length: 41 }, (_, i) => hex(loadColour(i / 40, colours)));
     for (const below of BELOW) {
       const ground = over(colours.label, colours[below]);
-      for (const text of ["text", "path", "alarm", "line"] as const)
+      for (const text of ["text", "path", "trial", "alarm", "line"] as const)
         expect
           .soft(contrast(colours[text], ground), `${name}: ${text} on a label over ${below}`)
           .toBeGreaterThan(LEAST);

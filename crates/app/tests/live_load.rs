@@ -1,11 +1,12 @@
-//! The server under load: eight clients that steer, fifty that mean it ill, at 1×. Run by `cargo xtask live-load`,
-//! which prints what this measures; all of it goes to 127.0.0.1.
+//! The server under load: eight clients that steer and try manoeuvres, fifty that mean it ill, at 1×, beside predictions of three
+//! ships. Run by `cargo xtask live-load`, which prints what this measures; all of it goes to 127.0.0.1.
 
 #[path = "serve/client.rs"]
 mod client;
 #[path = "serve/server.rs"]
 mod server;
 
+use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
@@ -29,6 +30,11 @@ struct Saw {
     frames: u64,
     acks: u64,
     refused: u64,
+    /// Predictions of three ships.
+    predictions: u64,
+    /// Trials that were shown to their horizon, and the time until their first answer (ms).
+    trials: u64,
+    shown_ms: Vec<f64>,
     /// From tick to page (ms), sorted at the end.
     delays_ms: Vec<f64>,
     last: Value,
@@ -44,14 +50,15 @@ fn no_tick_is_missed_and_memory_stays_flat_with_fifty_hostile_clients() {
 }
 
 async fn load(length: Duration) {
-    let server = Arc::new(Server::start(&[]));
+    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/live/berthing.toml");
+    let server = Arc::new(Server::start_with(&scene, &[]));
     let start = Instant::now();
     let until = start + length;
     let roles = [
         "instructor",
         "pilot",
-        "master of forward",
-        "master of aft",
+        "master of forward_tug",
+        "master of after_tug",
         "observer",
         "observer",
         "observer",
@@ -96,6 +103,20 @@ async fn load(length: Duration) {
         all.iter().map(|saw| saw.acks).sum::<u64>(),
         all.iter().map(|saw| saw.refused).sum::<u64>()
     );
+    // Observers ask nothing, so that they count every prediction.
+    let predictions = all.iter().map(|saw| saw.predictions).max().unwrap_or(0);
+    println!(
+        "predictions          {predictions} of three ships, {:.1} a second",
+        predictions as f64 / wall_s
+    );
+    let mut shown_ms: Vec<f64> = all.iter().flat_map(|saw| saw.shown_ms.iter().copied()).collect();
+    shown_ms.sort_by(f64::total_cmp);
+    println!(
+        "trials of 5 minutes  {} to their end, first shown after {:.0} ms (median), worst {:.0} ms",
+        all.iter().map(|saw| saw.trials).sum::<u64>(),
+        shown_ms.get(shown_ms.len() / 2).copied().unwrap_or(f64::NAN),
+        shown_ms.last().copied().unwrap_or(f64::NAN)
+    );
     println!(
         "tick to page         median {:.1} ms, 99 % {:.1} ms, worst {:.1} ms",
         share(0.5),
@@ -126,8 +147,26 @@ async fn steer(server: &Server, role: &str, until: Instant) -> Saw {
     let mut saw = Saw::default();
     let mut next = Instant::now();
     let mut turn = 0_u32;
+    // When a trial was asked for whose first answer has not come.
+    let mut asked: Option<Instant> = None;
     while Instant::now() < until {
-        let frame = client.next("frame").await;
+        let message = client.any().await;
+        match message["type"].as_str() {
+            Some("frame") => {}
+            Some("prediction") => {
+                let ships = message["paths"].as_array().map_or(0, Vec::len);
+                assert_eq!(ships, 3, "{message}");
+                saw.predictions += 1;
+                continue;
+            }
+            Some("trial") => {
+                saw.shown_ms.extend(asked.take().map(|at| at.elapsed().as_secs_f64() * 1e3));
+                saw.trials += u64::from(message["complete"] == true);
+                continue;
+            }
+            _ => continue,
+        }
+        let frame = message;
         saw.delays_ms.push(now_ms() - frame["at_ms"].as_f64().expect("a time"));
         saw.frames += 1;
         saw.last = frame;
@@ -140,14 +179,19 @@ async fn steer(server: &Server, role: &str, until: Instant) -> Saw {
         let tug = role.strip_prefix("master of ");
         let action = match (role, turn % 3) {
             ("instructor", _) => json!({ "do": "wind", "speed_mps": 8.0 + share, "from_rad": 1.5 }),
+            ("pilot", _) if turn.is_multiple_of(4) => {
+                asked = Some(Instant::now());
+                json!({ "do": "trial", "horizon_s": 300, "orders": [
+                    { "do": "engine", "vessel": "ship", "share": -0.5 },
+                    { "do": "rudder", "vessel": "ship", "angle_rad": 0.3 },
+                ] })
+            }
             ("pilot", 0) => json!({ "do": "engine", "vessel": "ship", "share": 0.2 * share }),
             ("pilot", 1) => json!({ "do": "rudder", "vessel": "ship", "angle_rad": share }),
-            ("pilot", _) => {
-                json!({ "do": "thruster", "vessel": "ship", "name": "bow", "power": share })
-            }
+            ("pilot", _) => json!({ "do": "approach_limit", "speed_mps": 0.2 }),
             _ => match tug {
                 Some(tug) => {
-                    json!({ "do": "push", "tug": tug, "force_n": 2e5, "direction_rad": 1.5 + share })
+                    json!({ "do": "tug", "tug": tug, "order": "push", "power": 0.4 + 0.5 * share })
                 }
                 None => continue,
             },

@@ -4,6 +4,8 @@
 mod client;
 #[path = "serve/server.rs"]
 mod server;
+#[path = "serve/trial.rs"]
+mod trial;
 
 use std::time::Duration;
 

@@ -69,6 +69,8 @@ pub struct CommandLimits {
     pub approach_limit_mps: Pair,
     /// Simulated time over wall time.
     pub pace: Pair,
+    /// How far a trial looks ahead (s).
+    pub trial_s: Pair,
 }
 
 /// The limits that the server applies.
@@ -78,6 +80,7 @@ pub const COMMAND_LIMITS: CommandLimits = CommandLimits {
     current_mps: [0.0, Current::FASTEST_MPS],
     approach_limit_mps: ApproachLimit::LIMITS_MPS,
     pace: [0.1, 20.0],
+    trial_s: [10.0, 1200.0],
 };
 
 impl Action {

@@ -35,6 +35,7 @@ mod replay;
 mod request;
 mod session;
 mod source;
+mod trial;
 mod watched;
 mod word;
 
@@ -46,7 +47,7 @@ pub use info::Info;
 pub use limits::{Full, LARGEST_RECORDING_BYTES};
 pub use named_order::NamedOrder;
 pub use order_info::order_infos;
-pub use prediction::Prediction;
+pub use prediction::{MOST_PATHS, Prediction};
 pub use recording::{
     CopyError, Ending, Fault as RecordingFault, Line, Outline, RecordingError, RecordingReader,
     begins_recording, copy_kept,
@@ -59,4 +60,5 @@ pub use replay::{Replay, ReplayError, Replayed};
 pub use request::{Conduct, Control, Request};
 pub use session::{Branch, Session, SessionError, StepError};
 pub use source::Source;
+pub use trial::Trial;
 pub use watched::Watched;

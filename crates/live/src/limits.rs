@@ -19,6 +19,9 @@ pub(crate) const MOST_TICKS: u64 = 10_000_000;
 /// short file cannot cause a long run.
 pub(crate) const MARKS: u64 = 10;
 
+/// Most orders of a trial, and most that are given together.
+pub(crate) const MOST_TRIAL_ORDERS: usize = 16;
+
 /// The longest note (characters).
 pub(crate) const LONGEST_NOTE: usize = 300;
 /// Most notes of a branch within [`NOTE_TICKS`].

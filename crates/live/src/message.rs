@@ -9,7 +9,7 @@ use crate::approach::Light;
 use crate::request::Control;
 
 /// Number of the protocol. A page with another number asks the user to reload it.
-pub const PROTOCOL: u32 = 3;
+pub const PROTOCOL: u32 = 4;
 
 /// A position, a vector or a range.
 pub type Pair = [f64; 2];
@@ -459,10 +459,36 @@ pub struct EventNow {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "type", rename_all = "snake_case")]
 pub enum Reply {
-    Prediction { tick: u64, vessel: usize, path: Vec<[f64; 4]> },
-    Ack { id: i64, tick: u64 },
-    Refused { id: Option<i64>, reason: String },
-    Notice { text: String },
+    Prediction {
+        tick: u64,
+        paths: Vec<ShipPath>,
+    },
+    Trial {
+        id: i64,
+        tick: u64,
+        horizon_s: f64,
+        complete: bool,
+        paths: Vec<ShipPath>,
+        findings: Vec<String>,
+    },
+    Ack {
+        id: i64,
+        tick: u64,
+    },
+    Refused {
+        id: Option<i64>,
+        reason: String,
+    },
+    Notice {
+        text: String,
+    },
+}
+
+/// The path of a vessel: time (s), position (m), heading (rad).
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ShipPath {
+    pub vessel: usize,
+    pub path: Vec<[f64; 4]>,
 }
 
 /// The JSON text of a message.

@@ -1,55 +1,106 @@
-//! Prediction of the own ship's path without further orders, by a copy of the simulation.
+//! Predictions of ships' paths, by a copy of the simulation.
 
 use fenderline_sim::Simulation;
 
-use crate::message::Reply;
+use crate::cast::Cast;
+use crate::message::{Reply, ShipPath};
 use crate::session::Session;
+
+/// Most ships whose paths a prediction has.
+pub const MOST_PATHS: usize = 3;
 
 /// A copy of the simulation that can be run ahead, also on another thread.
 #[derive(Clone, Debug)]
 pub struct Prediction {
     simulation: Simulation,
     tick: u64,
-    vessel: usize,
-    body: usize,
+    /// Indices of the vessels whose paths are kept.
+    vessels: Vec<usize>,
+}
+
+impl Cast {
+    /// Indices of the vessels whose paths are predicted, at most [`MOST_PATHS`]: the own ship, the other ships, then the tugs.
+    #[must_use]
+    pub fn predicted(&self) -> Vec<usize> {
+        let ships = (0..self.vessels.len()).filter(|index| !self.is_tug[*index]);
+        let others = ships.filter(|index| self.own != Some(*index));
+        let tugs = (0..self.vessels.len()).filter(|index| self.is_tug[*index]);
+        self.own.into_iter().chain(others).chain(tugs).take(MOST_PATHS).collect()
+    }
 }
 
 impl Session {
-    /// A prediction from the present state; `None` without an own ship.
+    /// A prediction from the present state without further orders; `None` without vessels.
     #[must_use]
     pub fn prediction(&self) -> Option<Prediction> {
-        let vessel = self.cast().own?;
-        let mut simulation = self.simulation().clone();
-        // Without later orders of the scenario. Those that are due in the next step were given already.
-        let end_s = simulation.time_s() + simulation.setup().step_s;
-        simulation.retain_orders(|order| order.at_s < end_s);
-        let body = simulation.setup().world.vessels[vessel].body;
-        Some(Prediction { simulation, tick: self.tick(), vessel, body })
+        let vessels = self.cast().predicted();
+        (!vessels.is_empty())
+            .then(|| Prediction::of(self.simulation().clone(), self.tick(), vessels))
     }
 }
 
 impl Prediction {
-    /// Runs for a number of seconds and returns a position every `every_s`, the present one first. Ends early if `go_on`
-    /// returns false or a step fails.
+    /// A prediction that begins in a state. Later orders of the scenario are dropped; those that are due in the next step stay.
+    pub(crate) fn of(mut simulation: Simulation, tick: u64, vessels: Vec<usize>) -> Prediction {
+        let end_s = simulation.time_s() + simulation.setup().step_s;
+        simulation.retain_orders(|order| order.at_s < end_s);
+        Prediction { simulation, tick, vessels }
+    }
+
+    /// The tick from which it begins.
+    pub(crate) fn tick(&self) -> u64 {
+        self.tick
+    }
+
+    pub(crate) fn simulation(&self) -> &Simulation {
+        &self.simulation
+    }
+
+    /// Runs for a number of seconds and returns the paths, with a position every `every_s`, the present one first.
     #[must_use]
-    pub fn run(mut self, seconds: f64, every_s: f64, mut go_on: impl FnMut() -> bool) -> Reply {
+    pub fn run(
+        mut self,
+        seconds: f64,
+        every_s: f64,
+        go_on: impl FnMut(&[ShipPath]) -> bool,
+    ) -> Reply {
+        let (paths, _) = self.advance(seconds, every_s, go_on);
+        Reply::Prediction { tick: self.tick, paths }
+    }
+
+    /// As [`Prediction::run`]; returns the paths, and whether they reach the end. `go_on` sees the paths at each new position; the
+    /// run ends early if it returns false or a step fails.
+    pub(crate) fn advance(
+        &mut self,
+        seconds: f64,
+        every_s: f64,
+        mut go_on: impl FnMut(&[ShipPath]) -> bool,
+    ) -> (Vec<ShipPath>, bool) {
         let step_s = self.simulation.setup().step_s;
         let steps = libm::round(seconds / step_s) as u64;
         let every = (libm::round(every_s / step_s) as u64).max(1);
-        let mut path = Vec::new();
+        let path = |vessel: &usize| ShipPath { vessel: *vessel, path: Vec::new() };
+        let mut paths: Vec<ShipPath> = self.vessels.iter().map(path).collect();
         for step in 0..=steps {
             if step.is_multiple_of(every) {
-                let state = &self.simulation.states()[self.body];
-                let t_s = self.simulation.time_s();
-                path.push([t_s, state.position_m.x, state.position_m.y, state.heading_rad]);
-                if !go_on() {
-                    break;
+                self.add_positions(&mut paths);
+                if !go_on(&paths) {
+                    return (paths, step == steps);
                 }
             }
             if step < steps && self.simulation.step().is_err() {
-                break;
+                return (paths, false);
             }
         }
-        Reply::Prediction { tick: self.tick, vessel: self.vessel, path }
+        (paths, true)
+    }
+
+    fn add_positions(&self, paths: &mut [ShipPath]) {
+        let t_s = self.simulation.time_s();
+        for ShipPath { vessel, path } in paths {
+            let body = self.simulation.setup().world.vessels[*vessel].body;
+            let state = &self.simulation.states()[body];
+            path.push([t_s, state.position_m.x, state.position_m.y, state.heading_rad]);
+        }
     }
 }

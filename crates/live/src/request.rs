@@ -20,13 +20,13 @@ pub enum Control {
 
 /// Defines [`Conduct`] and [`Conduct::WORDS`] from one list, so that they cannot differ.
 macro_rules! conducts {
-    ($($(#[$doc:meta])* $name:ident = $word:literal { $($field:ident: $type:ty)? },)*) => {
+    ($($(#[$doc:meta])* $name:ident = $word:literal { $($field:ident: $type:ty),* },)*) => {
         /// A command to the session itself: claims, time, branches, files. The recording keeps only what follows from it.
         #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
         #[serde(tag = "do", deny_unknown_fields)]
         #[allow(missing_docs, reason = "the fields are those of protocol.ts")]
         pub enum Conduct {
-            $($(#[$doc])* #[serde(rename = $word)] $name { $($field: $type)? },)*
+            $($(#[$doc])* #[serde(rename = $word)] $name { $($field: $type),* },)*
         }
 
         impl Conduct {
@@ -59,6 +59,10 @@ conducts! {
     Load = "load" { file: String },
     /// Cancel the opening of a file.
     StopOpening = "stop_opening" {},
+    /// See where orders would take the ships, on a copy of the run; the answers have the command's number.
+    Trial = "trial" { orders: Vec<Action>, horizon_s: f64 },
+    /// Give several orders at once: all of them or none.
+    Give = "give" { orders: Vec<Action> },
     /// Make the report of the session up to now; it can be fetched when this is acknowledged.
     Report = "report" {},
     /// Save a copy of the recording under a name.

@@ -247,11 +247,7 @@ impl Session {
                 "the run is rewound: nothing can be ordered in the past; branch off, or go to its end",
             ));
         }
-        if self.commands >= MOST_COMMANDS {
-            return Err(Refusal::new(format_args!(
-                "a session has at most {MOST_COMMANDS} commands"
-            )));
-        }
+        self.has_room_for(1)?;
         if matches!(action, Action::Other(OtherAction::Note { .. })) {
             self.has_room_for_note()?;
         }
@@ -270,6 +266,14 @@ impl Session {
         self.writer.put(&line);
         self.branches[branch].commands.push(Given { tick, who: who.to_owned(), action });
         Ok(tick)
+    }
+
+    /// Checks that the limits allow some more commands.
+    pub(crate) fn has_room_for(&self, commands: usize) -> Result<(), Refusal> {
+        if self.commands + commands <= MOST_COMMANDS {
+            return Ok(());
+        }
+        Err(Refusal::new(format_args!("a session has at most {MOST_COMMANDS} commands")))
     }
 
     /// Checks that the limits allow one more note.

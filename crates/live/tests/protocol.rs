@@ -52,7 +52,7 @@ fn orders(text: &str) -> BTreeMap<String, BTreeSet<String>> {
 
 /// The words of all commands in the file that are not orders.
 fn other_commands(text: &str) -> BTreeSet<String> {
-    let union = text.split("export type OtherAction =").nth(1).expect("the other commands");
+    let union = text.split("export interface Command {").nth(1).expect("the commands");
     let union = union.split("export type Fault").next().expect("their end");
     let words = union.split("do: \"").skip(1);
     words.map(|rest| rest.split('"').next().expect("a word").to_owned()).collect()
@@ -176,7 +176,11 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
         (message::Reply::Ack { id: 1, tick: 2 }, "Ack"),
         (message::Reply::Refused { id: None, reason: "x".into() }, "Refused"),
         (message::Reply::Notice { text: "x".into() }, "Notice"),
-        (session.prediction().expect("a ship").run(5.0, 1.0, || true), "Prediction"),
+        (
+            session.trial(&[support::rudder(0.1)], 10.0).expect("a good order").run(1, |_| true),
+            "Trial",
+        ),
+        (session.prediction().expect("a ship").run(5.0, 1.0, |_| true), "Prediction"),
     ] {
         let value: Value = serde_json::from_str(&message::text(&reply)).expect("JSON");
         has_fields(&value, name, &known);
@@ -247,13 +251,14 @@ fn a_prediction_is_her_path_without_further_orders() {
     support::command(&mut session, support::rudder(0.2));
     support::command(&mut session, support::engine(0.3));
     support::go(&mut session, 50);
-    let message::Reply::Prediction { tick, vessel, path } =
-        session.prediction().expect("a ship").run(60.0, 10.0, || true)
+    let message::Reply::Prediction { tick, paths } =
+        session.prediction().expect("a ship").run(60.0, 10.0, |_| true)
     else {
         panic!("a prediction")
     };
-    assert_eq!((tick, vessel, path.len()), (50, 0, 7));
-    for [t_s, north_m, east_m, heading_rad] in path {
+    let [message::ShipPath { vessel: 0, path }] = &paths[..] else { panic!("{paths:?}") };
+    assert_eq!((tick, path.len()), (50, 7));
+    for &[t_s, north_m, east_m, heading_rad] in path {
         let state = session.simulation().states()[0];
         assert_eq!(t_s, session.simulation().time_s());
         assert_eq!(

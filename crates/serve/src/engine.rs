@@ -9,6 +9,7 @@ mod event_log;
 mod files;
 mod predictor;
 mod recording;
+mod trials;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -24,6 +25,7 @@ use self::chart_output::ChartOutput;
 use self::client::Client;
 use self::event_log::EventLog;
 use self::predictor::Predictor;
+use self::trials::Trials;
 use super::claims::{Claims, ClientId};
 use super::gallery::{Gallery, Opened};
 use super::hub::{Hub, Published, ToEngine};
@@ -61,6 +63,7 @@ pub(crate) struct Engine {
     /// When the last frame was published.
     published: Instant,
     predictor: Predictor,
+    trials: Trials,
     /// `None`: no chart programs are served.
     chart: Option<ChartOutput>,
 }
@@ -100,6 +103,7 @@ impl Engine {
             events: EventLog::new(),
             published: now,
             predictor: Predictor::default(),
+            trials: Trials::default(),
             chart: chart.map(ChartOutput::new),
         };
         engine.make_tokens().map_err(|e| format!("no random numbers for the links: {e}"))?;

@@ -65,7 +65,14 @@ pub(crate) fn may_order(role: &Role, control: &Control, cast: &Cast) -> bool {
 /// # Errors
 /// The reason of the refusal.
 pub(crate) fn for_conduct(role: &Role, conduct: &Conduct) -> Result<(), Refusal> {
-    let own = matches!(conduct, Conduct::Claim { .. } | Conduct::Release { .. });
+    // The orders of a trial are checked one by one.
+    let own = matches!(
+        conduct,
+        Conduct::Claim { .. }
+            | Conduct::Release { .. }
+            | Conduct::Trial { .. }
+            | Conduct::Give { .. }
+    );
     if own || *role == Role::Instructor {
         return Ok(());
     }

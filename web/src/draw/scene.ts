@@ -12,7 +12,7 @@ import {
 } from "../geometry";
 import type { Live } from "../live";
 import { type Palette, loadColour } from "../palette";
-import type { BodyNow, Frame, Hello, LineInfo, LineNow, Pair } from "../protocol";
+import type { BodyNow, Frame, Hello, LineInfo, LineNow, Pair, PathPoint } from "../protocol";
 import { fixed, force, spoken, tonnes } from "../units";
 import { type Label, Rank } from "./labels";
 import { arrow, polygon, stroke } from "./marks";
@@ -78,17 +78,16 @@ export function drawLand(scene: Scene): void {
   });
 }
 
-type PathPoint = [t_s: number, north: number, east: number, heading: number];
-
 /** The part of the predicted path that is still ahead, and the hull of that ship. */
 function way({
   hello,
   live,
 }: Scene): { path: PathPoint[]; outline: Pair[]; from_s: number } | null {
   const { prediction, frame } = live;
-  const outline = hello.bodies[hello.vessels[prediction?.vessel ?? -1]?.body ?? -1]?.outline;
-  if (!prediction || !frame || !outline) return null;
-  return { path: prediction.path.filter(([t]) => t >= frame.t_s), outline, from_s: frame.t_s };
+  const own = prediction?.paths.find(({ vessel }) => vessel === live.ship());
+  const outline = hello.bodies[hello.vessels[own?.vessel ?? -1]?.body ?? -1]?.outline;
+  if (!own || !frame || !outline) return null;
+  return { path: own.path.filter(([t]) => t >= frame.t_s), outline, from_s: frame.t_s };
 }
 
 /** The first point of each minute ahead. */
@@ -168,6 +167,37 @@ export function drawMinutes(scene: Scene): void {
       size: 12,
     });
   }
+}
+
+/** The tracks of the other ships whose paths are predicted, each with her hull at the end. */
+export function drawOtherPaths(scene: Scene): void {
+  const { to, camera, colours, hello, live, frame } = scene;
+  to.save();
+  to.strokeStyle = colours.path;
+  to.lineWidth = 1.5;
+  for (const { vessel, path } of live.prediction?.paths ?? []) {
+    const ahead = path.filter(([t_s]) => t_s >= frame.t_s);
+    const [outline, last] = [
+      hello.bodies[hello.vessels[vessel]?.body ?? -1]?.outline,
+      ahead.at(-1),
+    ];
+    if (vessel === live.ship() || !outline || !last) continue;
+    to.globalAlpha = 0.7;
+    to.setLineDash([3, 4]);
+    to.beginPath();
+    ahead.forEach(([, north, east], i) => {
+      const at = toScreen(camera, [north, east]);
+      if (i === 0) to.moveTo(...at);
+      else to.lineTo(...at);
+    });
+    to.stroke();
+    polygon(
+      to,
+      outline.map((at) => toScreen(camera, add([last[1], last[2]], turned(last[3], at)))),
+    );
+    to.stroke();
+  }
+  to.restore();
 }
 
 export function drawHulls(scene: Scene): void {

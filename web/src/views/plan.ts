@@ -2,11 +2,13 @@
 import { drawChart, drawChartMarks } from "../draw/chart";
 import * as scene from "../draw/scene";
 import { type Box, type Label, type Placed, Rank, place } from "../draw/labels";
+import { drawTrial } from "../draw/trial";
 import { FONT, arrow, drawLabel, labelFont, stroke } from "../draw/marks";
 import { type Camera, add, fitted, minus, roundLength, toEarth, zoomed } from "../geometry";
 import type { Live } from "../live";
 import { type Palette, palette } from "../palette";
 import type { BodyNow, Frame, Pair } from "../protocol";
+import type { Trial } from "../trial";
 import { button, canvas, h, setAttribute, setClass, setText } from "../ui/dom";
 import { fixed, heading, knots, rateOfTurn, toKnots } from "../units";
 import type { View } from "./view";
@@ -56,7 +58,11 @@ export class Plan implements View {
     "aria-pressed": "true",
   });
 
-  constructor(private readonly live: Live) {
+  constructor(
+    private readonly live: Live,
+    /** `null` where nobody steers. */
+    private readonly trial: Trial | null = null,
+  ) {
     this.tools = h(
       "div",
       { class: "plan-tools", role: "toolbar", "aria-label": "Plan" },
@@ -164,7 +170,10 @@ export class Plan implements View {
     scene.drawLand(all);
     drawChartMarks(all);
     scene.drawBerth(all);
-    if (this.prediction) scene.drawPrediction(all);
+    if (this.prediction) {
+      scene.drawOtherPaths(all);
+      scene.drawPrediction(all);
+    }
     scene.drawHulls(all);
     scene.drawFenders(all);
     scene.drawBollards(all);
@@ -172,8 +181,13 @@ export class Plan implements View {
     scene.drawVectorTugs(all);
     scene.drawContacts(all);
     if (this.prediction) scene.drawMinutes(all);
+    const trial = drawTrial(all, this.trial);
     scene.drawBowAndStern(all);
-    const taken = [drawScale(to, this.camera, colours), drawRose(to, this.camera, colours, frame)];
+    const taken = [
+      drawScale(to, this.camera, colours),
+      drawRose(to, this.camera, colours, frame),
+      ...trial,
+    ];
     this.label(to, all.labels, taken, colours, now_ms);
     // For tests, which cannot read a canvas.
     const { centre, pixels_per_m } = this.camera;

@@ -99,6 +99,11 @@ impl Client {
         }
     }
 
+    /// The next message of any type.
+    pub(crate) async fn any(&mut self) -> Value {
+        in_time("a message", self.hear()).await
+    }
+
     /// The next message of a type.
     pub(crate) async fn next(&mut self, kind: &str) -> Value {
         in_time(&format!("a message `{kind}`"), async {

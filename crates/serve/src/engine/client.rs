@@ -4,6 +4,7 @@ use fenderline_live::message::Role;
 use tokio::sync::{mpsc, watch};
 
 use crate::hub::Text;
+use crate::rate::Bucket;
 
 /// A connected client.
 pub(super) struct Client {
@@ -14,4 +15,6 @@ pub(super) struct Client {
     pub(super) hello: watch::Sender<Option<Text>>,
     /// Queues answers and notices.
     pub(super) out: mpsc::Sender<Text>,
+    /// Limits its trials.
+    pub(super) trials: Bucket,
 }

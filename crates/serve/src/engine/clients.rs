@@ -10,6 +10,7 @@ use tokio::sync::{mpsc, watch};
 
 use super::Engine;
 use super::client::Client;
+use super::trials::Trials;
 use crate::claims::ClientId;
 use crate::hub::Text;
 use crate::permit;
@@ -47,7 +48,8 @@ impl Engine {
             Role::Observer => format!("observer {client}"),
         };
         self.notify_all(&format!("{label} has joined"));
-        self.clients.insert(client, Client { role, label, hello, out });
+        let trials = Trials::bucket(Instant::now());
+        self.clients.insert(client, Client { role, label, hello, out, trials });
         self.greet(client);
         if mem::take(&mut self.starts_with_first_client) {
             self.paused = false;
@@ -58,6 +60,7 @@ impl Engine {
 
     pub(super) fn leave(&mut self, client: ClientId) {
         let Some(gone) = self.clients.remove(&client) else { return };
+        self.trials.leave(client);
         let vacated = self.claims.gone(client);
         let names: Vec<&str> = vacated
             .iter()

@@ -55,27 +55,88 @@ impl Engine {
     /// Carries out an action in the simulation: an order, a fault, a change of the weather.
     fn act(&mut self, requester: &Requester, role: &Role, action: Action) -> Result<Done, Refusal> {
         let (client, label) = (requester.client, requester.label.as_str());
-        let needs = permit::for_action(role, &action, self.session.cast())?;
-        if let Needs::Helm(control) | Needs::NobodyAt(control) = &needs {
-            self.claims.may_use(control, client)?;
-        }
+        let needs = self.may_give(client, role, &action)?;
         let event = self.event_of(label, role, &action)?;
         let tick = self.session.command(label, super::unix_ms(), action)?;
-        if let Needs::Helm(control) = needs
-            && !self.claims.holds(&control, client)
-        {
-            self.claims.take(control, (client, label), false)?;
-            self.greet_all();
-        }
+        self.take_helms(&[needs], (client, label))?;
         if let Some(text) = event {
             self.events.add(self.session.simulation().time_s(), text);
         }
+        Ok(self.has_given(tick))
+    }
+
+    /// Records what was given, and shows it.
+    fn has_given(&mut self, tick: u64) -> Done {
         self.record();
         // While paused, the frame and a new prediction show the effect of the order.
         if self.paused {
             self.predictor.reset();
         }
-        Ok(Done::AtTick { tick, shows: self.paused })
+        Done::AtTick { tick, shows: self.paused }
+    }
+
+    /// Checks that a client may give this command, by its role and by the holders of the controls.
+    fn may_give(&self, client: ClientId, role: &Role, action: &Action) -> Result<Needs, Refusal> {
+        let needs = permit::for_action(role, action, self.session.cast())?;
+        if let Needs::Helm(control) | Needs::NobodyAt(control) = &needs {
+            self.claims.may_use(control, client)?;
+        }
+        Ok(needs)
+    }
+
+    /// Gives a client the helms that its commands have taken.
+    fn take_helms(&mut self, needs: &[Needs], of: (ClientId, &str)) -> Result<(), Refusal> {
+        let mut taken = false;
+        for needs in needs {
+            if let Needs::Helm(control) = needs
+                && !self.claims.holds(control, of.0)
+            {
+                self.claims.take(control.clone(), of, false)?;
+                taken = true;
+            }
+        }
+        if taken {
+            self.greet_all();
+        }
+        Ok(())
+    }
+
+    /// Starts a trial manoeuvre: the run does not change, and no control is taken.
+    fn trial(
+        &mut self,
+        requester: &Requester,
+        role: &Role,
+        (orders, horizon_s): (&[Action], f64),
+    ) -> Result<Done, Refusal> {
+        let client = requester.client;
+        for order in orders {
+            self.may_give(client, role, order)?;
+        }
+        let id = requester.id.ok_or_else(|| Refusal::new("a trial needs a number"))?;
+        let from = self.clients.get_mut(&client);
+        let from = from.ok_or_else(|| Refusal::new("the client has left"))?;
+        if !from.trials.take(Instant::now()) {
+            return Err(Refusal::new("too many trials: wait a moment"));
+        }
+        let out = from.out.clone();
+        let trial = self.session.trial(orders, horizon_s)?;
+        self.trials.start((client, id), trial, out)?;
+        Ok(Done::AtTick { tick: self.session.tick(), shows: false })
+    }
+
+    /// Gives several orders at once: all of them or none.
+    fn give(
+        &mut self,
+        requester: &Requester,
+        role: &Role,
+        orders: Vec<Action>,
+    ) -> Result<Done, Refusal> {
+        let (client, label) = (requester.client, requester.label.as_str());
+        let needs = orders.iter().map(|order| self.may_give(client, role, order));
+        let needs = needs.collect::<Result<Vec<Needs>, Refusal>>()?;
+        let tick = self.session.command_all(label, super::unix_ms(), orders)?;
+        self.take_helms(&needs, (client, label))?;
+        Ok(self.has_given(tick))
     }
 
     /// The event that pages show for an acknowledgement and a note.
@@ -168,6 +229,10 @@ impl Engine {
                 self.report(requester)?;
                 return Ok(Done::AnswerFollows);
             }
+            Conduct::Trial { orders, horizon_s } => {
+                return self.trial(&requester, role, (&orders, horizon_s));
+            }
+            Conduct::Give { orders } => return self.give(&requester, role, orders),
             Conduct::Save { name } => {
                 self.save(requester, &name)?;
                 return Ok(Done::AnswerFollows);

@@ -37,7 +37,7 @@ impl Predictor {
         hub: &Arc<Hub>,
     ) {
         let is_due = self.started.is_none_or(|at| !paused && now >= at + INTERVAL);
-        if !is_due || session.cast().own.is_none() || self.is_running.load(Ordering::Acquire) {
+        if !is_due || self.is_running.load(Ordering::Acquire) {
             return;
         }
         self.started = Some(now);
@@ -46,7 +46,7 @@ impl Predictor {
         let (is_running, hub) = (Arc::clone(&self.is_running), Arc::clone(hub));
         let predict = move || {
             let until = Instant::now() + INTERVAL;
-            let path = prediction.run(AHEAD_S, EVERY_S, || Instant::now() < until);
+            let path = prediction.run(AHEAD_S, EVERY_S, |_| Instant::now() < until);
             hub.predictions.send_replace(Some(message::text(&path).into()));
             is_running.store(false, Ordering::Release);
         };
