@@ -1,4 +1,4 @@
-//! Predictions of the own ship's path, on a thread of their own.
+//! Predictions of the ships' paths, on a thread of their own.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -8,8 +8,10 @@ use fenderline_live::{Session, message};
 
 use crate::hub::Hub;
 
-/// Wall time between two predictions; one that takes longer ends early.
-const INTERVAL: Duration = Duration::from_secs(1);
+/// Least wall time between the starts of two predictions.
+const INTERVAL: Duration = Duration::from_millis(100);
+/// A prediction that takes longer ends early.
+const LONGEST: Duration = Duration::from_secs(1);
 /// Simulated time that a prediction covers, and between two of its points (s).
 const AHEAD_S: f64 = 300.0;
 const EVERY_S: f64 = 10.0;
@@ -45,9 +47,12 @@ impl Predictor {
         self.is_running.store(true, Ordering::Release);
         let (is_running, hub) = (Arc::clone(&self.is_running), Arc::clone(hub));
         let predict = move || {
-            let until = Instant::now() + INTERVAL;
+            let begun = Instant::now();
+            let until = begun + LONGEST;
             let path = prediction.run(AHEAD_S, EVERY_S, |_| Instant::now() < until);
             hub.predictions.send_replace(Some(message::text(&path).into()));
+            // A pause as long as the work: predictions take at most half of a processor.
+            std::thread::sleep(begun.elapsed());
             is_running.store(false, Ordering::Release);
         };
         let thread = std::thread::Builder::new().name("prediction".into()).spawn(predict);
