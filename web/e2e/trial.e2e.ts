@@ -22,7 +22,7 @@ afterAll(async () => {
 test("half astern is tried, drawn as a ghost, and given by a button", async () => {
   const page = await open(browser.context, served, "pilot", errors);
   await page.getByRole("button", { name: "Take the helm" }).click();
-  await page.getByRole("tab", { name: "Trial", exact: true }).click();
+  await page.getByRole("button", { name: "Trial manoeuvre" }).click();
   await page.getByRole("button", { name: "Start or end a trial" }).click();
   const telegraph = page.locator(".telegraph");
   const pressed = telegraph.locator('[aria-pressed="true"]');

@@ -9,6 +9,7 @@ import { Help } from "./help";
 import { Hints } from "./hints";
 import { History } from "./history";
 import { Live, structure } from "./live";
+import { NameBadge } from "./name";
 import { ON_PAGE, isOrder, unknownOrders } from "./orders";
 import type { Page } from "./page";
 import { PALETTE_NAMES, type PaletteName, applyPalette } from "./palette";
@@ -61,7 +62,7 @@ export class App implements Page {
   private fps = { since: 0, count: 0, shown: 0, jank: 0, last: 0 };
 
   private readonly title = h("h1", {}, "fenderline");
-  private readonly role = h("span", { class: "badge" });
+  private readonly name = new NameBadge((name) => this.order({ do: "name", name }));
   private readonly held = h("span", { class: "held" });
   private readonly time = h("span", {
     class: "time",
@@ -95,7 +96,7 @@ export class App implements Page {
       "header",
       { class: "top" },
       this.title,
-      this.role,
+      this.name.root,
       this.time,
       this.run,
       this.held,
@@ -215,6 +216,7 @@ export class App implements Page {
 
   private linked(state: LinkState, why: string): void {
     if (why !== "") this.why = why;
+    if (state !== "open") this.name.forgotten();
     setText(
       this.link,
       state === "open" ? "linked" : state === "connecting" ? "connecting" : "no link",
@@ -229,6 +231,7 @@ export class App implements Page {
         `This page is of another version than the program: load it again (${unknown.join(", ")}).`,
       );
     this.why = "";
+    this.name.greet();
     const fresh = this.live.hello?.file !== hello.file;
     this.live.welcome(hello);
     if (fresh) this.history.clear();
@@ -250,7 +253,7 @@ export class App implements Page {
     const { role } = hello;
     setText(this.title, hello.title);
     this.title.title = hello.title;
-    setText(this.role, roleName(role));
+    this.name.show(roleName(role));
     document.title = `${roleName(role)} · ${hello.title}`;
     document.documentElement.dataset.role = role.name;
     this.buildStage(hello);
@@ -280,6 +283,9 @@ export class App implements Page {
     if (hello.role.name !== "observer" && hello.vessels.length > 0) {
       this.trialView = new TrialView(this, hello, (on) => this.markTrial(on));
       views.push(["Trial", "y", this.trialView]);
+      plan.addTool(
+        button("Trial", () => this.show("Trial"), { name: "Trial manoeuvre: try orders (Y)" }),
+      );
     }
     this.tabs = views.map(([name, key, view]) => ({
       name,
@@ -308,7 +314,8 @@ export class App implements Page {
         h(
           "div",
           { class: "tab-list", role: "tablist", "aria-label": "Views" },
-          ...this.tabs.map((tab) => tab.button),
+          // The trial is opened from the plan.
+          ...this.tabs.flatMap((tab) => (tab.name === "Trial" ? [] : [tab.button])),
         ),
         size,
       ),
@@ -545,7 +552,8 @@ export class App implements Page {
   }
 }
 
-const roleName = (role: Role): string =>
-  role.name === "tugmaster"
-    ? spoken(`Tug ${role.tug}`)
-    : role.name.replace(/^./, (c) => c.toUpperCase());
+const roleName = (role: Role): string => {
+  if (role.name === "tugmaster") return spoken(`Tug ${role.tug}`);
+  if (role.name === "pilot" && role.vessel !== undefined) return spoken(`Pilot of ${role.vessel}`);
+  return role.name.replace(/^./, (c) => c.toUpperCase());
+};

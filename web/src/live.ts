@@ -108,11 +108,21 @@ export class Live {
     return own >= 0 ? own : this.ship();
   }
 
-  /** Index of the pilot's ship. */
+  /** Index of the pilot's ship: for the pilot of another ship, that one. */
   ship(): number {
     const vessels = this.hello?.vessels ?? [];
-    const own = vessels.findIndex((v) => !v.is_tug);
+    const role = this.hello?.role;
+    const named = role?.name === "pilot" && role.vessel !== undefined ? role.vessel : null;
+    const own =
+      named === null
+        ? vessels.findIndex((v) => !v.is_tug)
+        : vessels.findIndex((v) => v.name === named);
     return Math.max(0, own);
+  }
+
+  /** Index of the body whose motion is read off: that of the vessel that this page steers. */
+  readBody(): number {
+    return this.hello?.vessels[this.conned()]?.body ?? this.body();
   }
 
   /** Index of the body that the page is about: the pilot's ship, else the floating body that moved first; -1 if none floats. */

@@ -56,7 +56,8 @@ export interface Hello {
 
 export type Role =
   | { name: "instructor" }
-  | { name: "pilot" }
+  /** Of the scenario's first ship, or of another. */
+  | { name: "pilot"; vessel?: string }
   | { name: "tugmaster"; tug: string }
   | { name: "observer" };
 
@@ -498,6 +499,8 @@ export type OtherAction =
   // Claims.
   | { do: "claim"; control: Control }
   | { do: "release"; control: Control }
+  /** The name of the person at this page: 1 to 30 characters. */
+  | { do: "name"; name: string }
   /**
    * Shows where orders would take the ships, on a copy of the run. `trial` messages with the number of this command follow. A new
    * trial of this page ends the one before.

@@ -2,6 +2,8 @@
 
 #[path = "serve/client.rs"]
 mod client;
+#[path = "serve/people.rs"]
+mod people;
 #[path = "serve/server.rs"]
 mod server;
 #[path = "serve/trial.rs"]

@@ -80,7 +80,7 @@ impl AlarmBook {
         let entry = self.0.iter().find(|entry| entry.alarm.key == key);
         let entry = entry.ok_or_else(|| Refusal::new("there is no such alarm any more"))?;
         match role {
-            Role::Instructor | Role::Pilot => {}
+            Role::Instructor | Role::Pilot { .. } => {}
             Role::Tugmaster { tug } if entry.alarm.about.contains(tug) => {}
             Role::Tugmaster { tug } => {
                 return Err(Refusal::new(format_args!(
@@ -180,9 +180,9 @@ mod tests {
         assert!(!alarms[0].stands && !alarms[0].acknowledged && alarms[0].since_s == 1.0);
         let on_quay = |name: &str| name == "quay";
         assert!(book.has_open_touch("ship", on_quay) && !book.has_open_touch("tug", on_quay));
-        acknowledge(&mut book, &Role::Pilot).expect("a pilot may");
+        acknowledge(&mut book, &Role::PILOT).expect("a pilot may");
         assert!(book.messages().is_empty());
-        let again = acknowledge(&mut book, &Role::Pilot);
+        let again = acknowledge(&mut book, &Role::PILOT);
         assert!(again.expect_err("it is gone").to_string().contains("no such alarm"));
     }
 
@@ -192,7 +192,7 @@ mod tests {
         book.update(vec![touch(Level::Alarm, "touches")], 1.0);
         acknowledge(&mut book, &Role::Instructor).expect("an instructor may");
         assert!(book.messages()[0].acknowledged && book.messages()[0].stands);
-        let again = acknowledge(&mut book, &Role::Pilot).expect_err("it is acknowledged");
+        let again = acknowledge(&mut book, &Role::PILOT).expect_err("it is acknowledged");
         assert!(again.to_string().contains("already"));
         book.update(vec![], 2.0);
         assert!(book.messages().is_empty());
@@ -205,12 +205,12 @@ mod tests {
     fn a_caution_that_becomes_an_alarm_must_be_acknowledged_again_and_keeps_its_greatest_level() {
         let mut book = AlarmBook::default();
         book.update(vec![touch(Level::Caution, "80 %")], 1.0);
-        acknowledge(&mut book, &Role::Pilot).expect("a pilot may");
+        acknowledge(&mut book, &Role::PILOT).expect("a pilot may");
         book.update(vec![touch(Level::Alarm, "110 %")], 2.0);
         assert!(!book.messages()[0].acknowledged);
         book.update(vec![touch(Level::Caution, "90 %")], 3.0);
         assert_eq!((book.messages()[0].level, &*book.messages()[0].text), ("alarm", "110 %"));
-        acknowledge(&mut book, &Role::Pilot).expect("a pilot may");
+        acknowledge(&mut book, &Role::PILOT).expect("a pilot may");
         book.update(vec![touch(Level::Caution, "90 %")], 4.0);
         assert_eq!((book.messages()[0].level, &*book.messages()[0].text), ("caution", "90 %"));
         assert!(book.messages()[0].acknowledged);

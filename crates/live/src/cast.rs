@@ -23,6 +23,8 @@ pub struct Cast {
     pub is_tug: Vec<bool>,
     /// Names of the vector tugs, in the order of the set-up.
     pub tugs: Vec<String>,
+    /// For each vector tug, the index of the vessel that she serves.
+    pub tug_serves: Vec<usize>,
     /// Name of each line, and the vessels at its ends.
     lines: Vec<(String, Vec<usize>)>,
 }
@@ -69,6 +71,7 @@ impl Cast {
             vessels: vessels.iter().map(name).collect(),
             is_tug: vessels.iter().enumerate().map(is_tug).collect(),
             tugs: setup.world.tugs.iter().map(|tug| tug.tug.name.clone()).collect(),
+            tug_serves: setup.world.tugs.iter().map(|tug| tug.vessel).collect(),
             lines: lines.collect(),
         }
     }
@@ -86,6 +89,31 @@ impl Cast {
         let vessels = self.vessels.iter().zip(&self.is_tug);
         let vessels = vessels.filter(|(_, is_tug)| **is_tug).map(|(name, _)| name.clone());
         vessels.chain(self.tugs.iter().cloned()).collect()
+    }
+
+    /// Names of the ships besides the own ship and the tugs: each can have a pilot of her own.
+    #[must_use]
+    pub fn other_ships(&self) -> Vec<String> {
+        let ships = (0..self.vessels.len()).filter(|index| !self.is_tug[*index]);
+        let others = ships.filter(|index| self.own != Some(*index));
+        others.map(|index| self.vessels[index].clone()).collect()
+    }
+
+    /// The name of a pilot's ship: the own ship, or the one that is named.
+    #[must_use]
+    pub fn ship_of<'a>(&'a self, pilot: &'a Option<String>) -> Option<&'a str> {
+        match pilot {
+            Some(name) => Some(name),
+            None => self.own.map(|own| self.vessels[own].as_str()),
+        }
+    }
+
+    /// The ship that a tug serves: a vector tug hers, a tug that is a vessel the own ship.
+    #[must_use]
+    pub fn served_by(&self, tug: &str) -> Option<&str> {
+        let vector = self.tugs.iter().position(|name| name == tug);
+        let ship = vector.map(|tug| self.tug_serves[tug]).or(self.own);
+        ship.map(|ship| self.vessels[ship].as_str())
     }
 
     /// True if the vessel of this name is a tug.

@@ -44,7 +44,7 @@ pub use alarm_book::{Alarm, AlarmBook, Level};
 pub use approach::{ApproachLimit, Light};
 pub use cast::{Cast, Helm};
 pub use info::Info;
-pub use limits::{Full, LARGEST_RECORDING_BYTES};
+pub use limits::{Full, LARGEST_RECORDING_BYTES, LONGEST_NAME};
 pub use named_order::NamedOrder;
 pub use order_info::order_infos;
 pub use prediction::{MOST_PATHS, Prediction};

@@ -22,6 +22,9 @@ pub(crate) const MARKS: u64 = 10;
 /// Most orders of a trial, and most that are given together.
 pub(crate) const MOST_TRIAL_ORDERS: usize = 16;
 
+/// The longest name of a person (characters).
+pub const LONGEST_NAME: usize = 30;
+
 /// The longest note (characters).
 pub(crate) const LONGEST_NOTE: usize = 300;
 /// Most notes of a branch within [`NOTE_TICKS`].

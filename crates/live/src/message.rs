@@ -74,9 +74,20 @@ pub struct ArgumentInfo {
 #[serde(tag = "name", rename_all = "snake_case")]
 pub enum Role {
     Instructor,
-    Pilot,
-    Tugmaster { tug: String },
+    /// Of the scenario's own ship, or of another ship by her name.
+    Pilot {
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        vessel: Option<String>,
+    },
+    Tugmaster {
+        tug: String,
+    },
     Observer,
+}
+
+impl Role {
+    /// The pilot of the scenario's own ship.
+    pub const PILOT: Role = Role::Pilot { vessel: None };
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]

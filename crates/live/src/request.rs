@@ -59,6 +59,8 @@ conducts! {
     Load = "load" { file: String },
     /// Cancel the opening of a file.
     StopOpening = "stop_opening" {},
+    /// Say the name of the person at this page, for labels and the recording.
+    Name = "name" { name: String },
     /// See where orders would take the ships, on a copy of the run; the answers have the command's number.
     Trial = "trial" { orders: Vec<Action>, horizon_s: f64 },
     /// Give several orders at once: all of them or none.

@@ -1,6 +1,6 @@
 //! Trial manoeuvres: orders are given to a copy of the run, to see where they would take the ships. The run does not change.
 
-use fenderline_sim::Simulation;
+use fenderline_sim::{Gravity, Simulation};
 
 use crate::action::{Action, OtherAction};
 use crate::carry_out::carry_out;
@@ -123,8 +123,11 @@ impl Trial {
     }
 }
 
-/// What was found in a run, in sentences.
+/// What went wrong in a run, in sentences.
 fn findings(simulation: &Simulation) -> Vec<String> {
     let findings = simulation.findings();
-    findings.iter().map(|finding| finding.sentence(simulation.setup())).collect()
+    let grave = findings.iter().filter(|finding| {
+        matches!(finding.verdict().gravity(), Gravity::Attention | Gravity::Failed)
+    });
+    grave.map(|finding| finding.sentence(simulation.setup())).collect()
 }

@@ -56,7 +56,7 @@ fn acknowledgements_and_notes_survive_a_restart_and_do_not_change_the_bits() {
     let mut again = replay(&text).expect("the same bits").session;
     assert_eq!((again.bits(), alarms(&again)), (session.bits(), waits));
     // The next acknowledgement is a line after those that were read.
-    let by = again.alarms().may_acknowledge(STUCK, &Role::Pilot).expect("it waits");
+    let by = again.alarms().may_acknowledge(STUCK, &Role::PILOT).expect("it waits");
     assert!(by.contains("rudder stuck"), "{by}");
     command(&mut again, acknowledge());
     assert_eq!(alarms(&again), []);

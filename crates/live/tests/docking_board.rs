@@ -101,7 +101,7 @@ fn a_contact_with_the_quay_stays_on_the_board_until_it_is_acknowledged() {
     assert_eq!((now.bow, now.stern), (BerthEnd::Touched, BerthEnd::Touched), "{now:?}");
     let (key, alarms) = ("touch ship quay", run.session.alarms().messages());
     assert!(alarms.iter().any(|alarm| alarm.key == key && !alarm.stands), "{alarms:?}");
-    run.session.alarms().may_acknowledge(key, &Role::Pilot).expect("a pilot may");
+    run.session.alarms().may_acknowledge(key, &Role::PILOT).expect("a pilot may");
     support::command(&mut run.session, OtherAction::Acknowledge { key: key.into() }.into());
     let now = run.berth();
     assert!(now.bow < BerthEnd::Touched && now.stern < BerthEnd::Touched, "{now:?}");

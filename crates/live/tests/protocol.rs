@@ -96,7 +96,7 @@ fn messages(session: &Session) -> (Value, Value) {
         .into_iter()
         .map(|control| message::Claim { control, holder: None, connected: false })
         .collect();
-    let links = [message::Link { role: Role::Pilot, path: "/".into() }];
+    let links = [message::Link { role: Role::PILOT, path: "/".into() }];
     let hello = Hello {
         protocol: message::PROTOCOL,
         role: &Role::Tugmaster { tug: "aft".into() },

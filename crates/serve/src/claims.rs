@@ -62,6 +62,20 @@ impl Claims {
         Ok(former.filter(|f| f.connected && f.client != client).map(|f| f.client))
     }
 
+    /// Changes the label of a client at its controls, and gives it the controls that somebody of that label left. Returns whether
+    /// anything changed.
+    pub(crate) fn name(&mut self, client: ClientId, label: &str) -> bool {
+        let mut changed = false;
+        for holder in self.0.values_mut() {
+            let returns = !holder.connected && holder.label == label;
+            if returns || holder.client == client && holder.label != label {
+                *holder = Holder { client, label: label.to_owned(), connected: true };
+                changed = true;
+            }
+        }
+        changed
+    }
+
     /// Releases a control; true if this client held it.
     pub(crate) fn release(&mut self, control: &Control, client: ClientId) -> bool {
         let held = self.holds(control, client);

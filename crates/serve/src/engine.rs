@@ -7,6 +7,7 @@ mod clients;
 mod commands;
 mod event_log;
 mod files;
+mod names;
 mod predictor;
 mod recording;
 mod trials;

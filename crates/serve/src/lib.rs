@@ -7,7 +7,7 @@
 //! |---|---|
 //! | `engine` | its thread, the only one that touches the session |
 //! | `pacer` | its clock |
-//! | `claims`, `permit` | which client may use which control, and what each role may do |
+//! | `claims`, `permit`, `role_words` | which client may use which control, and what each role may do |
 //! | `recorder`, `saved` | write a session to its file; read and replay one |
 //! | `gallery`, `opening` | the files that can be opened; opening and saving on a thread of their own |
 //! | `instruments` | the sentences of ships' instruments |
@@ -40,6 +40,7 @@ mod page;
 mod permit;
 mod rate;
 mod recorder;
+mod role_words;
 mod saved;
 mod seats;
 mod tokens;
@@ -52,7 +53,7 @@ use std::sync::{Arc, mpsc};
 use std::thread::JoinHandle;
 
 use fenderline_live::Session;
-use fenderline_live::message::{Link, Role};
+use fenderline_live::message::Link;
 use fenderline_nautical::ChartOrigin;
 use tokio::net::{TcpListener, TcpSocket, UdpSocket};
 use tokio::runtime::Runtime;
@@ -66,6 +67,7 @@ use self::known_hosts::KnownHosts;
 pub use self::log::Notify;
 pub use self::opening::MakeReport;
 use self::page::Page;
+use self::role_words::role_words;
 use self::saved::{Progress, ReplayFailure};
 
 /// What to serve, and to whom.
@@ -338,18 +340,12 @@ fn greeting(address: SocketAddr, links: &[Link], wires: &str, recording: &Path) 
         IpAddr::V6(ip) if ip.is_unspecified() => format!("localhost:{}", address.port()),
         _ => address.to_string(),
     };
-    let name = |role: &Role| match role {
-        Role::Instructor => "instructor".to_owned(),
-        Role::Pilot => "pilot".to_owned(),
-        Role::Tugmaster { tug } => format!("master of {tug}"),
-        Role::Observer => "observer".to_owned(),
-    };
-    let width = links.iter().map(|link| name(&link.role).len()).max().unwrap_or(0);
+    let width = links.iter().map(|link| role_words(&link.role).len()).max().unwrap_or(0);
     let mut text = format!(
         "fenderline is on http://{shown}. Ctrl-C ends it; a second Ctrl-C ends it at once. Open one of these:\n"
     );
     for Link { role, path } in links {
-        text += &format!("  {:width$}  http://{shown}{path}\n", name(role));
+        text += &format!("  {:width$}  http://{shown}{path}\n", role_words(role));
     }
     text + wires
         + &format!("Whoever has a link has its role. Recorded to {}\n", recording.display())

@@ -46,12 +46,6 @@ impl Pacer {
         self.restart(now);
     }
 
-    /// Sets the step of another scenario, and restarts the clock.
-    pub(crate) fn set_step(&mut self, step_s: f64, now: Instant) {
-        self.step_s = step_s;
-        self.restart(now);
-    }
-
     /// Time until the next tick; zero if it is due.
     pub(crate) fn wait(&self, now: Instant) -> Duration {
         self.due_at().saturating_duration_since(now)

@@ -31,8 +31,19 @@ pub(crate) fn for_action(role: &Role, action: &Action, cast: &Cast) -> Result<Ne
         (_, Helm::Notes) => Err(Refusal::new("only the instructor drops notes")),
         (_, Helm::World) => Err(Refusal::new("only the instructor sets weather and faults")),
         (_, Helm::Of(control)) if may_claim(role, &control, cast) => Ok(Needs::Helm(control)),
-        (Role::Pilot, Helm::Of(control)) => Ok(Needs::NobodyAt(control)),
-        (Role::Pilot, Helm::Line(_) | Helm::Board) => Ok(Needs::Nothing),
+        // A name that does not exist is refused when the command is carried out.
+        (Role::Pilot { .. }, Helm::Of(control)) if !cast.controls().contains(&control) => {
+            Ok(Needs::NobodyAt(control))
+        }
+        (Role::Pilot { vessel }, Helm::Of(control)) => match may_order(role, &control, cast) {
+            true => Ok(Needs::NobodyAt(control)),
+            false => Err(not_hers(vessel, cast)),
+        },
+        (Role::Pilot { vessel }, Helm::Line(ends)) => match works_line(vessel, &ends, cast) {
+            true => Ok(Needs::Nothing),
+            false => Err(not_hers(vessel, cast)),
+        },
+        (Role::Pilot { .. }, Helm::Board) => Ok(Needs::Nothing),
         (Role::Tugmaster { tug }, Helm::Line(ends)) if ends.contains(tug) => Ok(Needs::Nothing),
         (Role::Tugmaster { tug }, _) => {
             Err(Refusal::new(format_args!("the master of {tug} commands that tug only")))
@@ -45,8 +56,10 @@ pub(crate) fn may_claim(role: &Role, control: &Control, cast: &Cast) -> bool {
     match (role, control) {
         (_, Control::Session(_)) | (Role::Observer, _) => false,
         (Role::Instructor, _) => true,
-        (Role::Pilot, Control::Vessel(name)) => !cast.is_tug(name),
-        (Role::Pilot, Control::Tug(_)) => false,
+        (Role::Pilot { vessel }, Control::Vessel(name)) => {
+            !cast.is_tug(name) && cast.ship_of(vessel) == Some(name)
+        }
+        (Role::Pilot { .. }, Control::Tug(_)) => false,
         (Role::Tugmaster { tug }, Control::Vessel(name) | Control::Tug(name)) => name == tug,
     }
 }
@@ -55,9 +68,34 @@ pub(crate) fn may_claim(role: &Role, control: &Control, cast: &Cast) -> bool {
 pub(crate) fn may_order(role: &Role, control: &Control, cast: &Cast) -> bool {
     match role {
         Role::Instructor => true,
-        Role::Pilot => !may_claim(role, control, cast),
+        Role::Pilot { vessel } => match control {
+            Control::Vessel(name) => cast.is_tug(name) && serves(vessel, name, cast),
+            Control::Tug(name) => serves(vessel, name, cast),
+            Control::Session(_) => false,
+        },
         Role::Tugmaster { .. } | Role::Observer => false,
     }
+}
+
+/// Whether a tug serves the ship of a pilot.
+fn serves(pilot: &Option<String>, tug: &str, cast: &Cast) -> bool {
+    cast.served_by(tug).is_some_and(|ship| cast.ship_of(pilot) == Some(ship))
+}
+
+/// Whether a pilot may work a line with these vessels at its ends: one of the ship, and for the pilot of the own ship every line but
+/// those of other ships alone.
+fn works_line(pilot: &Option<String>, ends: &[String], cast: &Cast) -> bool {
+    let own = cast.ship_of(pilot);
+    let is_own = ends.iter().any(|end| own == Some(end));
+    let of_others = ends.iter().any(|end| cast.other_ships().contains(end));
+    is_own || pilot.is_none() && !of_others
+}
+
+fn not_hers(pilot: &Option<String>, cast: &Cast) -> Refusal {
+    let ship = cast.ship_of(pilot).unwrap_or("no ship");
+    Refusal::new(format_args!(
+        "the pilot of {ship} commands that ship, her lines and her tugs only"
+    ))
 }
 
 /// Checks whether a role may give this command about the session. Claims are checked where they are taken.
@@ -70,6 +108,7 @@ pub(crate) fn for_conduct(role: &Role, conduct: &Conduct) -> Result<(), Refusal>
         conduct,
         Conduct::Claim { .. }
             | Conduct::Release { .. }
+            | Conduct::Name { .. }
             | Conduct::Trial { .. }
             | Conduct::Give { .. }
     );
@@ -102,12 +141,12 @@ mod tests {
         let note = Action::from(OtherAction::Note { text: String::new() });
         let line = Action::from(NamedOrder::new(OrderName::LetGo, "none"));
         for (role, action, needs) in [
-            (&Role::Pilot, rudder("ship"), Some(Needs::Helm(vessel("ship")))),
-            (&Role::Pilot, hands("after_tug"), Some(Needs::NobodyAt(vessel("after_tug")))),
-            (&Role::Pilot, line.clone(), Some(Needs::Nothing)),
-            (&Role::Pilot, wind.clone(), None),
-            (&Role::Pilot, limit.clone(), Some(Needs::Nothing)),
-            (&Role::Pilot, note.clone(), None),
+            (&Role::PILOT, rudder("ship"), Some(Needs::Helm(vessel("ship")))),
+            (&Role::PILOT, hands("after_tug"), Some(Needs::NobodyAt(vessel("after_tug")))),
+            (&Role::PILOT, line.clone(), Some(Needs::Nothing)),
+            (&Role::PILOT, wind.clone(), None),
+            (&Role::PILOT, limit.clone(), Some(Needs::Nothing)),
+            (&Role::PILOT, note.clone(), None),
             (&Role::Observer, note.clone(), None),
             (&Role::Instructor, note, Some(Needs::Nothing)),
             (&master, limit, None),
@@ -125,7 +164,7 @@ mod tests {
         ] {
             assert_eq!(for_action(role, &action, &cast).ok(), needs, "{role:?} {action:?}");
         }
-        for role in [&Role::Pilot, &master, &Role::Observer] {
+        for role in [&Role::PILOT, &master, &Role::Observer] {
             for conduct in
                 [Conduct::Pause {}, Conduct::Load { file: "x".into() }, Conduct::Branch {}]
             {

@@ -64,7 +64,7 @@ mod tests {
     fn each_token_opens_its_role_only() {
         let tug = Role::Tugmaster { tug: "a".into() };
         let mut tokens = Tokens::default();
-        let roles = [Role::Instructor, Role::Pilot, tug.clone()];
+        let roles = [Role::Instructor, Role::PILOT, tug.clone()];
         tokens.add(&roles).expect("random numbers");
         tokens.add(&roles).expect("random numbers");
         let links = tokens.links(&roles);

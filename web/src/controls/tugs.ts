@@ -308,11 +308,20 @@ export class Tugs implements Group {
   private selected = 0;
 
   constructor(page: Page, hello: Hello) {
-    const own = hello.vessels[page.live.ship()];
+    const ship = page.live.ship();
+    const own = hello.vessels[ship];
+    // Tugs that are vessels assist the scenario's first ship, vector tugs the ship that they serve.
+    const first = hello.vessels.findIndex((v) => !v.is_tug) === ship;
     this.cards = [
-      ...hello.tugs.map((info, i) => new VectorTug(page, info, i, hello)),
+      ...hello.tugs.flatMap((info, i) =>
+        info.vessel === ship || hello.role.name === "instructor"
+          ? [new VectorTug(page, info, i, hello)]
+          : [],
+      ),
       ...hello.vessels.flatMap((info, i) =>
-        info.is_tug && own && info.azimuths.length > 0 ? [new VesselTug(page, info, i, hello)] : [],
+        info.is_tug && first && own && info.azimuths.length > 0
+          ? [new VesselTug(page, info, i, hello)]
+          : [],
       ),
     ];
     this.root = h(

@@ -3,7 +3,7 @@ import type { Page } from "../page";
 import type { Fault, Frame, Hello, Pair } from "../protocol";
 import { button, h, setAttribute, setText } from "../ui/dom";
 import { Ring } from "../ui/ring";
-import { KNOT_MPS, fixed, heading, toKnots } from "../units";
+import { KNOT_MPS, fixed, heading, spoken, toKnots } from "../units";
 import type { View } from "./view";
 
 const FAULTS: { fault: Fault; text: string }[] = [
@@ -130,7 +130,7 @@ export class Conditions implements View {
       return h(
         "div",
         { class: "fault-row" },
-        h("b", {}, vessel.title),
+        h("b", {}, `${spoken(vessel.name)} · ${vessel.title}`),
         h("div", { class: "row" }, ...buttons),
       );
     });

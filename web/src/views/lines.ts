@@ -163,10 +163,12 @@ class Row {
   }
 }
 
-/** Pilot and instructor may use every line, a tugmaster those of the own tug. */
+/** Pilot and instructor may use every line, the pilot of another ship and a tugmaster those of the own vessel. */
 function mayWork(info: LineInfo, { role, vessels }: Hello): boolean {
-  if (role.name !== "tugmaster") return role.name !== "observer";
-  const body = vessels.find((v) => v.name === role.tug)?.body;
+  const own =
+    role.name === "tugmaster" ? role.tug : role.name === "pilot" ? (role.vessel ?? null) : null;
+  if (own === null) return role.name !== "observer";
+  const body = vessels.find((v) => v.name === own)?.body;
   return (
     body !== undefined &&
     (info.ship === body || (info.end !== null && "body" in info.end && info.end.body === body))

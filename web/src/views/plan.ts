@@ -82,6 +82,11 @@ export class Plan implements View {
     this.listen();
   }
 
+  /** Adds a button to the plan's tools. */
+  addTool(tool: HTMLButtonElement): void {
+    this.tools.append(tool);
+  }
+
   tick(frame: Frame): void {
     this.readout.tick(frame, this.live);
   }
@@ -340,8 +345,9 @@ class Readout {
   }
 
   tick(frame: Frame, live: Live): void {
-    const now = frame.vessels[live.ship()];
-    const body = frame.bodies[live.body()];
+    // A tugmaster reads the motion of the tug, not of the ship.
+    const now = frame.vessels[live.conned()];
+    const body = frame.bodies[live.readBody()];
     if (!body) return;
     const [, , head, north, east, rate] = body;
     const under_keel_m = now?.under_keel_m ?? null;

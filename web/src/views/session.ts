@@ -7,10 +7,11 @@ import type { View } from "./view";
 
 const nameOf = (control: Control): string =>
   "vessel" in control ? control.vessel : "tug" in control ? control.tug : "session";
-const roleOf = (role: Role): string =>
-  role.name === "tugmaster"
-    ? `Tugmaster of ${spoken(role.tug)}`
-    : role.name.replace(/^./, (c) => c.toUpperCase());
+const roleOf = (role: Role): string => {
+  if (role.name === "tugmaster") return `Tugmaster of ${spoken(role.tug)}`;
+  if (role.name === "pilot" && role.vessel !== undefined) return `Pilot of ${spoken(role.vessel)}`;
+  return role.name.replace(/^./, (c) => c.toUpperCase());
+};
 
 export class Session implements View {
   private readonly claimRows = h("ul", { class: "rows claims", "aria-label": "Who holds what" });

@@ -218,7 +218,9 @@ export class TrialView implements View {
     const ahead_s = last[0] - (path[0]?.[0] ?? 0);
     const then = `In ${fixed(ahead_s / 60, 1)} min: heading ${heading(last[3], 0)}, ${knots(speed, 1)}.`;
     const cut = answer.complete ? "" : " …";
-    const found = answer.findings.map((finding) => ` ${finding}.`).join("");
+    const found = answer.findings
+      .map((finding) => ` ${finding.charAt(0).toUpperCase()}${finding.slice(1)}.`)
+      .join("");
     return { text: `${then}${cut}${found}`, alarm: found !== "" };
   }
 

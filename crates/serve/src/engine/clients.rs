@@ -14,6 +14,7 @@ use super::trials::Trials;
 use crate::claims::ClientId;
 use crate::hub::Text;
 use crate::permit;
+use crate::role_words::role_words;
 
 impl Engine {
     /// Links of all roles that the scenario has.
@@ -25,7 +26,10 @@ impl Engine {
     fn roles(&self) -> Vec<Role> {
         let tugs = self.session.cast().tug_names().into_iter();
         let tugs = tugs.map(|tug| Role::Tugmaster { tug });
-        [Role::Instructor, Role::Pilot].into_iter().chain(tugs).chain([Role::Observer]).collect()
+        let others = self.session.cast().other_ships().into_iter();
+        let others = others.map(|ship| Role::Pilot { vessel: Some(ship) });
+        let pilots = [Role::Instructor, Role::PILOT].into_iter().chain(others);
+        pilots.chain(tugs).chain([Role::Observer]).collect()
     }
 
     /// Makes tokens for the scenario's roles that have none yet.
@@ -41,12 +45,7 @@ impl Engine {
         hello: watch::Sender<Option<Text>>,
         out: mpsc::Sender<Text>,
     ) {
-        let label = match &role {
-            Role::Instructor => format!("instructor {client}"),
-            Role::Pilot => format!("pilot {client}"),
-            Role::Tugmaster { tug } => format!("master of {tug} {client}"),
-            Role::Observer => format!("observer {client}"),
-        };
+        let label = format!("{} {client}", role_words(&role));
         self.notify_all(&format!("{label} has joined"));
         let trials = Trials::bucket(Instant::now());
         self.clients.insert(client, Client { role, label, hello, out, trials });

@@ -229,6 +229,7 @@ impl Engine {
                 self.report(requester)?;
                 return Ok(Done::AnswerFollows);
             }
+            Conduct::Name { name } => self.name(client, role, &name)?,
             Conduct::Trial { orders, horizon_s } => {
                 return self.trial(&requester, role, (&orders, horizon_s));
             }

@@ -12,6 +12,7 @@ use super::Engine;
 use crate::gallery::Opened;
 use crate::hub::ToEngine;
 use crate::opening::{Outcome, Requester, Task, Work};
+use crate::pacer::Pacer;
 use crate::recorder::Recorder;
 use crate::saved::ENDING;
 
@@ -147,7 +148,8 @@ impl Engine {
         self.events.clear();
         self.predictor.reset();
         self.paused = true;
-        self.pacer.set_step(self.session.simulation().setup().step_s, Instant::now());
+        // The pace was that of the former exercise.
+        self.pacer = Pacer::new(self.session.simulation().setup().step_s, Instant::now());
         self.greet_all();
         let label = &requester.label;
         self.notify_all(&format!("{label} has loaded {}; it is paused", self.session.title()));

@@ -1,0 +1,80 @@
+//! Who is at which page: pilots of several ships, and people with names.
+
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use crate::client::Client;
+use crate::server::Server;
+use crate::{block_on, claim, reason};
+
+fn engine(vessel: &str) -> Value {
+    json!({ "do": "engine", "vessel": vessel, "share": 0.1 })
+}
+
+fn name(name: &str) -> Value {
+    json!({ "do": "name", "name": name })
+}
+
+/// The holder of a vessel's helm, and whether she is connected.
+fn holder(hello: &Value, vessel: &str) -> (String, bool) {
+    let claims = hello["claims"].as_array().expect("claims");
+    let claim = claims.iter().find(|claim| claim["control"]["vessel"] == vessel);
+    let claim = claim.expect("a claim");
+    (claim["holder"].as_str().unwrap_or("").to_owned(), claim["connected"] == true)
+}
+
+#[test]
+fn each_ship_has_a_pilot_with_a_link_of_her_own() {
+    block_on(async {
+        let two =
+            Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/live/ship_to_ship.toml");
+        let server = Server::start_with(&two, &[]);
+        let mut first = Client::join(&server, "pilot").await;
+        let own = first.hello["vessels"][0]["name"].as_str().expect("a name").to_owned();
+        let other = first.hello["vessels"][1]["name"].as_str().expect("a name").to_owned();
+        let mut second = Client::join(&server, &format!("pilot of {other}")).await;
+        assert_eq!(second.hello["role"], json!({ "name": "pilot", "vessel": &other }));
+        assert_eq!(second.ask(claim(&other)).await["type"], "ack");
+        assert_eq!(first.ask(claim(&own)).await["type"], "ack");
+        for (client, theirs, foreign) in [(&mut first, &own, &other), (&mut second, &other, &own)] {
+            assert!(reason(&client.ask(claim(foreign)).await).contains("does not open"));
+            let refused = client.ask(engine(foreign)).await;
+            assert!(reason(&refused).contains("that ship"), "{refused}");
+            let hands = json!({ "do": "hands", "vessel": theirs });
+            assert_eq!(client.ask(hands).await["type"], "ack");
+        }
+        server.stop_and_check();
+    });
+}
+
+#[test]
+fn a_person_has_a_name_and_gets_her_helm_back_when_she_comes_again() {
+    block_on(async {
+        let server = Server::start(&[]);
+        let mut instructor = Client::join(&server, "instructor").await;
+        let mut pilot = Client::join(&server, "pilot").await;
+        let mut other = Client::join(&server, "pilot").await;
+        for bad in ["", "   ", "a\nb", &"x".repeat(31)] {
+            assert!(reason(&pilot.ask(name(bad)).await).contains("1 to 30 characters"));
+        }
+        assert_eq!(pilot.ask(name("Anna")).await["type"], "ack");
+        instructor.notice("is Anna (pilot)").await;
+        assert_eq!(other.ask(name("Anna")).await["type"], "ack");
+        instructor.notice("is Anna 2 (pilot)").await;
+        assert_eq!(pilot.ask(claim("ship")).await["type"], "ack");
+        assert_eq!(holder(&instructor.latest_hello().await, "ship"), ("Anna (pilot)".into(), true));
+        pilot.vanish();
+        instructor.notice("Anna (pilot) has left").await;
+        assert_eq!(
+            holder(&instructor.latest_hello().await, "ship"),
+            ("Anna (pilot)".into(), false)
+        );
+        let mut again = Client::join(&server, "pilot").await;
+        assert_eq!(again.ask(name("Anna")).await["type"], "ack");
+        assert_eq!(holder(&instructor.latest_hello().await, "ship"), ("Anna (pilot)".into(), true));
+        let rudder = json!({ "do": "rudder", "vessel": "ship", "angle_rad": 0.1 });
+        assert_eq!(again.ask(rudder).await["type"], "ack");
+        server.stop_and_check();
+    });
+}
