@@ -31,6 +31,7 @@ mod providers;
 mod response;
 mod rollers;
 mod rows;
+mod seakeeping;
 mod unused;
 mod vessel;
 mod windage;

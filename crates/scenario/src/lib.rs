@@ -64,6 +64,7 @@ mod data_files;
 mod error;
 mod files;
 mod fit;
+mod hydrodynamics;
 mod key_path;
 mod keys;
 mod library;

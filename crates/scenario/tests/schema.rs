@@ -179,7 +179,12 @@ fn fulls() -> Vec<Json> {
     let mut of_chart = full();
     of_chart["body"]["of the chart"] =
         json!({ "fixed": true, "chart_outline": "quay 3", "position": [0, 3000] });
-    vec![full(), by_file, by_depth, on_winches, by_wall, on_dolphins, on_tubes, of_chart]
+    let mut by_data = full();
+    by_data["vessel"]["barge"] = json!({
+        "length_bp": 80, "beam": 20, "draught": 5, "block_coefficient": 1, "gyradius": 20,
+        "hydrodynamics": "ship.hydro", "roll_damping": 0.04
+    });
+    vec![full(), by_data, by_file, by_depth, on_winches, by_wall, on_dolphins, on_tubes, of_chart]
 }
 
 fn pile() -> Json {
@@ -249,6 +254,7 @@ fn file_named(name: &str) -> Result<String, String> {
             "omega_radps,heading_deg,heave_mpm,heave_phase_deg,roll_degpm,roll_phase_deg,pitch_degpm,\
              pitch_phase_deg\n0.5,0,1,180,0,0,1,90\n0.5,180,1,180,0,0,1,-90\n"
         }
+        "ship.hydro" => include_str!("../../../hydrodynamics/barge_20m.hydro"),
         _ => return Err(format!("{name}: there is no such file")),
     };
     Ok(text.to_owned())

@@ -65,6 +65,11 @@ pub enum SetupError {
         /// The body.
         body: String,
     },
+    /// A vessel with hydrodynamic data with another method or integrator than those with which the engine moves bodies.
+    SeakeepingNeedsEngine {
+        /// The index of her body.
+        body: usize,
+    },
     /// A flexible dolphin in a host that moves its bodies itself.
     DolphinOfHost {
         /// The body.
@@ -110,6 +115,11 @@ impl fmt::Display for SetupError {
                 f,
                 "body `{body}` is a flexible dolphin, which needs the coupled method and the semi-implicit integrator: use \
                  `method = \"coupled\"` and `integrator = \"semi_implicit\"`"
+            ),
+            SetupError::SeakeepingNeedsEngine { body } => write!(
+                f,
+                "body {body} is a vessel with hydrodynamic data, which needs the coupled method and the semi-implicit \
+                 integrator: use `method = \"coupled\"` and `integrator = \"semi_implicit\"`"
             ),
             SetupError::DolphinOfHost { body } => write!(
                 f,

@@ -193,6 +193,7 @@ mod random;
 mod range;
 mod record;
 mod rigid_body;
+pub mod seakeeping;
 mod setup;
 mod simulation;
 mod start;

@@ -64,7 +64,8 @@ impl LoadedStep<'_> {
         works.rudder_j += of_force(forces.rudder);
         works.thrusters_j += of_force(forces.thrusters);
         works.wind_j += of_force(forces.wind);
-        works.waves_j += of_force(forces.waves);
+        works.waves_j += of_force(forces.waves) + of_force(forces.excitation);
+        works.radiation_j += of_force(forces.radiation);
         works.banks_j += of_force(forces.banks);
         works.passing_j += of_force(forces.passing);
         works.bottom_j += of_force(forces.bottom);

@@ -109,8 +109,10 @@ pub struct LoadWork {
     pub thrusters_j: f64,
     /// Wind on the vessels.
     pub wind_j: f64,
-    /// Mean wave drift.
+    /// Waves: mean and slow drift, and excitation of vessels with hydrodynamic data.
     pub waves_j: f64,
+    /// The water's answer to the motion of vessels with hydrodynamic data, and their coupling with heave, roll and pitch.
+    pub radiation_j: f64,
     /// Banks.
     pub banks_j: f64,
     /// The flow of passing ships and of other vessels.
@@ -133,7 +135,7 @@ pub struct LoadWork {
 impl LoadWork {
     /// Each work with its name in tables.
     #[must_use]
-    pub fn parts(&self) -> [(&'static str, f64); 14] {
+    pub fn parts(&self) -> [(&'static str, f64); 15] {
         [
             ("hull", self.hull_j),
             ("propeller", self.propeller_j),
@@ -141,6 +143,7 @@ impl LoadWork {
             ("thrusters", self.thrusters_j),
             ("wind", self.wind_j),
             ("waves", self.waves_j),
+            ("radiation", self.radiation_j),
             ("banks", self.banks_j),
             ("passing", self.passing_j),
             ("bottom", self.bottom_j),
@@ -165,6 +168,7 @@ impl LoadWork {
         self.thrusters_j += step.thrusters_j;
         self.wind_j += step.wind_j;
         self.waves_j += step.waves_j;
+        self.radiation_j += step.radiation_j;
         self.banks_j += step.banks_j;
         self.passing_j += step.passing_j;
         self.bottom_j += step.bottom_j;

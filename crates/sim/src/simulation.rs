@@ -90,7 +90,7 @@ impl Simulation {
         let mut loads = setup.loads.clone();
         sort_loads(&mut loads);
         let mut memory = Memory::new(&model);
-        let world = World::new(&setup.world, &setup.bodies);
+        let world = World::new(&setup.world, &setup.bodies, &states, setup.step_s);
         let mut sides = Sides::new(&setup);
         let heights = world.heights(&setup.world, (0.0, setup.step_s));
         sides.renew(&setup, (&mut model, &mut memory), &states, &heights);
@@ -170,7 +170,9 @@ impl Simulation {
         gather_loads(&self.loads, t_s, step_s, loads);
         add_external(external, loads);
         plain_loads.clone_from(loads);
-        let times = (t_s, velocity_time_s, step_s);
+        // The engine's leapfrog starts with a half step of the velocities.
+        let acts_s = if self.index == 0 { 0.5 * step_s } else { step_s };
+        let times = (t_s, velocity_time_s, step_s, acts_s);
         self.world.step(&self.setup.world, &self.states, times, loads);
         before.clone_from(&self.states);
     }

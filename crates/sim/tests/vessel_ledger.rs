@@ -115,6 +115,7 @@ fn run(
                 float: None,
                 response: None,
                 drift: None,
+                seakeeping: None,
             }],
             orders: orders
                 .into_iter()

@@ -59,6 +59,7 @@ fn kvlcc2(rudder_deg: f64, current_mps: Vec2, step_s: f64) -> (Setup, f64) {
                 float: None,
                 response: None,
                 drift: None,
+                seakeeping: None,
             }],
             orders: vec![Order {
                 at_s: 0.0,

@@ -44,7 +44,13 @@ pub(crate) fn energy_table() -> Layout<EnergyRow> {
             r.energy.loads.thrusters_j
         }),
         float("wind_work_j", "J", "work of wind on vessels", |r| r.energy.loads.wind_j),
-        float("waves_work_j", "J", "work of mean wave drift", |r| r.energy.loads.waves_j),
+        float("waves_work_j", "J", "work of wave drift and excitation", |r| r.energy.loads.waves_j),
+        float(
+            "radiation_work_j",
+            "J",
+            "work of the water's answer to the motion of vessels with hydrodynamic data",
+            |r| r.energy.loads.radiation_j,
+        ),
         float("banks_work_j", "J", "work of banks", |r| r.energy.loads.banks_j),
         float(
             "passing_work_j",

@@ -88,6 +88,8 @@ fn each_force(
         thrusters: with(forces.thrusters, |f| f.thrusters),
         wind: with(forces.wind, |f| f.wind),
         waves: with(forces.waves, |f| f.waves),
+        excitation: with(forces.excitation, |f| f.excitation),
+        radiation: with(forces.radiation, |f| f.radiation),
         banks: with(forces.banks, |f| f.banks),
         passing: with(forces.passing, |f| f.passing),
         bottom: with(forces.bottom, |f| f.bottom),
@@ -137,7 +139,19 @@ pub(crate) fn vessels_table() -> Layout<VesselRow> {
             forces.thrusters
         ),
         force_columns!(VesselRow, "wind_", "the wind", forces.wind),
-        force_columns!(VesselRow, "waves_", "mean wave drift", forces.waves),
+        force_columns!(VesselRow, "waves_", "mean and slow wave drift", forces.waves),
+        force_columns!(
+            VesselRow,
+            "excitation_",
+            "the waves' excitation of a vessel with hydrodynamic data",
+            forces.excitation
+        ),
+        force_columns!(
+            VesselRow,
+            "radiation_",
+            "the water's answer to the motion of a vessel with hydrodynamic data, and the coupling with heave, roll and pitch",
+            forces.radiation
+        ),
         force_columns!(VesselRow, "banks_", "banks (unvalidated)", forces.banks),
         force_columns!(
             VesselRow,

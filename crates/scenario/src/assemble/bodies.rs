@@ -38,6 +38,12 @@ impl Assembly<'_, '_> {
             Some(hull) => self.at_waterline(table, kind, hull)?,
             None => self.outline(table, kind, chart)?,
         };
+        let hull = match (hull, kind) {
+            (None, Some(kind)) if kind.setup.seakeeping.is_some() => {
+                Some(self.vertical_sides(table, kind, &outline)?)
+            }
+            (hull, _) => hull,
+        };
         let dolphin = self.dolphin(table)?;
         let mass = if dolphin.is_some() {
             self.refuse_keys_of_floating_bodies(table, "stands on piles", "dolphin")?;

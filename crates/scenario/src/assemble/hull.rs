@@ -1,5 +1,6 @@
 //! The hull by height: from a body's outlines at several heights.
 
+use fenderline_contact::Outline;
 use fenderline_sim::environment::Tide;
 use fenderline_sim::{BodySetup, FenderSetup, HullByHeight, HullError, Level, Setup};
 
@@ -7,6 +8,9 @@ use super::{Assembly, Checked, vessel};
 use crate::checked::{Item, Table};
 use crate::error::{Notice, ScenarioError};
 use crate::sources::quoted;
+
+/// How far above the water the sides of a vessel with one outline reach (m): higher than any fender.
+const HIGH_M: f64 = 60.0;
 
 impl Assembly<'_, '_> {
     /// The body's outlines by height; `None` where it has one outline.
@@ -54,6 +58,20 @@ impl Assembly<'_, '_> {
         });
         let hull = HullByHeight::new(levels.collect(), draught_m);
         hull.map(Some).map_err(|error| self.no_hull(table, item, fixed, &error))
+    }
+
+    /// Vertical sides with one outline, for a vessel whose heave, roll and pitch move her sides at fenders. Where her sides end above
+    /// the water is not known, so they are taken to be high.
+    pub(super) fn vertical_sides(
+        &self,
+        table: &Table,
+        kind: &vessel::Kind,
+        outline: &Outline,
+    ) -> Checked<HullByHeight> {
+        let draught_m = kind.draught_m();
+        let level = |height_m: f64| Level { height_m, vertices_m: outline.vertices().to_vec() };
+        let levels = vec![level(0.0), level(draught_m + HIGH_M)];
+        HullByHeight::new(levels, draught_m).map_err(|error| self.wrong(table, &error))
     }
 
     fn draught_refused(&self, table: &Table, draught: &Item, why: &str) -> ScenarioError {

@@ -105,6 +105,7 @@ impl Kind {
             response: float.map(|float| estimate(&particulars, &float)),
             float,
             drift: Some(drift),
+            seakeeping: None,
         };
         let mass = MassProperties {
             mass_kg: water * particulars.volume_m3,
@@ -184,6 +185,11 @@ impl Assembly<'_, '_> {
             let place = (table.span.clone(), table.path.clone());
             let mut kind =
                 Kind::new(data, environment, place).map_err(|error| self.wrong(table, &error))?;
+            if let Some((seakeeping, float)) = self.seakeeping(table, &kind, environment)? {
+                kind.setup.seakeeping = Some(seakeeping);
+                kind.setup.float = Some(float);
+                kind.setup.response = None;
+            }
             if let Some(table) = self.rao_table(table)? {
                 kind.setup.response = Some(MotionResponse::Table(table));
             }

@@ -3,7 +3,7 @@
 use serde_json::json;
 
 use super::azimuth::AZIMUTH;
-use super::environment::WAVE_RESPONSE_DOC;
+use super::environment::{HYDRODYNAMICS_DOC, WAVE_RESPONSE_DOC};
 use super::quantities::{FORCE, LENGTH, PLACE};
 use super::windage::WINDAGE;
 
@@ -86,6 +86,20 @@ pub(super) static VESSEL: TableSpec = TableSpec {
             &["\"response.csv\""],
         ),
         key(
+            "hydrodynamics",
+            Kind::FileName,
+            Means("heave, roll and pitch are oscillators beside the motion in the plane"),
+            HYDRODYNAMICS_DOC,
+            &["\"ship.hydro\""],
+        ),
+        key(
+            "roll_damping",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1.0 }),
+            Means("0.05 with `hydrodynamics` (our assumption for a hull with bilge keels)"),
+            "Viscous damping of roll as a share of the critical one, beside that of `hydrodynamics`.",
+            &["0.04"],
+        ),
+        key(
             "stability",
             Kind::Table(&STABILITY),
             Means("that of `from`, or no heave, roll or pitch"),
@@ -95,6 +109,8 @@ pub(super) static VESSEL: TableSpec = TableSpec {
     ],
     rules: Some(|| {
         json!({
+            "not": { "required": ["hydrodynamics", "wave_response"] },
+            "dependentRequired": { "roll_damping": ["hydrodynamics"] },
             "if": { "required": ["from"] },
             "then": {
                 "properties": {

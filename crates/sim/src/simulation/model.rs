@@ -8,7 +8,6 @@ use crate::fender::FenderSetup;
 use crate::order::check_order;
 use crate::rigid_body::{Inertia, initial_state};
 use crate::setup::{BodySetup, Integrator, Method, Setup};
-use crate::world::mass_matrix;
 
 impl Setup {
     /// The contact model of these bodies alone, for hosts that move their bodies themselves and use only the
@@ -57,7 +56,10 @@ pub(super) fn inertias(setup: &Setup) -> Result<Vec<Inertia>, SetupError> {
         if setup.method == Method::Paper {
             return Err(SetupError::VesselByPaperMethod { body: vessel.body });
         }
-        inertias[vessel.body] = Inertia::of_vessel(&mass_matrix(&vessel.ship, density_kgpm3));
+        if vessel.seakeeping.is_some() && !engine_moves {
+            return Err(SetupError::SeakeepingNeedsEngine { body: vessel.body });
+        }
+        inertias[vessel.body] = Inertia::of_vessel(&vessel.mass_matrix(density_kgpm3));
     }
     for tug in &setup.world.tugs {
         if tug.vessel >= setup.world.vessels.len() {

@@ -34,7 +34,7 @@ impl Simulation {
         states.clear();
         states.extend(setup.bodies.iter().map(initial_state));
         memory.forget();
-        world.restart(&setup.world);
+        world.restart(&setup.world, states);
         self.watch.restart(|is_protected| {
             starts_inside(setup, model, states, (&mut *memory, &mut *work), is_protected)
         });

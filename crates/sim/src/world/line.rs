@@ -219,11 +219,30 @@ impl MooringSetup {
         core::iter::once((self.ship, self.fairlead_m, flat(on_ship_n))).chain(far)
     }
 
-    /// Positions of both ends. Heave and roll are neglected: they are small compared with the length of a line.
+    /// The bodies at both ends, with position in the body's frame and height above the water (m), and the force on the body in the
+    /// last step: north, east, up (N).
+    pub(crate) fn pulls(
+        &self,
+        mooring: &Mooring,
+        bollards: &[BollardSetup],
+    ) -> impl Iterator<Item = (usize, Vec2, f64, [f64; 3])> {
+        let LineLoad { on_ship_n, on_shore_n, .. } = mooring.load;
+        let far = match mooring.end(self, bollards) {
+            Some(LineEnd::OnBody { body, at_m, above_water_m }) => {
+                Some((body, at_m, above_water_m, on_shore_n))
+            }
+            Some(LineEnd::Fixed(_)) | None => None,
+        };
+        let near = (self.ship, self.fairlead_m, self.fairlead_above_water_m, on_ship_n);
+        core::iter::once(near).chain(far)
+    }
+
+    /// Positions of both ends. Heave, roll and pitch are those of vessels with hydrodynamic data; others are taken as upright.
     pub(crate) fn ends(&self, end: LineEnd, states: &[BodyState], shore: Shore<'_>) -> LineEnds {
         let at = |body: usize, at_m: Vec2, above_m: f64| {
+            let (at_m, above_m) = shore.place(body, at_m, above_m);
             let place = states[body].pose().apply(at_m);
-            [place.x, place.y, shore.above_water_m(body, above_m)]
+            [place.x, place.y, above_m]
         };
         LineEnds {
             ship_m: at(self.ship, self.fairlead_m, self.fairlead_above_water_m),
@@ -273,7 +292,7 @@ impl MooringSetup {
     ) -> Result<(), crate::mooring::MooringError> {
         let states: Vec<BodyState> = bodies.iter().map(crate::rigid_body::initial_state).collect();
         let fixed: Vec<bool> = bodies.iter().map(crate::BodySetup::is_fixed).collect();
-        let shore = Shore { fixed: &fixed, level_m: tide.level_m(0.0) };
+        let shore = Shore { fixed: &fixed, level_m: tide.level_m(0.0), afloat: &[] };
         let Some(end) = self.end else { return self.line.check_alone() };
         Line::new(self.line.clone(), &self.ends(end, &states, shore)).map(|_| ())
     }

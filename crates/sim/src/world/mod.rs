@@ -16,6 +16,7 @@ mod fault;
 mod line;
 mod line_work;
 mod pilot;
+mod seaway;
 mod setup;
 mod shore;
 mod tug;
@@ -26,7 +27,9 @@ use fenderline_contact::{BodyState, Contact, Rotation, Wrench};
 use self::azimuth_pilot::Stream;
 pub(crate) use self::backup::WorldBackup;
 use self::pilot::{Abilities, PilotWork};
+use self::seaway::{Afloat, Seaway};
 pub(crate) use self::shore::Shore;
+use crate::attitude::AttitudeLoad;
 use crate::environment::wind::{ShipGusts, Wind};
 use crate::fender::FenderSetup;
 use crate::fixed_order::SumOrder;
@@ -57,6 +60,10 @@ pub(crate) struct World {
     pub(crate) water_inertia: Vec<WaterInertia>,
     /// Forces of passing ships and of other vessels on each vessel; found anew in each step.
     passing: Vec<Force>,
+    /// For each vessel, what is constant of its motion by hydrodynamic data.
+    seaways: Vec<Option<Seaway>>,
+    /// For each body, how it is afloat; empty without hydrodynamic data.
+    afloat: Vec<Option<Afloat>>,
     pub(crate) lines: Vec<Mooring>,
     pub(crate) tugs: Vec<TugAtWork>,
     pub(crate) events: Vec<WorldEvent>,
@@ -75,15 +82,27 @@ pub(crate) struct World {
 }
 
 impl World {
-    pub(crate) fn new(setup: &WorldSetup, bodies: &[BodySetup]) -> World {
+    pub(crate) fn new(
+        setup: &WorldSetup,
+        bodies: &[BodySetup],
+        states: &[BodyState],
+        step_s: f64,
+    ) -> World {
         let water = setup.environment.density();
+        let seaways: Vec<Option<Seaway>> = setup
+            .vessels
+            .iter()
+            .map(|vessel| Seaway::new(vessel, &setup.environment, step_s))
+            .collect();
         let mut orders = setup.orders.clone();
         orders.sort_by(|one, other| one.at_s.total_cmp(&other.at_s));
         World {
-            vessels: setup.vessels.iter().map(VesselState::new).collect(),
+            vessels: start_vessels(setup, &seaways, states).collect(),
+            afloat: Vec::new(),
             forces: vec![VesselForces::default(); setup.vessels.len()],
             water_inertia: vec![WaterInertia::default(); setup.vessels.len()],
             passing: vec![Force::default(); setup.vessels.len()],
+            seaways,
             lines: setup.lines.iter().map(Mooring::new).collect(),
             tugs: setup.tugs.iter().map(TugAtWork::new).collect(),
             events: Vec::new(),
@@ -99,9 +118,9 @@ impl World {
     }
 
     /// The world at the start of another run with this set-up, of which only wind and current may have changed.
-    pub(crate) fn restart(&mut self, setup: &WorldSetup) {
-        for (own, setup) in self.vessels.iter_mut().zip(&setup.vessels) {
-            *own = VesselState::new(setup);
+    pub(crate) fn restart(&mut self, setup: &WorldSetup, states: &[BodyState]) {
+        for (own, new) in self.vessels.iter_mut().zip(start_vessels(setup, &self.seaways, states)) {
+            *own = new;
         }
         self.forces.fill(VesselForces::default());
         self.water_inertia.fill(WaterInertia::default());
@@ -140,7 +159,7 @@ impl World {
         &mut self,
         setup: &WorldSetup,
         states: &[BodyState],
-        (t_s, velocity_time_s, step_s): (f64, f64, f64),
+        (t_s, velocity_time_s, step_s, acts_s): (f64, f64, f64, f64),
         loads: &mut [Wrench],
     ) {
         self.events.clear();
@@ -206,13 +225,59 @@ impl World {
             loads[vessel.body].force_n += wrench.force_n;
             loads[vessel.body].moment_nm += wrench.moment_nm;
         }
-        let shore = Shore { fixed: &self.fixed, level_m: setup.environment.tide.level_m(t_s) };
+        self.find_afloat(setup, states.len());
+        let level_m = setup.environment.tide.level_m(t_s);
+        let shore = Shore { fixed: &self.fixed, level_m, afloat: &self.afloat };
         line_work::take_lines(&mut self.lines, setup, (states, shore), t_s);
         for &index in &self.order.lines {
             let (mooring, line) = (&mut self.lines[index], &setup.lines[index]);
             let (times, events) = ((t_s, step_s), &mut self.events);
             let of = (line, setup.bollards.as_slice());
             mooring.step(index, of, (states, shore), times, loads, events);
+        }
+        self.load_seaways(setup, states, (t_s, acts_s), loads);
+    }
+
+    /// Finds how the bodies with hydrodynamic data are afloat.
+    fn find_afloat(&mut self, setup: &WorldSetup, bodies: usize) {
+        if self.seaways.iter().all(Option::is_none) {
+            return;
+        }
+        self.afloat.clear();
+        self.afloat.resize(bodies, None);
+        for (vessel, state) in setup.vessels.iter().zip(&self.vessels) {
+            self.afloat[vessel.body] = Afloat::of(vessel, state);
+        }
+    }
+
+    /// Replaces the load of vessels with hydrodynamic data by the one that gives their motion in six degrees of freedom.
+    fn load_seaways(
+        &mut self,
+        setup: &WorldSetup,
+        states: &[BodyState],
+        times: (f64, f64),
+        loads: &mut [Wrench],
+    ) {
+        for index in 0..setup.vessels.len() {
+            let Some(seaway) = &self.seaways[index] else { continue };
+            let (vessel, own) = (&setup.vessels[index], &mut self.vessels[index]);
+            let Some(float) = &vessel.float else { continue };
+            let (body, forces) = (&states[vessel.body], &mut self.forces[index]);
+            let mut upright = vessel.attitude_load(forces, float);
+            for &line in &self.order.lines {
+                let (of, mooring) = (&setup.lines[line], &self.lines[line]);
+                for (body_of, at_m, above_m, force_n) in of.pulls(mooring, &setup.bollards) {
+                    if body_of == vessel.body {
+                        let above_gravity_m = above_m - float.gravity_above_water_m;
+                        let place = (at_m, above_gravity_m);
+                        seaway::add_line(&mut upright, body.heading_rad, place, force_n);
+                    }
+                }
+            }
+            let stream_mps = self.water_inertia[index].current_mps;
+            let load = &mut loads[vessel.body];
+            let given = (&*load, &upright, stream_mps);
+            *load = seaway.load((vessel, own, forces), body, given, times);
         }
     }
 
@@ -224,7 +289,8 @@ impl World {
         t_s: f64,
         (line, bollard): (usize, usize),
     ) -> Result<(), OrderError> {
-        let shore = Shore { fixed: &self.fixed, level_m: setup.environment.tide.level_m(t_s) };
+        let level_m = setup.environment.tide.level_m(t_s);
+        let shore = Shore { fixed: &self.fixed, level_m, afloat: &self.afloat };
         line_work::may_send(&self.lines, setup, (states, shore), line, bollard)
     }
 
@@ -289,7 +355,7 @@ impl World {
         (t_s, step_s): (f64, f64),
     ) -> Heights<'a> {
         let level_m = setup.environment.tide.level_m(t_s + 0.5 * step_s);
-        let shore = Shore { fixed: &self.fixed, level_m };
+        let shore = Shore { fixed: &self.fixed, level_m, afloat: &self.afloat };
         Heights { shore, vessels: &self.vessels, t_s, step_s }
     }
 
@@ -302,7 +368,8 @@ impl World {
         states: &[BodyState],
         (t_s, step_s): (f64, f64),
     ) {
-        let shore = Shore { fixed: &self.fixed, level_m: setup.environment.tide.level_m(t_s) };
+        let level_m = setup.environment.tide.level_m(t_s);
+        let shore = Shore { fixed: &self.fixed, level_m, afloat: &self.afloat };
         for (index, vessel) in setup.vessels.iter().enumerate() {
             let state = &states[vessel.body];
             self.vessels[index].wave_motion =
@@ -311,7 +378,11 @@ impl World {
                 pilot.store_contact(vessel.body, contacts);
             }
             let Some(float) = &vessel.float else { continue };
-            let mut load = vessel.attitude_load(&self.forces[index], float);
+            let mut load = match &self.seaways[index] {
+                // Its own forces and lines were in the step.
+                Some(_) => AttitudeLoad::default(),
+                None => vessel.attitude_load(&self.forces[index], float),
+            };
             let attitude = Rotation::from_angle(states[vessel.body].heading_rad);
             for (index_of_contact, contact) in contacts.iter().enumerate() {
                 let [one, two] = [contact.body_1.0 as usize, contact.body_2.0 as usize];
@@ -343,7 +414,23 @@ impl World {
                 }
             }
             let state = &mut self.vessels[index];
+            if let Some(seaway) = &self.seaways[index] {
+                seaway.settle(state, &states[vessel.body], &load, step_s);
+                continue;
+            }
             state.attitude = state.attitude.after(&float.hydrostatics, &load, step_s);
         }
     }
+}
+
+/// The vessels at the start of a run.
+fn start_vessels<'a>(
+    setup: &'a WorldSetup,
+    seaways: &'a [Option<Seaway>],
+    states: &'a [BodyState],
+) -> impl Iterator<Item = VesselState> + 'a {
+    setup.vessels.iter().zip(seaways).map(|(vessel, seaway)| {
+        let start = seaway.as_ref().map(|seaway| seaway.start(&states[vessel.body]));
+        VesselState { seaway: start, ..VesselState::new(vessel) }
+    })
 }

@@ -1,5 +1,8 @@
 //! Heights above the water on fixed and floating bodies.
 
+use fenderline_contact::Vec2;
+
+use super::seaway::Afloat;
 use crate::fender::FenderSetup;
 
 /// The fixed bodies and the water level.
@@ -9,6 +12,8 @@ pub(crate) struct Shore<'a> {
     pub(crate) fixed: &'a [bool],
     /// Level of the water above datum (m).
     pub(crate) level_m: f64,
+    /// For each body, how it is afloat; empty, or `None` for a body whose lines do not feel heave, roll and pitch.
+    pub(crate) afloat: &'a [Option<Afloat>],
 }
 
 impl Shore<'_> {
@@ -16,6 +21,14 @@ impl Shore<'_> {
     /// floating one.
     pub(crate) fn above_water_m(&self, body: usize, height_m: f64) -> f64 {
         if self.fixed[body] { height_m - self.level_m } else { height_m }
+    }
+
+    /// Where a point of a body is, in the body's frame (m), and its height above the water (m).
+    pub(crate) fn place(&self, body: usize, at_m: Vec2, height_m: f64) -> (Vec2, f64) {
+        match self.afloat.get(body).copied().flatten() {
+            Some(afloat) => afloat.place(at_m, height_m),
+            None => (at_m, self.above_water_m(body, height_m)),
+        }
     }
 
     /// Height of the middle of a fender's face above the water (m).

@@ -8,6 +8,7 @@ use super::azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
 use super::environment::Environment;
 use super::fault::Faults;
 use super::pilot::Pilots;
+use super::seaway::SeawayState;
 use crate::attitude::{Attitude, AttitudeLoad, Hydrostatics, Motion};
 use crate::environment::waves::{
     DriftHull, FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion, mean_drift,
@@ -18,6 +19,7 @@ use crate::hydro::actuator::{Lag, Order, RateLimited};
 use crate::hydro::shallow::SHALLOWEST_RATIO;
 use crate::hydro::vessels::Origin;
 use crate::hydro::{Controls, Force, Mmg, Velocity};
+use crate::seakeeping::Seakeeping;
 
 /// Under-keel clearance from which a ship that was aground is afloat again (m); our choice.
 const REFLOATED_M: f64 = 0.02;
@@ -50,6 +52,9 @@ pub struct VesselSetup {
     pub response: Option<MotionResponse>,
     /// Hull data for mean wave drift.
     pub drift: Option<DriftHull>,
+    /// Hydrodynamic data, by which she moves in six degrees of freedom. She then has no `response`, and her `float` has her centre
+    /// of gravity. By the coupled method and the semi-implicit integrator only.
+    pub seakeeping: Option<Seakeeping>,
 }
 
 /// Data for heave, roll and pitch.
@@ -104,6 +109,8 @@ pub struct VesselState {
     pub attitude: Attitude,
     /// First-order wave motion, to be superposed.
     pub wave_motion: FirstOrderMotion,
+    /// What the water remembers of a vessel with hydrodynamic data.
+    pub(crate) seaway: Option<SeawayState>,
     /// Squat (m): additional sinkage under way in shallow water.
     pub squat_m: f64,
     /// Under-keel clearance with squat (m); `None` in deep water. Negative where she is aground.
@@ -147,8 +154,13 @@ pub struct VesselForces {
     pub thrusters: Force,
     /// Wind.
     pub wind: Force,
-    /// Mean wave drift.
+    /// Mean wave drift; with hydrodynamic data also slow drift.
     pub waves: Force,
+    /// Exciting force of the waves on a vessel with hydrodynamic data.
+    pub excitation: Force,
+    /// The water's answer to the motion of a vessel with hydrodynamic data, and what heave, roll and pitch do to her motion in the
+    /// plane: the difference to a body with the engine's constant mass.
+    pub radiation: Force,
     /// Banks: unvalidated.
     pub banks: Force,
     /// The flow of ships that pass, and of other vessels.
@@ -175,6 +187,7 @@ impl VesselForces {
         self.hull + self.wind + self.waves
     }
 
+    /// The sum without excitation and radiation, which [`super::seaway`] adds.
     pub(crate) fn sum(&self) -> Force {
         self.hull
             + self.propeller
@@ -191,15 +204,20 @@ impl VesselForces {
 impl VesselState {
     /// Becomes a copy of another state, without allocation where both are of one vessel.
     pub(crate) fn copy_from(&mut self, other: &VesselState) {
-        let (mut orders, mut thrusters, mut azimuths) = (
+        let (mut orders, mut thrusters, mut azimuths, mut seaway) = (
             std::mem::take(&mut self.orders),
             std::mem::take(&mut self.thrusters),
             std::mem::take(&mut self.azimuths),
+            std::mem::take(&mut self.seaway),
         );
+        match (&mut seaway, &other.seaway) {
+            (Some(own), Some(other)) => own.copy_from(other),
+            (own, other) => own.clone_from(other),
+        }
         orders.copy_from(&other.orders);
         thrusters.clone_from(&other.thrusters);
         azimuths.clone_from(&other.azimuths);
-        *self = VesselState { orders, thrusters, azimuths, ..*other };
+        *self = VesselState { orders, thrusters, azimuths, seaway, ..*other };
     }
 
     /// The state at the start of a run.
@@ -222,6 +240,7 @@ impl VesselState {
             pilots: Pilots::default(),
             attitude: Attitude::default(),
             wave_motion: FirstOrderMotion::default(),
+            seaway: None,
             squat_m: 0.0,
             under_keel_m: None,
             aground: false,
@@ -311,6 +330,8 @@ impl VesselSetup {
             thrusters,
             wind: self.wind(state, environment, gusts, t_s),
             waves: self.drift(state, environment, velocity_t_s),
+            excitation: Force::default(),
+            radiation: Force::default(),
             banks: self.banks(state, velocity, environment, t_s),
             passing: Force::default(),
             bottom: self.bottom(vessel, state, environment, step_s),
@@ -345,6 +366,9 @@ impl VesselSetup {
     }
 
     fn drift(&self, state: &BodyState, environment: &Environment, t_s: f64) -> Force {
+        if self.seakeeping.is_some() {
+            return Force::default();
+        }
         let (Some(sea), Some(hull)) = (&environment.sea, &self.drift) else {
             return Force::default();
         };
@@ -523,8 +547,7 @@ impl VesselSetup {
             environment.water_acceleration(state.position_m, (t_s, step_s), draught_m);
         let attitude = Rotation::from_angle(state.heading_rad);
         let own = attitude.apply_inverse(acceleration);
-        let [[surge_kg, ..], [_, sway_kg, _], [_, coupling_kgm, _]] =
-            mass_matrix(&self.ship, density);
+        let [[surge_kg, ..], [_, sway_kg, _], [_, coupling_kgm, _]] = self.mass_matrix(density);
         WaterInertia {
             coriolis,
             current_mps: environment.current(state.position_m, t_s, draught_m),
@@ -532,6 +555,16 @@ impl VesselSetup {
                 force_n: attitude.apply(vec2(surge_kg * own.x, sway_kg * own.y)),
                 moment_nm: coupling_kgm * own.y,
             },
+        }
+    }
+
+    /// The mass matrix with which the engine moves her, over surge, sway and yaw about the centre of gravity (kg, kg·m, kg·m²):
+    /// that of her hydrodynamic data, or that of her hull.
+    #[must_use]
+    pub fn mass_matrix(&self, density_kgpm3: f64) -> [[f64; 3]; 3] {
+        match &self.seakeeping {
+            Some(ship) => ship.data.plane_mass(),
+            None => mass_matrix(&self.ship, density_kgpm3),
         }
     }
 

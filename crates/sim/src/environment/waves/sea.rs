@@ -41,14 +41,14 @@ pub struct Sea {
 
 /// One harmonic of a sea.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Component {
-    pub(super) frequency_radps: f64,
-    pub(super) amplitude_m: f64,
-    pub(super) phase_rad: f64,
+pub(crate) struct Component {
+    pub(crate) frequency_radps: f64,
+    pub(crate) amplitude_m: f64,
+    pub(crate) phase_rad: f64,
     /// k, north and east (rad/m).
-    pub(super) number_radpm: Vec2,
+    pub(crate) number_radpm: Vec2,
     /// Index of its direction in [`Sea::directions_rad`].
-    pub(super) direction: usize,
+    pub(crate) direction: usize,
 }
 
 impl Component {
@@ -139,6 +139,16 @@ impl Sea {
     #[must_use]
     pub fn towards_rad(&self) -> f64 {
         self.towards_rad
+    }
+
+    /// The harmonics.
+    pub(crate) fn components(&self) -> &[Component] {
+        &self.components
+    }
+
+    /// The directions of the harmonics (rad).
+    pub(crate) fn directions_rad(&self) -> &[f64] {
+        &self.directions_rad
     }
 
     /// True if the harmonics have more than one direction.

@@ -1,0 +1,91 @@
+//! Vessels with hydrodynamic data.
+
+use std::sync::Arc;
+
+use fenderline_sim::attitude::{Hydrostatics, Oscillator};
+use fenderline_sim::seakeeping::Seakeeping;
+use fenderline_sim::{Environment, Float};
+
+use super::vessel::Kind;
+use super::{Assembly, Checked};
+use crate::checked::Table;
+use crate::error::Notice;
+use crate::hydrodynamics;
+use crate::printable::printable_number;
+
+/// Viscous damping of roll where none is given; our assumption for a hull with bilge keels.
+const ROLL_DAMPING: f64 = 0.05;
+/// How far the mass of the data may be from the displacement of the vessel.
+const MASS: f64 = 0.03;
+/// How far the depth of the data may be from that of the run before a notice.
+const DEPTH: f64 = 0.1;
+/// From which depth water counts as deep, in draughts.
+const DEEP: f64 = 10.0;
+
+impl Assembly<'_, '_> {
+    /// The hydrodynamic data that a kind of vessel names, with her centre of gravity, if any.
+    pub(super) fn seakeeping(
+        &mut self,
+        table: &Table,
+        kind: &Kind,
+        environment: &Environment,
+    ) -> Checked<Option<(Seakeeping, Float)>> {
+        let Some(item) = table.item("hydrodynamics") else {
+            if table.item("roll_damping").is_some() {
+                let help = "`roll_damping` belongs to `hydrodynamics`";
+                self.all_of(table, &["hydrodynamics"], help)?;
+            }
+            return Ok(None);
+        };
+        self.none_of(table, &["wave_response"], "hydrodynamics")?;
+        let key = table.path_of("hydrodynamics");
+        let file = hydrodynamics::read(self.files.text(item.text()), item.text(), &key)?;
+        let (data, draught_m) = (file.data, kind.draught_m());
+        let (own_kg, hers_kg) = (data.mass_kg(), kind.mass.mass_kg);
+        if (own_kg / hers_kg - 1.0).abs() > MASS {
+            let message = format!(
+                "the data are for a ship of {} t, but the vessel has {} t",
+                printable_number((own_kg / 1e3).round()),
+                printable_number((hers_kg / 1e3).round())
+            );
+            return Err(self.refused(table, item, &message));
+        }
+        let depths = [data.depth_m(), environment.depth_at_m(0.0)];
+        let [of_data_m, of_run_m] = depths.map(|depth_m| depth_m.unwrap_or(f64::INFINITY));
+        let both_deep = of_data_m > DEEP * draught_m && of_run_m > DEEP * draught_m;
+        let is_near = (of_data_m - of_run_m).abs() <= DEPTH * of_run_m;
+        if !both_deep && !is_near {
+            let in_words = |depth_m: f64| match depth_m.is_finite() {
+                true => format!("{} m of water", printable_number(depth_m)),
+                false => "deep water".to_owned(),
+            };
+            self.notices.push(Notice {
+                place: self.sources.place(&item.span),
+                key: key.clone(),
+                message: format!(
+                    "the hydrodynamic data are for {}, but the run has {}",
+                    in_words(of_data_m),
+                    in_words(of_run_m)
+                ),
+            });
+        }
+        let roll_damping = table.item("roll_damping").map_or(ROLL_DAMPING, |of| *of.number());
+        let (mass, restoring) = (data.total_mass(), data.restoring());
+        // For reports: natural periods without coupling, with the added mass at infinite frequency.
+        let oscillator = |k: usize, damping: f64| Oscillator {
+            inertia: mass[k][k],
+            restoring: restoring[k][k],
+            damping,
+        };
+        let float = Float {
+            hydrostatics: Hydrostatics {
+                heave: oscillator(2, 0.0),
+                roll: oscillator(3, roll_damping),
+                pitch: oscillator(4, 0.0),
+            },
+            gravity_above_water_m: file.gravity_above_water_m,
+            draught_m,
+        };
+        Ok(Some((Seakeeping { data: Arc::new(data), roll_damping }, float)))
+    }
+}

@@ -1,0 +1,189 @@
+//! Hydrodynamic data with which no ship can be moved.
+
+use std::fmt;
+
+use super::MOTIONS;
+
+/// The table of a database in which an error is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Added mass and damping by frequency.
+    Radiation,
+    /// Added mass at infinite frequency.
+    Infinite,
+    /// Exciting forces by frequency and heading.
+    Excitation,
+    /// Mean drift by frequency and heading.
+    Drift,
+    /// Mass, restoring, reference point and depth.
+    Head,
+}
+
+/// What is wrong with hydrodynamic data.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SeakeepingError {
+    /// The table in which it is.
+    pub part: Part,
+    /// Its row there, from 0, where it belongs to one.
+    pub row: Option<usize>,
+    /// The reason.
+    pub reason: Reason,
+}
+
+/// The reason.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Reason {
+    /// A list is shorter or longer than another.
+    Length {
+        /// What is counted.
+        what: &'static str,
+        /// How many there must be.
+        expected: usize,
+        /// How many there are.
+        found: usize,
+    },
+    /// An axis does not rise.
+    NotRising(&'static str),
+    /// A number is not finite or beyond any ship.
+    NotANumber(&'static str),
+    /// A diagonal entry of the damping is negative.
+    NegativeDamping {
+        /// The motion.
+        motion: usize,
+        /// Its damping (N·s/m, N·m·s).
+        damping: f64,
+    },
+    /// A matrix is not symmetric.
+    NotSymmetric {
+        /// The matrix.
+        matrix: &'static str,
+        /// The motions of the entry.
+        entry: [usize; 2],
+        /// The entry and its mirror.
+        values: [f64; 2],
+    },
+    /// Mass and added mass of a motion are not positive.
+    NoMass {
+        /// The motion.
+        motion: usize,
+    },
+    /// A value that does not fit the ship, as with wrong units.
+    Implausible {
+        /// What, with its unit.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// The range of any ship of this displacement.
+        range: [f64; 2],
+    },
+    /// The damping jumps between two frequencies: they are too far apart.
+    TooCoarse {
+        /// The motion.
+        motion: usize,
+        /// The two frequencies (rad/s).
+        between_radps: [f64; 2],
+    },
+    /// The damping at the last frequency is still large: the retardation function would not decay.
+    TooShort {
+        /// The motion.
+        motion: usize,
+        /// The damping at the last frequency over its maximum.
+        share: f64,
+        /// The last frequency (rad/s).
+        last_radps: f64,
+    },
+    /// The damping at the first frequency is large: long waves are missing.
+    StartsLate {
+        /// The motion.
+        motion: usize,
+        /// The damping at the first frequency over its maximum.
+        share: f64,
+        /// The first frequency (rad/s).
+        first_radps: f64,
+    },
+    /// Added mass and damping contradict each other.
+    Inconsistent {
+        /// The motion.
+        motion: usize,
+        /// The largest difference over the largest added mass.
+        share: f64,
+    },
+    /// The headings leave a gap.
+    HeadingGap {
+        /// The gap (deg).
+        between_deg: [f64; 2],
+    },
+    /// A ship that does not float upright.
+    Unstable {
+        /// The motion.
+        motion: usize,
+    },
+}
+
+impl fmt::Display for SeakeepingError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.reason {
+            Reason::Length { what, expected, found } => {
+                write!(f, "there must be {expected} {what}, but there are {found}")
+            }
+            Reason::NotRising(axis) => write!(f, "the {axis} must rise from row to row"),
+            Reason::NotANumber(what) => write!(f, "{what} is not a finite number"),
+            Reason::NegativeDamping { motion, damping } => write!(
+                f,
+                "the damping of {} is negative ({damping:.4e}): waves would drive the ship; take a finer mesh, or a lid \
+                 against irregular frequencies",
+                MOTIONS[*motion]
+            ),
+            Reason::NotSymmetric { matrix, entry: [i, j], values: [one, other] } => write!(
+                f,
+                "the {matrix} is not symmetric: {} and {} have {one:.4e} one way and {other:.4e} the other",
+                MOTIONS[*i], MOTIONS[*j]
+            ),
+            Reason::NoMass { motion } => {
+                write!(f, "mass and added mass of {} are not positive", MOTIONS[*motion])
+            }
+            Reason::Implausible { what, value, range: [low, high] } => write!(
+                f,
+                "{what} is {value:.4e}, but a ship of this displacement has {low:.2e} to {high:.2e}: are the units kg, m, \
+                 s, N?"
+            ),
+            Reason::TooCoarse { motion, between_radps: [low, high] } => write!(
+                f,
+                "the damping of {} changes by more than 60 % of its maximum between {low} and {high} rad/s: the frequencies \
+                 are too far apart there",
+                MOTIONS[*motion]
+            ),
+            Reason::TooShort { motion, share, last_radps } => write!(
+                f,
+                "the damping of {} is still {:.0} % of its maximum at the last frequency, {last_radps} rad/s: the \
+                 retardation function does not decay; add higher frequencies",
+                MOTIONS[*motion],
+                100.0 * share
+            ),
+            Reason::StartsLate { motion, share, first_radps } => write!(
+                f,
+                "the damping of {} is {:.0} % of its maximum at the first frequency, {first_radps} rad/s: add lower \
+                 frequencies",
+                MOTIONS[*motion],
+                100.0 * share
+            ),
+            Reason::Inconsistent { motion, share } => write!(
+                f,
+                "added mass and damping of {} contradict each other (Ogilvie's relations) by {:.0} % of the added mass: \
+                 the added mass at infinite frequency may be wrong, or frequencies are missing",
+                MOTIONS[*motion],
+                100.0 * share
+            ),
+            Reason::HeadingGap { between_deg: [low, high] } => write!(
+                f,
+                "the headings leave a gap from {low:.1} to {high:.1} degrees; they must cover 0 to 180, or all round, in \
+                 steps of at most 45"
+            ),
+            Reason::Unstable { motion } => {
+                write!(f, "the ship has no positive restoring in {}", MOTIONS[*motion])
+            }
+        }
+    }
+}
+
+impl std::error::Error for SeakeepingError {}

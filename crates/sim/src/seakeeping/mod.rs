@@ -1,0 +1,48 @@
+//! Motion of a ship with hydrodynamic data in six degrees of freedom, by Cummins' equation.
+//!
+//! | file | content |
+//! |---|---|
+//! | `data.rs` | the data of a panel code, checked and moved to the centre of gravity |
+//! | `check.rs` | the checks |
+//! | `error.rs` | what is wrong with data |
+//! | `retardation.rs` | the retardation function, and added mass from damping |
+//! | `memory.rs` | the memory of the water as a bank of resonators |
+//! | `least_squares.rs`, `matrix.rs` | linear algebra |
+//! | `forces.rs` | excitation, mean drift and slow drift of a sea |
+//! | `motion.rs` | the time step |
+//! | `place.rs` | the place at which the waves are felt |
+//!
+//! `docs/design/at_the_berth.md` has the reasons.
+
+mod check;
+mod data;
+mod error;
+mod forces;
+mod least_squares;
+pub mod matrix;
+mod memory;
+mod motion;
+mod place;
+mod retardation;
+
+use std::sync::Arc;
+
+pub use data::{Hydrodynamics, RawHydrodynamics};
+pub use error::{Part, Reason, SeakeepingError};
+pub(crate) use forces::{DriftSource, WaveForces, WaveLoad};
+pub use memory::Memory;
+pub use motion::{Motion, MotionState, StepLoad};
+pub(crate) use place::SlowPlace;
+pub use retardation::Retardation;
+
+/// The names of the six motions.
+pub const MOTIONS: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"];
+
+/// A ship that moves by hydrodynamic data.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Seakeeping {
+    /// The data.
+    pub data: Arc<Hydrodynamics>,
+    /// Viscous damping of roll, as a share of the critical one: bilge keels and the hull's edges, which no panel code has.
+    pub roll_damping: f64,
+}
