@@ -70,12 +70,13 @@ for (const role of ROLES) {
         note(`${at} ${await group.textContent()}`, await sizes(page));
         note(`${at} ${await group.textContent()}`, await axe(page, ".controls"));
       }
-      for (const tab of await page.getByRole("tab").all()) {
+      // All of the page once, then the panel, which alone changes.
+      for (const [i, tab] of (await page.getByRole("tab").all()).entries()) {
         const name = (await tab.textContent()) ?? "";
         await tab.click();
         if (name === "Charts") await page.locator(".uplot").first().waitFor();
         note(`${at} ${name}`, await sizes(page));
-        note(`${at} ${name}`, await inEachPalette(page));
+        note(`${at} ${name}`, await inEachPalette(page, i === 0 ? undefined : ".panel"));
       }
     }
     expect([...found].map(([fault, where]) => `${where}: ${fault}`)).toEqual([]);
@@ -84,7 +85,7 @@ for (const role of ROLES) {
   });
 }
 
-test("hints, the help and the helm in hand have no finding", async () => {
+test("hints, the help, the helm in hand and the measuring tools have no finding", async () => {
   const page = await open(browser.context, served, "pilot", errors, true);
   await page.getByRole("status", { name: "Hint" }).waitFor();
   const found = await inEachPalette(page);
@@ -96,10 +97,17 @@ test("hints, the help and the helm in hand have no finding", async () => {
   await page.getByRole("button", { name: "Release the helm" }).waitFor();
   await page.getByRole("button", { name: "Rudder port 10", exact: true }).click();
   found.push(...(await inEachPalette(page)));
+  // With the measuring tools.
+  await page.keyboard.press("z");
+  for (const tool of [/^EBL: /, /^Cursor: /])
+    await page.getByRole("button", { name: tool }).click();
+  found.push(...(await inEachPalette(page, ".plan")));
   for (const size of SIZES) {
     await page.setViewportSize(size);
     found.push(...(await sizes(page)));
   }
+  for (const tool of [/^EBL: /, /^Cursor: /])
+    await page.getByRole("button", { name: tool }).click();
   expect(found).toEqual([]);
   await page.close();
   expect(errors).toEqual([]);

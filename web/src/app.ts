@@ -12,10 +12,12 @@ import { Live, structure } from "./live";
 import { NameBadge } from "./name";
 import { ON_PAGE, isOrder, unknownOrders } from "./orders";
 import type { Page } from "./page";
+import { PastRequests } from "./past";
 import { PALETTE_NAMES, type PaletteName, applyPalette } from "./palette";
 import type { Action, Alarm, FromServer, Hello, Role, VerdictNow } from "./protocol";
 import { Trial } from "./trial";
 import { button, h, setAttribute, setClass, setText } from "./ui/dom";
+import { Sound } from "./sound";
 import { clock, fixed, spoken } from "./units";
 import { Alarms } from "./views/alarms";
 import { Conditions } from "./views/conditions";
@@ -47,6 +49,8 @@ export class App implements Page {
   readonly trial = new Trial();
   private readonly connection: Connection;
   private readonly history = new History();
+  private readonly past = new PastRequests(() => this.connection.send({ do: "history" }));
+  private readonly sound = new Sound();
   private readonly hints = new Hints();
   private readonly help = new Help(
     () => this.live.hello && this.hints.again(this.live.hello.role.name),
@@ -54,9 +58,11 @@ export class App implements Page {
   private built = "";
   private plan: Plan | null = null;
   private trialView: TrialView | null = null;
+  private alarms: Alarms | null = null;
   private tabs: Tab[] = [];
   private groups: Group[] = [];
-  private shownTab = "";
+  /** Kept over a reload. */
+  private shownTab = sessionStorage.getItem("tab") ?? "";
   /** The reason that the server gave when it closed the connection. */
   private why = "";
   private fps = { since: 0, count: 0, shown: 0, jank: 0, last: 0 };
@@ -104,6 +110,7 @@ export class App implements Page {
       this.link,
       this.verdictButton,
       this.alarmButton,
+      this.sound.state,
       this.paletteButton,
       button("?", () => this.help.open(this.keys()), { name: "Help and keys (?)" }),
     );
@@ -193,6 +200,7 @@ export class App implements Page {
         break;
       case "frame":
         this.live.tick(message, performance.now());
+        this.past.frame(message);
         if (this.live.hello)
           this.history.add(message, this.live.hello, this.live.ship(), this.live.body());
         this.tick();
@@ -209,6 +217,11 @@ export class App implements Page {
       case "notice":
         this.say(message.text);
         break;
+      case "history":
+        // The server keeps the values of the pilot's ship; the pilot of another ship has those since the page was opened.
+        if (this.live.ship() === this.live.firstShip()) this.history.restore(message);
+        this.alarms?.restore(message.events);
+        break;
       case "ack":
         break;
     }
@@ -217,6 +230,7 @@ export class App implements Page {
   private linked(state: LinkState, why: string): void {
     if (why !== "") this.why = why;
     if (state !== "open") this.name.forgotten();
+    if (state === "open") this.past.forget();
     setText(
       this.link,
       state === "open" ? "linked" : state === "connecting" ? "connecting" : "no link",
@@ -234,7 +248,11 @@ export class App implements Page {
     this.name.greet();
     const fresh = this.live.hello?.file !== hello.file;
     this.live.welcome(hello);
-    if (fresh) this.history.clear();
+    if (fresh) {
+      this.history.clear();
+      this.past.forget();
+      this.sound.welcome(hello.role);
+    }
     const key = structure(hello);
     if (key !== this.built) {
       this.built = key;
@@ -263,13 +281,14 @@ export class App implements Page {
   private buildStage(hello: Hello): void {
     const plan = new Plan(this.live, this.trial);
     this.plan = plan;
+    this.alarms = new Alarms(this, (open, worst) => this.alarmed(open, worst), this.sound.toggles);
     const views: [string, string | null, View][] = [
       ["Docking", "d", new Docking(this, hello)],
       ["Conning", "c", new Conning(this.live)],
       ["Fenders", "e", new Fenders(hello)],
       ["Lines", "w", new Lines(this, hello)],
       ["Charts", "g", new Strips(this.history)],
-      ["Alarms", "a", new Alarms(this, (open, worst) => this.alarmed(open, worst))],
+      ["Alarms", "a", this.alarms],
       ["Verdict", "r", new Verdict()],
     ];
     if (hello.role.name === "instructor")
@@ -385,6 +404,7 @@ export class App implements Page {
 
   private show(name: string): void {
     this.shownTab = name;
+    sessionStorage.setItem("tab", name);
     for (const tab of this.tabs) {
       setClass(tab.view.root, "shown", tab.name === name);
       setAttribute(tab.button, "aria-selected", String(tab.name === name));
@@ -451,6 +471,7 @@ export class App implements Page {
     );
     setClass(this.run, "caution", rewound || frame.run.paused);
     this.judged(frame.verdict);
+    this.sound.tick(frame, this.live, performance.now());
     this.plan?.tick(frame);
     for (const group of this.groups) group.tick(frame, hello);
     for (const { name, view } of this.tabs) {
@@ -519,6 +540,7 @@ export class App implements Page {
       { key: "0", text: "Ship and berth", run: () => plan?.fit() },
       { key: "f", text: "Follow the ship or not", run: () => plan?.follow() },
       { key: "u", text: "North, head or berth up", run: () => plan?.turnUp() },
+      { key: "z", text: "Measuring tools", run: () => plan?.measure() },
       { key: "v", text: "Predicted path", run: () => plan?.togglePath() },
       { key: "b", text: "Day, dusk, night", run: () => this.nextPalette() },
       { key: "?", text: "This help", run: () => this.help.open(this.keys()) },

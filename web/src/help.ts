@@ -47,6 +47,11 @@ export class Help {
         h(
           "li",
           {},
+          "Measure: scale, range rings, a bearing line whose knob you drag, the position under the pointer, and bearing and distance between two points that you touch.",
+        ),
+        h(
+          "li",
+          {},
           "Purple arrows are forces of fenders and tugs; a filled dot marks a contact that sticks, a hollow one a contact that slips. Fenders and lines change from green over amber to red at their rating.",
         ),
         h(

@@ -1,6 +1,9 @@
-/** The data of the strip charts: values of the ship twice a second, from the time when the page was opened. */
+/**
+ * The data of the strip charts: values of the ship twice a second since the page was opened, and those that the server kept
+ * from before.
+ */
 import { turned } from "./geometry";
-import type { Frame, Hello } from "./protocol";
+import type { Frame, Hello, Past } from "./protocol";
 import { rateOfTurn, toKnots } from "./units";
 
 const EVERY_S = 0.5;
@@ -57,6 +60,26 @@ export class History {
     const from = frame.t_s - KEPT_S;
     if ((this.samples[0]?.t_s ?? 0) < from - 60)
       this.samples = this.samples.filter((s) => s.t_s >= from);
+  }
+
+  /** Puts what the server kept before the page's own values. */
+  restore(past: Past): void {
+    const till = past.t_s.at(-1) ?? -Infinity;
+    const at = <T>(column: T[], i: number): T | null => column[i] ?? null;
+    const before = past.t_s.map((t_s, i): Sample => ({
+      t_s,
+      bow_mps: at(past.bow_mps, i),
+      stern_mps: at(past.stern_mps, i),
+      ahead_kn: toKnots(past.ahead_mps[i] ?? 0),
+      rot: rateOfTurn(past.turn_radps[i] ?? 0),
+      bow_m: at(past.bow_m, i),
+      stern_m: at(past.stern_m, i),
+      of_energy: (past.of_energy[i] ?? 0) * 100,
+      of_reaction: (past.of_reaction[i] ?? 0) * 100,
+      tension: (past.of_working[i] ?? 0) * 100,
+      contact_mn: (past.contact_n[i] ?? 0) / 1e6,
+    }));
+    this.samples = [...before, ...this.samples.filter(({ t_s }) => t_s > till)];
   }
 
   clear(): void {

@@ -108,6 +108,11 @@ export class Live {
     return own >= 0 ? own : this.ship();
   }
 
+  /** Index of the ship whose past the server keeps. */
+  firstShip(): number {
+    return Math.max(0, this.hello?.vessels.findIndex((v) => !v.is_tug) ?? 0);
+  }
+
   /** Index of the pilot's ship: for the pilot of another ship, that one. */
   ship(): number {
     const vessels = this.hello?.vessels ?? [];

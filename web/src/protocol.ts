@@ -11,7 +11,7 @@ import type { Order } from "./orders";
 
 // ---------------------------------------------------------------- server → page
 
-export type FromServer = Hello | Frame | Prediction | Trial | Ack | Refused | Notice;
+export type FromServer = Hello | Frame | Prediction | Trial | Past | Ack | Refused | Notice;
 
 /** A place or a vector: [north, east] or [forward, starboard]. */
 export type Pair = [number, number];
@@ -436,6 +436,37 @@ export interface Trial {
   findings: string[];
 }
 
+/**
+ * The answer to `history`, before its acknowledgement: what strip charts and log show of the last half hour before the
+ * present tick, once a second, column by column. Loads are the greatest of each second.
+ */
+export interface Past {
+  type: "history";
+  t_s: number[];
+  /** At the berth if there is one, else sideways over ground at the ends; `null`: there is no vessel. */
+  bow_mps: (number | null)[];
+  stern_mps: (number | null)[];
+  ahead_mps: number[];
+  turn_radps: number[];
+  /** Distance to the berth. */
+  bow_m: (number | null)[];
+  stern_m: (number | null)[];
+  /** Greatest load of a fender over its rating, of a line over its working load. */
+  of_energy: number[];
+  of_reaction: number[];
+  of_working: number[];
+  /** The sizes of all contact forces together [N]. */
+  contact_n: number[];
+  /** With alarms that began; `level` is theirs. */
+  events: Then[];
+}
+
+export interface Then {
+  t_s: number;
+  text: string;
+  level: Alarm["level"] | null;
+}
+
 export interface Ack {
   type: "ack";
   id: number;
@@ -521,6 +552,8 @@ export type OtherAction =
   | { do: "load"; file: string }
   | { do: "stop_opening" }
   | { do: "save"; name: string }
+  /** Sends `Past`: to everybody, once a second. */
+  | { do: "history" }
   /** Makes the report of the session up to now. When it is acknowledged, `/report` with the instructor's token has it. */
   | { do: "report" }
   /** Acknowledges an alarm: pilot and instructor any, a tugmaster those of the own tug. Recorded. */

@@ -55,6 +55,17 @@ export function force(newtons: number): string {
 
 export const energy = (joules: number): string => `${fixed(joules / 1e3, 0)} kJ`;
 
+export const NAUTICAL_MILE_M = 1852;
+const CABLE_M = NAUTICAL_MILE_M / 10;
+
+/** A distance: metres, from half a cable on with cables, from a nautical mile on in miles. */
+export function distance(m: number): string {
+  if (m >= NAUTICAL_MILE_M - 0.5) return `${fixed(m / NAUTICAL_MILE_M, 2)} NM`;
+  const round = m >= 99.95 || Math.abs(m - Math.round(m)) < 0.05;
+  const metres = `${fixed(m, round ? 0 : 1)} m`;
+  return m < CABLE_M / 2 ? metres : `${metres} (${fixed(m / CABLE_M, 1)} cables)`;
+}
+
 /** A name of a scenario as it is shown. */
 export const spoken = (name: string): string => name.replaceAll("_", " ");
 

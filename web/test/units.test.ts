@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import {
   clock,
+  distance,
   fixed,
   force,
   heading,
@@ -46,4 +47,13 @@ test("values are in the units of a bridge", () => {
   expect(force(1.5e6)).toBe("1.50 MN");
   expect(rateOfTurn(RAD / 60)).toBeCloseTo(1, 12);
   expect(clock(3725.9)).toBe("1:02:05");
+});
+
+test("a distance is in metres near by, with cables farther off, and in miles at sea", () => {
+  expect(distance(7.34)).toBe("7.3 m");
+  expect(distance(99.96)).toBe("100 m (0.5 cables)");
+  expect(distance(185.2)).toBe("185 m (1.0 cables)");
+  expect(distance(1500)).toBe("1500 m (8.1 cables)");
+  expect(distance(1852)).toBe("1.00 NM");
+  expect(distance(4630)).toBe("2.50 NM");
 });

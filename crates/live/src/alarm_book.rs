@@ -17,7 +17,7 @@ pub enum Level {
 }
 
 impl Level {
-    fn word(self) -> &'static str {
+    pub(crate) fn word(self) -> &'static str {
         match self {
             Level::Caution => "caution",
             Level::Alarm => "alarm",
@@ -93,6 +93,18 @@ impl AlarmBook {
             return Err(Refusal::new("somebody has acknowledged this alarm already"));
         }
         Ok(&entry.alarm.text)
+    }
+
+    /// The text of the alarm with this key.
+    pub(crate) fn text(&self, key: &str) -> Option<&str> {
+        let entry = self.0.iter().find(|entry| entry.alarm.key == key)?;
+        Some(&entry.alarm.text)
+    }
+
+    /// Level and text of the alarms that began, or became more urgent, at a time.
+    pub(crate) fn begun_at(&self, t_s: f64) -> impl Iterator<Item = (Level, &str)> {
+        let begun = self.0.iter().filter(move |entry| entry.since_s == t_s);
+        begun.map(|entry| (entry.alarm.level, entry.alarm.text.as_str()))
     }
 
     /// Acknowledges the alarm with this key. Does nothing if there is none, so that a recording can be replayed by a version

@@ -27,6 +27,7 @@ mod limits;
 pub mod message;
 mod named_order;
 mod order_info;
+mod past;
 mod prediction;
 mod recording;
 mod refusal;

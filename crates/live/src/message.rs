@@ -467,6 +467,32 @@ pub struct EventNow {
     pub text: String,
 }
 
+/// The past up to the present tick, column by column.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[serde(tag = "type", rename = "history")]
+pub struct History {
+    pub t_s: Vec<f64>,
+    pub bow_mps: Vec<Option<f64>>,
+    pub stern_mps: Vec<Option<f64>>,
+    pub ahead_mps: Vec<f64>,
+    pub turn_radps: Vec<f64>,
+    pub bow_m: Vec<Option<f64>>,
+    pub stern_m: Vec<Option<f64>>,
+    pub of_energy: Vec<f64>,
+    pub of_reaction: Vec<f64>,
+    pub of_working: Vec<f64>,
+    pub contact_n: Vec<f64>,
+    pub events: Vec<Then>,
+}
+
+/// An event of the past, or an alarm that began, with its level.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Then {
+    pub t_s: f64,
+    pub text: String,
+    pub level: Option<&'static str>,
+}
+
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "type", rename_all = "snake_case")]
 pub enum Reply {

@@ -7,7 +7,7 @@ use fenderline_scenario::ScenarioError;
 use fenderline_sim::{SetupError, SimError, Simulation, StepRecord};
 
 use crate::action::{Action, OtherAction};
-use crate::alarm_book::AlarmBook;
+use crate::alarm_book::{AlarmBook, Level};
 use crate::approach::ApproachLimit;
 use crate::bits::fingerprint;
 use crate::carry_out::{ManualControl, carry_out};
@@ -19,6 +19,8 @@ use crate::limits::{
     Full, LONGEST_HEADER_BYTES, MARKS, MOST_BRANCHES, MOST_COMMANDS, MOST_NOTES, MOST_TICKS,
     NOTE_TICKS,
 };
+use crate::message::{History, Then};
+use crate::past::{Past, Sample};
 use crate::recording::{Line, Writer};
 use crate::refusal::Refusal;
 use crate::source::Source;
@@ -64,10 +66,12 @@ impl Now {
         Now { simulation, manual, approach, seen, alarms: AlarmBook::default(), tick: 0 }
     }
 
-    /// Updates the alarms. After every tick, not every frame: a touch of one tick raises an alarm too.
-    pub(crate) fn note_alarms(&mut self, cast: &Cast, info: &Info) {
-        let causes = frame::causes(self, cast, info);
+    /// Updates the alarms. After every tick, not every frame: a touch of one tick raises an alarm too. Returns the values for
+    /// strip charts.
+    pub(crate) fn note_alarms(&mut self, cast: &Cast, info: &Info) -> Sample {
+        let (causes, sample) = frame::after_tick(self, cast, info);
         self.alarms.update(causes, self.simulation.time_s());
+        sample
     }
 }
 
@@ -88,6 +92,7 @@ pub struct Session {
     writer: Writer,
     /// Time (s) and text of the events since the last call of [`Session::take_events`].
     events: Vec<(f64, String)>,
+    past: Past,
 }
 
 /// Why a session cannot be opened.
@@ -161,6 +166,7 @@ impl Session {
             commands: 0,
             ticks: 0,
             checkpoints: Checkpoints::new(now.clone()),
+            past: Past::new(now.simulation.setup().step_s),
             now,
             writer,
             events: Vec::new(),
@@ -255,12 +261,15 @@ impl Session {
         let line =
             Line::Command { branch, tick, who: who.to_owned(), at_ms, action: action.clone() };
         let line = self.writer.prepare(&line).map_err(Refusal::new)?;
+        let said = self.said_of(who, &action);
         let dropped = carry_out(&action, &self.cast, &mut self.now)?;
+        if let Some(text) = said {
+            self.tell(text);
+        }
         if dropped {
             let text =
-                "now under manual control: the later orders of the scenario to it are cancelled"
-                    .to_owned();
-            self.events.push((self.now.simulation.time_s(), text));
+                "now under manual control: the later orders of the scenario to it are cancelled";
+            self.tell(text.to_owned());
         }
         self.commands += 1;
         self.writer.put(&line);
@@ -274,6 +283,41 @@ impl Session {
             return Ok(());
         }
         Err(Refusal::new(format_args!("a session has at most {MOST_COMMANDS} commands")))
+    }
+
+    /// The event of an acknowledgement or a note.
+    fn said_of(&self, who: &str, action: &Action) -> Option<String> {
+        match action {
+            Action::Other(OtherAction::Acknowledge { key }) => {
+                self.now.alarms.text(key).map(|text| format!("{who} acknowledges: {text}"))
+            }
+            Action::Other(OtherAction::Note { text }) if text.is_empty() => {
+                Some(format!("{who} marks this moment"))
+            }
+            Action::Other(OtherAction::Note { text }) => Some(format!("{who} notes: {text}")),
+            Action::Order(_) | Action::Other(_) => None,
+        }
+    }
+
+    /// Reports an event at the present tick.
+    fn tell(&mut self, text: String) {
+        let t_s = self.now.simulation.time_s();
+        let then = Then { t_s, text: text.clone(), level: None };
+        self.past.keep_event(self.current, self.now.tick, then);
+        self.events.push((t_s, text));
+    }
+
+    /// What strip charts and log show of the last half hour before the present tick.
+    #[must_use]
+    pub fn history(&self) -> History {
+        let (tick, t_s) = (self.now.tick, self.now.simulation.time_s());
+        self.past.before(tick, t_s, |tick| self.segment(self.current, tick).0)
+    }
+
+    /// Differs after each change of [`Session::history`].
+    #[must_use]
+    pub fn history_version(&self) -> (usize, u64, u64) {
+        (self.current, self.now.tick, self.past.version())
     }
 
     /// Checks that the limits allow one more note.
@@ -342,9 +386,19 @@ impl Session {
         seen.keep(&record);
         each(&record);
         *tick += 1;
-        self.now.note_alarms(&self.cast, &self.info);
-        let Now { simulation, seen, .. } = &self.now;
-        self.events.extend(seen.events(simulation.setup()).map(|text| (t_s, text)));
+        let sample = self.now.note_alarms(&self.cast, &self.info);
+        let Now { simulation, seen, alarms, tick, .. } = &self.now;
+        let events: Vec<_> = seen.events(simulation.setup()).map(|text| (t_s, text)).collect();
+        let begun = alarms.begun_at(simulation.time_s()).map(|(level, text)| {
+            let what = if level == Level::Alarm { "ALARM" } else { "Caution" };
+            let text = format!("{what}: {text}");
+            Then { t_s: sample.t_s, text, level: Some(level.word()) }
+        });
+        let told =
+            events.iter().map(|(t_s, text)| Then { t_s: *t_s, text: text.clone(), level: None });
+        let (by, _) = self.segment(self.current, tick - 1);
+        self.past.keep_step(by, *tick, sample, told.chain(begun));
+        self.events.extend(events);
         let (segment, _) = self.segment(self.current, self.now.tick);
         self.checkpoints.offer(segment, self.now.tick, &self.now);
         Ok(())

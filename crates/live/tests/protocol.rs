@@ -164,6 +164,12 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
         each(&hello, key).for_each(|value| has_fields(value, name, &known));
     }
     has_fields(&frame["verdict"], "VerdictNow", &known);
+    let history: Value =
+        serde_json::from_str(&message::text(&session.history())).expect("the history as JSON");
+    assert_eq!(history["type"], "history");
+    has_fields(&history, "Past", &known);
+    each(&history, "events").for_each(|value| has_fields(value, "Then", &known));
+    assert_eq!(each(&history, "t_s").count(), each(&history, "of_energy").count());
     let berth = &frame["vessels"][0]["berth"];
     has_fields(berth, "BerthNow", &known);
     // Eight compressed fenders carry her, nearly at rest.

@@ -298,3 +298,40 @@ fn a_tug_takes_no_manual_orders_while_the_station_pilot_uses_her() {
     go(&mut session, 1);
     command(&mut session, push);
 }
+
+#[test]
+fn the_history_of_a_rewound_and_a_replayed_session_is_that_of_the_run() {
+    let mut session = harbour();
+    command(&mut session, engine(0.4));
+    go(&mut session, 300);
+    let fault = OtherAction::Fault { vessel: "ship".into(), fault: Fault::RudderStuck, on: true };
+    command(&mut session, fault.into());
+    command(&mut session, OtherAction::Note { text: "late".into() }.into());
+    go(&mut session, 105);
+    let whole = session.history();
+    assert_eq!(whole.t_s.len(), 40);
+    let texts: Vec<&str> = whole.events.iter().map(|event| event.text.as_str()).collect();
+    assert!(texts.iter().any(|text| text.starts_with("ALARM: ship: rudder stuck")), "{texts:?}");
+    assert!(texts.iter().any(|text| text.ends_with("notes: late")), "{texts:?}");
+    // Back: only what was before. On again: the same.
+    session.rewind(205).expect("it is there");
+    let before = session.history();
+    assert_eq!(before.t_s, whole.t_s[..20]);
+    assert!(before.events.iter().all(|event| event.t_s <= 20.5));
+    session.rewind(405).expect("it is there");
+    assert_eq!(session.history(), whole);
+    // A branch has its own past from there on, and the first run keeps its own.
+    session.rewind(205).expect("it is there");
+    session.branch().expect("it is rewound");
+    command(&mut session, engine(-0.7));
+    go(&mut session, 200);
+    let branch = session.history();
+    assert_eq!(branch.t_s, whole.t_s);
+    assert_eq!(branch.ahead_mps[..20], whole.ahead_mps[..20]);
+    assert!(branch.ahead_mps[39] < whole.ahead_mps[39]);
+    session.go_to_branch(0).expect("there is one");
+    assert_eq!(session.history(), whole);
+    session.go_to_branch(1).expect("there is one");
+    // After a restart of the server.
+    assert_eq!(replay(&saved(&mut session)).expect("a good recording").session.history(), branch);
+}

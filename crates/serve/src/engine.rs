@@ -7,6 +7,7 @@ mod clients;
 mod commands;
 mod event_log;
 mod files;
+mod history;
 mod names;
 mod predictor;
 mod recording;
@@ -25,6 +26,7 @@ use fenderline_nautical::ChartOrigin;
 use self::chart_output::ChartOutput;
 use self::client::Client;
 use self::event_log::EventLog;
+use self::history::KeptHistory;
 use self::predictor::Predictor;
 use self::trials::Trials;
 use super::claims::{Claims, ClientId};
@@ -65,6 +67,7 @@ pub(crate) struct Engine {
     published: Instant,
     predictor: Predictor,
     trials: Trials,
+    history: KeptHistory,
     /// `None`: no chart programs are served.
     chart: Option<ChartOutput>,
 }
@@ -105,6 +108,7 @@ impl Engine {
             published: now,
             predictor: Predictor::default(),
             trials: Trials::default(),
+            history: KeptHistory::default(),
             chart: chart.map(ChartOutput::new),
         };
         engine.make_tokens().map_err(|e| format!("no random numbers for the links: {e}"))?;

@@ -1,14 +1,15 @@
 /**
- * The server's alarms: active ones, those that wait to be acknowledged, and past events; with sound if switched on.
+ * The server's alarms: active ones, those that wait to be acknowledged, and past events.
  */
 import type { Page } from "../page";
-import type { Alarm, Frame, Hello, Role } from "../protocol";
+import type { Alarm, Frame, Hello, Role, Then } from "../protocol";
 import { button, h, setAttribute, setClass, setText } from "../ui/dom";
 import { clock, spoken } from "../units";
 import type { View } from "./view";
 
 const KEPT_EVENTS = 200;
-const BEEP_EVERY_MS = 1500;
+/** Events among which one that is there already is looked for. */
+const LATEST_EVENTS = 20;
 
 interface Row {
   row: HTMLElement;
@@ -21,23 +22,20 @@ export class Alarms implements View {
   private readonly list = h("ul", { class: "rows", "aria-label": "Alarms" });
   private readonly log = h("ol", { class: "log", "aria-label": "Events" });
   private readonly none = h("p", { class: "nothing" }, "No alarms.");
-  private readonly soundButton: HTMLButtonElement;
   private readonly ackAll = button("Acknowledge all", () => this.acknowledge(null));
   private readonly standing = new Map<string, Row>();
   private role: Role = { name: "observer" };
-  private audio: AudioContext | null = null;
-  private beeped_ms = 0;
   readonly root: HTMLElement;
 
   constructor(
     private readonly page: Page,
     private readonly changed: (open: number, worst: Alarm["level"] | null) => void,
+    soundButtons: HTMLElement[],
   ) {
-    this.soundButton = button("Sound off", () => this.toggleSound(), { "aria-pressed": "false" });
     this.root = h(
       "div",
       { class: "alarms" },
-      h("div", { class: "alarm-tools" }, this.ackAll, this.soundButton),
+      h("div", { class: "alarm-tools" }, this.ackAll, ...soundButtons),
       this.none,
       this.list,
       h("h3", {}, "Events and past alarms"),
@@ -64,11 +62,20 @@ export class Alarms implements View {
         ? "caution"
         : null;
     this.changed(open.length, worst);
-    this.beep(worst);
+  }
+
+  /** Shows the events that the server kept from before the page was opened. */
+  restore(events: Then[]): void {
+    this.log.replaceChildren();
+    for (const { t_s, text, level } of events) this.note(t_s, text, level ?? "");
   }
 
   private note(t_s: number, text: string, level = ""): void {
-    this.log.prepend(h("li", { class: level }, h("time", {}, clock(t_s)), ` ${spoken(text)}`));
+    const line = h("li", { class: level }, h("time", {}, clock(t_s)), ` ${spoken(text)}`);
+    // A frame on its way may have what the server's list has already.
+    const latest = [...this.log.children].slice(0, LATEST_EVENTS);
+    if (latest.some((other) => other.textContent === line.textContent)) return;
+    this.log.prepend(line);
     while (this.log.children.length > KEPT_EVENTS) this.log.lastChild?.remove();
   }
 
@@ -101,7 +108,7 @@ export class Alarms implements View {
     setClass(there.row, "over", !alarm.stands);
     there.ack.disabled = alarm.acknowledged || !this.mayAcknowledge(alarm);
     setText(there.ack, alarm.acknowledged ? "✓" : "Ack");
-    setAttribute(there.ack, "aria-label", `Acknowledge ${alarm.text} (Ack)`);
+    setAttribute(there.ack, "aria-label", `Acknowledge ${alarm.text}, Ack`);
   }
 
   private noteAlarm(alarm: Alarm): void {
@@ -118,28 +125,5 @@ export class Alarms implements View {
       const asked = key === null ? this.mayAcknowledge(alarm) : key === each;
       if (asked && !alarm.acknowledged) void this.page.order({ do: "acknowledge", key: each });
     }
-  }
-
-  private toggleSound(): void {
-    const on = this.audio === null;
-    if (on) this.audio = new AudioContext();
-    else {
-      void this.audio?.close();
-      this.audio = null;
-    }
-    setText(this.soundButton, on ? "Sound on" : "Sound off");
-    setAttribute(this.soundButton, "aria-pressed", String(on));
-  }
-
-  private beep(worst: Alarm["level"] | null): void {
-    const now = performance.now();
-    if (!this.audio || worst === null || now - this.beeped_ms < BEEP_EVERY_MS) return;
-    this.beeped_ms = now;
-    const [tone, loud] = [this.audio.createOscillator(), this.audio.createGain()];
-    tone.frequency.value = worst === "alarm" ? 880 : 440;
-    loud.gain.value = 0.15;
-    tone.connect(loud).connect(this.audio.destination);
-    tone.start();
-    tone.stop(this.audio.currentTime + 0.25);
   }
 }

@@ -11,6 +11,7 @@ import type { BodyNow, Frame, Pair } from "../protocol";
 import type { Trial } from "../trial";
 import { button, canvas, h, setAttribute, setClass, setText } from "../ui/dom";
 import { fixed, heading, knots, rateOfTurn, toKnots } from "../units";
+import { Tools } from "./tools";
 import type { View } from "./view";
 
 export type Up = "north" | "head" | "berth";
@@ -18,7 +19,11 @@ const UP_NAMES: Record<Up, string> = { north: "North up", head: "Head up", berth
 const ZOOM_STEP = 1.35;
 /** After this time labels may change their places without need. */
 const SETTLE_MS = 2000;
+/** Time after which what lies over the canvas is measured again. */
+const LOOK_MS = 100;
 const MOST_WIDTHS = 1000;
+/** A pointer that moved less was a click or a tap. */
+const TAP_PX = 6;
 
 /** With the labels of the last drawing, for tests, which cannot read a canvas. */
 type PlanCanvas = HTMLCanvasElement & { labelled?: { placed: Placed[]; taken: Box[] } };
@@ -39,11 +44,16 @@ export class Plan implements View {
   private up: Up = "north";
   private readonly pointers = new Map<number, Pair>();
   private readonly readout = new Readout();
+  private readonly measuring = new Tools();
+  /** The pointer that turns the bearing line. */
+  private turning: number | null = null;
   private readonly tools: HTMLElement;
-  private toolsBox: Box = [0, 0, 0, 0];
+  /** The boxes of what lies over the canvas. */
+  private covered: Box[] = [];
   /** The place of each label in the last drawing, by its key. */
   private readonly places = new Map<string, number>();
   private settled_ms = -Infinity;
+  private looked_ms = -Infinity;
   private readonly widths = new Widths();
   private readonly followButton = button("Follow", () => this.follow(), {
     name: "Follow the ship (F)",
@@ -66,18 +76,20 @@ export class Plan implements View {
     this.tools = h(
       "div",
       { class: "plan-tools", role: "toolbar", "aria-label": "Plan" },
+      this.measuring.row,
       button("+", () => this.zoom(ZOOM_STEP), { name: "Zoom in (+)" }),
       button("−", () => this.zoom(1 / ZOOM_STEP), { name: "Zoom out (−)" }),
       button("Fit", () => this.fit(), { name: "Fit: ship and berth (0)" }),
       this.followButton,
       this.upButton,
       this.pathButton,
+      this.measuring.opener,
     );
     this.root = h(
       "section",
       { class: "plan", "aria-label": "Plan view" },
       this.readout.root,
-      h("div", { class: "plan-surface" }, this.surface.root, this.tools),
+      h("div", { class: "plan-surface" }, this.surface.root, this.measuring.cursor, this.tools),
     );
     this.listen();
   }
@@ -108,6 +120,11 @@ export class Plan implements View {
   togglePath(): void {
     this.prediction = !this.prediction;
     setAttribute(this.pathButton, "aria-pressed", String(this.prediction));
+  }
+
+  /** Shows and hides the measuring tools. */
+  measure(): void {
+    this.measuring.open();
   }
 
   turnUp(): void {
@@ -188,11 +205,10 @@ export class Plan implements View {
     if (this.prediction) scene.drawMinutes(all);
     const trial = drawTrial(all, this.trial);
     scene.drawBowAndStern(all);
-    const taken = [
-      drawScale(to, this.camera, colours),
-      drawRose(to, this.camera, colours, frame),
-      ...trial,
-    ];
+    const ship = bodies[this.live.body()];
+    if (ship) this.measuring.draw({ ...all, ship });
+    const taken = [drawRose(to, this.camera, colours, frame), ...trial];
+    if (this.measuring.has("scale")) taken.push(drawScale(to, this.camera, colours));
     this.label(to, all.labels, taken, colours, now_ms);
     // For tests, which cannot read a canvas.
     const { centre, pixels_per_m } = this.camera;
@@ -215,11 +231,20 @@ export class Plan implements View {
     if (now_ms - this.settled_ms > SETTLE_MS) {
       this.settled_ms = now_ms;
       this.places.clear();
-      const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = this.tools;
-      this.toolsBox = [offsetLeft, offsetTop, offsetWidth, offsetHeight];
+    }
+    if (now_ms - this.looked_ms > LOOK_MS) {
+      this.looked_ms = now_ms;
+      this.covered = [this.tools, this.measuring.cursor].map(
+        ({ offsetLeft, offsetTop, offsetWidth, offsetHeight }) => [
+          offsetLeft,
+          offsetTop,
+          offsetWidth,
+          offsetHeight,
+        ],
+      );
     }
     const { width, height } = this.camera;
-    const boxes = [...taken, this.toolsBox];
+    const boxes = [...taken, ...this.covered];
     const placed = place(labels, [width, height], boxes, this.places, (label) =>
       this.widths.of(to, label),
     );
@@ -264,14 +289,26 @@ export class Plan implements View {
       const box = surface.getBoundingClientRect();
       return [event.clientX - box.left, event.clientY - box.top];
     };
+    let pressed: Pair | null = null;
     surface.addEventListener("pointerdown", (event) => {
       surface.setPointerCapture(event.pointerId);
-      this.pointers.set(event.pointerId, at(event));
+      const now = at(event);
+      if (this.measuring.takes(this.camera, this.shipNow(performance.now()), now)) {
+        this.turning = event.pointerId;
+        return;
+      }
+      // A second finger makes it a pinch.
+      pressed = this.pointers.size === 0 ? now : null;
+      this.pointers.set(event.pointerId, now);
     });
     surface.addEventListener("pointermove", (event) => {
+      const now = at(event);
+      this.measuring.over(this.camera, now);
+      if (this.turning === event.pointerId)
+        this.measuring.turn(this.camera, this.shipNow(performance.now()), now);
+      if (pressed && Math.hypot(...minus(now, pressed)) > TAP_PX) pressed = null;
       const before = this.pointers.get(event.pointerId);
       if (!before) return;
-      const now = at(event);
       const other = [...this.pointers].find(([id]) => id !== event.pointerId)?.[1];
       this.pointers.set(event.pointerId, now);
       if (other) {
@@ -287,7 +324,13 @@ export class Plan implements View {
       // Dragging changes the offset; the ship is still followed.
     });
     for (const end of ["pointerup", "pointercancel"] as const) {
-      surface.addEventListener(end, (event) => this.pointers.delete(event.pointerId));
+      surface.addEventListener(end, (event) => {
+        if (this.turning === event.pointerId) this.turning = null;
+        if (pressed && end === "pointerup" && this.pointers.has(event.pointerId))
+          this.measuring.tap(this.camera, pressed);
+        pressed = null;
+        this.pointers.delete(event.pointerId);
+      });
     }
     surface.addEventListener(
       "wheel",

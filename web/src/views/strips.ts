@@ -3,7 +3,7 @@ import type uPlot from "uplot";
 import type { History, Sample } from "../history";
 import { palette } from "../palette";
 import type { Palette } from "../palette";
-import { choices, h, setClass } from "../ui/dom";
+import { choices, h, setAttribute, setClass } from "../ui/dom";
 import type { View } from "./view";
 
 interface Strip {
@@ -73,7 +73,8 @@ export class Strips implements View {
   private charts: uPlot[] = [];
   private readonly box = h("div", { class: "charts" });
   private readonly span;
-  private minutes = 5;
+  /** Kept over a reload. */
+  private minutes = Number(sessionStorage.getItem("chart minutes") ?? 5);
   /** The palette that the charts were built for; they keep their colours. */
   private built = "";
   private drawn_ms = 0;
@@ -85,6 +86,7 @@ export class Strips implements View {
   ) {
     this.span = choices("Time shown", SPANS, (minutes) => {
       this.minutes = minutes;
+      sessionStorage.setItem("chart minutes", String(minutes));
       this.span.show(minutes);
       this.drawn_ms = 0;
     });
@@ -106,6 +108,8 @@ export class Strips implements View {
     const { samples } = this.history;
     const till = samples.at(-1)?.t_s ?? 0;
     const shown = this.whole ? samples : samples.filter((s) => s.t_s >= till - this.minutes * 60);
+    // For tests, which cannot read a canvas.
+    setAttribute(this.root, "data-since", String(shown[0]?.t_s ?? ""));
     // The time axis counts minutes before now, or seconds from the start.
     const times = shown.map((s) => (this.whole ? s.t_s : (s.t_s - till) / 60));
     const range = this.whole

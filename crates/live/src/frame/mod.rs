@@ -2,6 +2,7 @@
 
 mod alarms;
 mod board;
+mod sample;
 mod seen;
 mod verdict;
 mod vessel;
@@ -22,6 +23,7 @@ use crate::message::{
     BranchNow, ContactNow, CurrentNow, FenderNow, Frame, LineNow, RunState, TugNow, VesselNow,
     WavesNow, WindNow,
 };
+use crate::past::Sample;
 use crate::session::{Branch, Now, Session};
 
 pub(crate) use seen::Seen;
@@ -58,8 +60,13 @@ impl Session {
 
 /// The causes of alarms in a state.
 pub(crate) fn causes(now: &Now, cast: &Cast, info: &Info) -> Vec<Alarm> {
+    after_tick(now, cast, info).0
+}
+
+/// What is kept of every tick: the causes of alarms, and the values for strip charts.
+pub(crate) fn after_tick(now: &Now, cast: &Cast, info: &Info) -> (Vec<Alarm>, Sample) {
     let simulation = &now.simulation;
-    alarms::causes(&alarms::Input {
+    let of = alarms::Input {
         simulation,
         info,
         vessels: &vessels(now, cast, info),
@@ -68,7 +75,8 @@ pub(crate) fn causes(now: &Now, cast: &Cast, info: &Info) -> Vec<Alarm> {
         lines: &lines(simulation, info),
         approach: now.approach,
         tugs: &tugs(simulation),
-    })
+    };
+    (alarms::causes(&of), sample::sample(&of, cast))
 }
 
 /// The frame of a state.

@@ -1,5 +1,7 @@
 //! A connected client.
 
+use std::time::Instant;
+
 use fenderline_live::message::Role;
 use tokio::sync::{mpsc, watch};
 
@@ -17,4 +19,6 @@ pub(super) struct Client {
     pub(super) out: mpsc::Sender<Text>,
     /// Limits its trials.
     pub(super) trials: Bucket,
+    /// When it last asked for the history.
+    pub(super) asked: Option<Instant>,
 }

@@ -48,7 +48,7 @@ impl Engine {
         let label = format!("{} {client}", role_words(&role));
         self.notify_all(&format!("{label} has joined"));
         let trials = Trials::bucket(Instant::now());
-        self.clients.insert(client, Client { role, label, hello, out, trials });
+        self.clients.insert(client, Client { role, label, hello, out, trials, asked: None });
         self.greet(client);
         if mem::take(&mut self.starts_with_first_client) {
             self.paused = false;

@@ -56,12 +56,9 @@ impl Engine {
     fn act(&mut self, requester: &Requester, role: &Role, action: Action) -> Result<Done, Refusal> {
         let (client, label) = (requester.client, requester.label.as_str());
         let needs = self.may_give(client, role, &action)?;
-        let event = self.event_of(label, role, &action)?;
+        self.may_acknowledge(role, &action)?;
         let tick = self.session.command(label, super::unix_ms(), action)?;
         self.take_helms(&[needs], (client, label))?;
-        if let Some(text) = event {
-            self.events.add(self.session.simulation().time_s(), text);
-        }
         Ok(self.has_given(tick))
     }
 
@@ -139,27 +136,12 @@ impl Engine {
         Ok(self.has_given(tick))
     }
 
-    /// The event that pages show for an acknowledgement and a note.
-    ///
-    /// # Errors
-    /// The role may not acknowledge this alarm.
-    fn event_of(
-        &self,
-        label: &str,
-        role: &Role,
-        action: &Action,
-    ) -> Result<Option<String>, Refusal> {
-        Ok(match action {
-            Action::Other(OtherAction::Acknowledge { key }) => {
-                let text = self.session.alarms().may_acknowledge(key, role)?;
-                Some(format!("{label} acknowledges: {text}"))
-            }
-            Action::Other(OtherAction::Note { text }) if text.is_empty() => {
-                Some(format!("{label} marks this moment"))
-            }
-            Action::Other(OtherAction::Note { text }) => Some(format!("{label} notes: {text}")),
-            Action::Order(_) | Action::Other(_) => None,
-        })
+    /// Checks whether a role may acknowledge this alarm, if that is the action.
+    fn may_acknowledge(&self, role: &Role, action: &Action) -> Result<(), Refusal> {
+        if let Action::Other(OtherAction::Acknowledge { key }) = action {
+            self.session.alarms().may_acknowledge(key, role)?;
+        }
+        Ok(())
     }
 
     /// Carries out a command about the session itself: pause, rewind, load, save, claims.
@@ -224,6 +206,10 @@ impl Engine {
                 if !self.work.as_ref().is_some_and(Work::stop) {
                     return Err(Refusal::new("nothing is being opened"));
                 }
+            }
+            Conduct::History {} => {
+                self.send_history(client, now)?;
+                return Ok(Done::AtTick { tick: self.session.tick(), shows: false });
             }
             Conduct::Report {} => {
                 self.report(requester)?;

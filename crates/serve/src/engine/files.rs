@@ -9,6 +9,7 @@ use fenderline_live::Refusal;
 use fenderline_live::message::{GalleryEntry, Reply};
 
 use super::Engine;
+use super::history::KeptHistory;
 use crate::gallery::Opened;
 use crate::hub::ToEngine;
 use crate::opening::{Outcome, Requester, Task, Work};
@@ -146,6 +147,7 @@ impl Engine {
         self.claims.clear();
         self.make_tokens().map_err(|e| e.to_string())?;
         self.events.clear();
+        self.history = KeptHistory::default();
         self.predictor.reset();
         self.paused = true;
         // The pace was that of the former exercise.

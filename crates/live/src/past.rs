@@ -1,0 +1,255 @@
+//! What a page's strip charts and log show of the past. The session keeps it, so that a page that is loaded again, or opened
+//! late, shows what the others do. It is bounded: values once a second of simulated time with the peaks of loads in between, and
+//! the latest events. Each entry belongs to the branch that made it, so that a rewind loses nothing.
+
+use std::collections::VecDeque;
+
+use fenderline_contact::number::greater;
+
+use crate::message::{History, Then};
+
+/// Simulated time between two samples (s).
+const EVERY_S: f64 = 1.0;
+/// The time before the present tick that a page gets (s).
+const SHOWN_S: f64 = 1800.0;
+/// Most samples of all branches: more than two hours of one.
+const MOST_SAMPLES: usize = 8000;
+/// Most events of all branches, and most that a page gets.
+const MOST_EVENTS: usize = 1000;
+const SHOWN_EVENTS: usize = 200;
+
+/// Values after a tick. Distances and speeds at the ends are those at the berth if there is one, and of the pilot's ship; what she
+/// has not is `None`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Sample {
+    pub(crate) t_s: f64,
+    pub(crate) bow_mps: Option<f64>,
+    pub(crate) stern_mps: Option<f64>,
+    pub(crate) ahead_mps: f64,
+    pub(crate) turn_radps: f64,
+    pub(crate) bow_m: Option<f64>,
+    pub(crate) stern_m: Option<f64>,
+    /// Greatest load of a fender over its rating, and of a line over its working load.
+    pub(crate) of_energy: f64,
+    pub(crate) of_reaction: f64,
+    pub(crate) of_working: f64,
+    /// The sizes of all contact forces together (N).
+    pub(crate) contact_n: f64,
+}
+
+impl Sample {
+    /// With the greater loads of an earlier one.
+    fn with_peaks(self, before: &Sample) -> Sample {
+        Sample {
+            of_energy: greater(self.of_energy, before.of_energy),
+            of_reaction: greater(self.of_reaction, before.of_reaction),
+            of_working: greater(self.of_working, before.of_working),
+            contact_n: greater(self.contact_n, before.contact_n),
+            ..self
+        }
+    }
+}
+
+/// An entry: the branch and tick whose commands led to it, and the tick from which it is seen.
+#[derive(Clone, Debug, PartialEq)]
+struct Entry<T> {
+    branch: usize,
+    cause_tick: u64,
+    seen_tick: u64,
+    what: T,
+}
+
+/// The kept past of all branches of a session.
+#[derive(Clone, Debug)]
+pub(crate) struct Past {
+    /// Ticks between two samples.
+    every: u64,
+    samples: VecDeque<Entry<Sample>>,
+    events: VecDeque<Entry<Then>>,
+    /// By branch: the last tick that is kept. Steps that are repeated after a rewind change nothing.
+    reached: Vec<u64>,
+    /// The loads since the last sample.
+    peaks: Option<Sample>,
+    /// Counts changes.
+    version: u64,
+}
+
+impl Past {
+    pub(crate) fn new(step_s: f64) -> Past {
+        // A step is at least a fraction of a second, so that this is a small whole number.
+        let every = greater(libm::round(EVERY_S / step_s), 1.0) as u64;
+        Past {
+            every,
+            samples: VecDeque::new(),
+            events: VecDeque::new(),
+            reached: Vec::new(),
+            peaks: None,
+            version: 0,
+        }
+    }
+
+    /// A number that differs after each change.
+    pub(crate) fn version(&self) -> u64 {
+        self.version
+    }
+
+    /// Keeps a step of a branch to `tick`, with its events. Does nothing if the step is kept already.
+    pub(crate) fn keep_step(
+        &mut self,
+        branch: usize,
+        tick: u64,
+        sample: Sample,
+        events: impl Iterator<Item = Then>,
+    ) {
+        if self.reached.len() <= branch {
+            self.reached.resize(branch + 1, 0);
+        }
+        if tick <= self.reached[branch] {
+            return;
+        }
+        self.reached[branch] = tick;
+        let cause_tick = tick - 1;
+        let entry = |what| Entry { branch, cause_tick, seen_tick: tick, what };
+        let events: Vec<_> = events.map(entry).collect();
+        for event in events {
+            self.push_event(event);
+        }
+        let sample = self.peaks.map_or(sample, |before| sample.with_peaks(&before));
+        if !tick.is_multiple_of(self.every) {
+            self.peaks = Some(sample);
+            return;
+        }
+        self.peaks = None;
+        self.samples.push_back(Entry { branch, cause_tick, seen_tick: tick, what: sample });
+        if self.samples.len() > MOST_SAMPLES {
+            self.samples.pop_front();
+        }
+        self.version += 1;
+    }
+
+    /// Keeps the event of a command at a tick of a branch.
+    pub(crate) fn keep_event(&mut self, branch: usize, tick: u64, what: Then) {
+        self.push_event(Entry { branch, cause_tick: tick, seen_tick: tick, what });
+    }
+
+    fn push_event(&mut self, event: Entry<Then>) {
+        self.events.push_back(event);
+        if self.events.len() > MOST_EVENTS {
+            self.events.pop_front();
+        }
+        self.version += 1;
+    }
+
+    /// The past of a tick. `branch_at`: the branch whose commands applied at a tick.
+    pub(crate) fn before(&self, tick: u64, t_s: f64, branch_at: impl Fn(u64) -> usize) -> History {
+        let mut history = History::default();
+        for Entry { what: sample, .. } in self
+            .samples
+            .iter()
+            .filter(|entry| entry.what.t_s >= t_s - SHOWN_S && is_of(entry, tick, &branch_at))
+        {
+            history.t_s.push(short(sample.t_s));
+            history.bow_mps.push(sample.bow_mps.map(short));
+            history.stern_mps.push(sample.stern_mps.map(short));
+            history.ahead_mps.push(short(sample.ahead_mps));
+            history.turn_radps.push(libm::round(sample.turn_radps * 1e6) / 1e6);
+            history.bow_m.push(sample.bow_m.map(short));
+            history.stern_m.push(sample.stern_m.map(short));
+            history.of_energy.push(short(sample.of_energy));
+            history.of_reaction.push(short(sample.of_reaction));
+            history.of_working.push(short(sample.of_working));
+            history.contact_n.push(libm::round(sample.contact_n));
+        }
+        let events = self.events.iter().filter(|entry| is_of(entry, tick, &branch_at));
+        let events: Vec<_> = events.map(|entry| entry.what.clone()).collect();
+        history.events = events[events.len().saturating_sub(SHOWN_EVENTS)..].to_vec();
+        history
+    }
+}
+
+/// Whether an entry is before a tick on the way to it.
+fn is_of<T>(entry: &Entry<T>, tick: u64, branch_at: impl Fn(u64) -> usize) -> bool {
+    entry.seen_tick <= tick && branch_at(entry.cause_tick) == entry.branch
+}
+
+/// To four decimals, which a chart does not show finer.
+fn short(value: f64) -> f64 {
+    libm::round(value * 1e4) / 1e4
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sample(t_s: f64, of_energy: f64) -> Sample {
+        Sample {
+            t_s,
+            bow_mps: None,
+            stern_mps: None,
+            ahead_mps: t_s,
+            turn_radps: 0.0,
+            bow_m: None,
+            stern_m: None,
+            of_energy,
+            of_reaction: 0.0,
+            of_working: 0.0,
+            contact_n: 0.0,
+        }
+    }
+
+    fn said(t_s: f64, text: &str) -> Then {
+        Then { t_s, text: text.into(), level: None }
+    }
+
+    /// Steps of 0.1 s of a branch from one tick to another.
+    fn run(past: &mut Past, branch: usize, ticks: std::ops::RangeInclusive<u64>) {
+        for tick in ticks {
+            let of_energy = if tick == 13 { 0.9 } else { 0.1 };
+            past.keep_step(branch, tick, sample(tick as f64 * 0.1, of_energy), std::iter::empty());
+        }
+    }
+
+    #[test]
+    fn a_load_between_two_samples_is_in_the_next_one() {
+        let mut past = Past::new(0.1);
+        run(&mut past, 0, 1..=40);
+        let history = past.before(40, 4.0, |_| 0);
+        assert_eq!(history.t_s, [1.0, 2.0, 3.0, 4.0]);
+        assert_eq!(history.of_energy, [0.1, 0.9, 0.1, 0.1]);
+        // After a rewind only what is before, and repeated steps change nothing.
+        assert_eq!(past.before(25, 2.5, |_| 0).t_s, [1.0, 2.0]);
+        let version = past.version();
+        run(&mut past, 0, 26..=40);
+        assert_eq!(past.version(), version);
+    }
+
+    #[test]
+    fn a_branch_has_the_past_of_its_parent_up_to_its_beginning_and_its_own() {
+        let mut past = Past::new(0.1);
+        run(&mut past, 0, 1..=40);
+        past.keep_event(0, 35, said(3.5, "only in the first run"));
+        past.keep_event(1, 20, said(2.0, "in the branch"));
+        run(&mut past, 1, 21..=40);
+        let on_branch = |tick| usize::from(tick >= 20);
+        let history = past.before(40, 4.0, on_branch);
+        assert_eq!(history.t_s, [1.0, 2.0, 3.0, 4.0]);
+        assert_eq!(history.events, [said(2.0, "in the branch")]);
+        assert_eq!(past.before(40, 4.0, |_| 0).events, [said(3.5, "only in the first run")]);
+    }
+
+    #[test]
+    fn it_is_bounded() {
+        let mut past = Past::new(1.0);
+        for tick in 1..=20_000 {
+            let event = said(tick as f64, "x");
+            past.keep_step(0, tick, sample(tick as f64, 0.0), std::iter::once(event));
+        }
+        assert_eq!((past.samples.len(), past.events.len()), (MOST_SAMPLES, MOST_EVENTS));
+        let history = past.before(20_000, 20_000.0, |_| 0);
+        assert_eq!(history.t_s.len(), 1801);
+        assert_eq!(history.events.len(), SHOWN_EVENTS);
+        assert_eq!(history.events.last(), Some(&said(20_000.0, "x")));
+        let bytes = crate::message::text(&history).len();
+        assert!(bytes < 150_000, "{bytes}");
+    }
+}
