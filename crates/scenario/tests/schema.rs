@@ -179,10 +179,15 @@ fn fulls() -> Vec<Json> {
     let mut of_chart = full();
     of_chart["body"]["of the chart"] =
         json!({ "fixed": true, "chart_outline": "quay 3", "position": [0, 3000] });
-    let mut by_data = full();
-    by_data["vessel"]["barge"] = json!({
-        "length_bp": 80, "beam": 20, "draught": 5, "block_coefficient": 1, "gyradius": 20,
-        "hydrodynamics": "ship.hydro", "roll_damping": 0.04
+    let by_data = json!({
+        "time": { "step": "0.1 s", "duration": 10 },
+        "vessel": { "barge": {
+            "length_bp": 80, "beam": 20, "draught": 5, "block_coefficient": 1, "gyradius": 20,
+            "hydrodynamics": "ship.hydro", "roll_damping": 0.04
+        } },
+        "body": { "barge": {
+            "vessel": "barge", "outline": [[-40, -10], [40, -10], [40, 10], [-40, 10]]
+        } }
     });
     vec![full(), by_data, by_file, by_depth, on_winches, by_wall, on_dolphins, on_tubes, of_chart]
 }

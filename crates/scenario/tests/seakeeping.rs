@@ -420,3 +420,73 @@ fn mistakes_in_hydrodynamic_data_are_shown_at_their_line() {
     let notices = read(&elsewhere, str::to_owned).expect("a notice only").notices;
     assert!(notices.iter().any(|notice| notice.message.contains("the run has 12 m")));
 }
+
+/// The barge on linear springs in surge, sway and yaw, stepped by hand around [`Motion`]: her motion in a regular wave near her natural period
+/// in sway and away from it, against the frequency domain (1 % of the largest motion).
+#[test]
+fn a_barge_on_linear_moorings_moves_as_the_frequency_domain_says() {
+    let scenario = barge("", "0.1 s");
+    let ship = scenario.setup.world.vessels[0].seakeeping.as_ref().expect("data").clone();
+    let data = &ship.data;
+    let springs: [f64; 3] = [4e5, 6e6, 2e9];
+    let (step_s, heading) = (0.1, 2);
+    let motion = Motion::new(&ship, step_s);
+    let plane_mass = data.plane_mass();
+    for w in [0.4, 0.6, 0.9] {
+        let (_, added, damping) =
+            data.radiation().find(|(at, ..)| (at - w).abs() < 1e-9).expect("a frequency");
+        let (mass, restoring) = (data.rigid_mass(), data.restoring());
+        let spring = |i: usize| [springs[0], springs[1], 0.0, 0.0, 0.0, springs[2]][i];
+        let matrix = std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                let moored = if i == j { spring(i) } else { 0.0 };
+                let inert = -w * w * (mass[i][j] + added[i][j]) + restoring[i][j] + moored;
+                (inert, w * damping[i][j])
+            })
+        });
+        let waves = data.excitation_at(w, heading).map(|part| (part.re, part.im));
+        let expected = solve(matrix, waves);
+
+        let mut state = motion.start([0.0; 3]);
+        let mut attitude = Attitude::default();
+        let (mut place, mut velocity) = ([0.0; 3], [0.0; 3]);
+        let mut records: [Vec<(f64, f64)>; 6] = Default::default();
+        let theta: f64 = 0.5 * w * step_s;
+        let mean = (theta.sin() / theta).powi(2);
+        for n in 0..15_000 {
+            let t = step_s * f64::from(n);
+            let acts_s = if n == 0 { 0.5 * step_s } else { step_s };
+            let mut force: [f64; 6] = std::array::from_fn(|k| {
+                mean * (waves[k].0 * (w * t).cos() - waves[k].1 * (w * t).sin())
+            });
+            for (k, index) in [0, 1, 5].into_iter().enumerate() {
+                force[index] -= springs[k] * place[k];
+            }
+            let load = motion.predict(&mut state, &attitude, velocity, &StepLoad { force, acts_s });
+            let change =
+                fenderline_sim::seakeeping::matrix::solve(&plane_mass, &load).expect("mass");
+            for k in 0..3 {
+                velocity[k] += acts_s * change[k];
+                place[k] += step_s * velocity[k];
+            }
+            motion.settle(&mut state, &mut attitude, velocity, &AttitudeLoad::default(), acts_s);
+            if n > 9000 {
+                let now = [
+                    place[0],
+                    place[1],
+                    attitude.heave.value,
+                    attitude.roll.value,
+                    attitude.pitch.value,
+                    place[2],
+                ];
+                for (record, value) in records.iter_mut().zip(now) {
+                    record.push((t + step_s, value));
+                }
+            }
+        }
+        let found = records.map(|record| harmonic(&record, w));
+        let off = difference(&found, &expected);
+        println!("moored, ω {w}: {off:.5}");
+        assert!(off < 0.01, "ω {w}: {off}\n{found:?}\n{expected:?}");
+    }
+}

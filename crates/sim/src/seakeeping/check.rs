@@ -14,6 +14,8 @@ use crate::environment::waves::Complex;
 const COARSEST: f64 = 0.6;
 /// The most that the damping may be at the first or the last frequency, over its maximum.
 const AT_THE_ENDS: [f64; 2] = [0.6, 0.5];
+/// What a damping force may be over the restoring force without being felt.
+const UNFELT: f64 = 0.3;
 /// The widest step of headings (rad).
 const WIDEST_STEP: f64 = 45.5 * PI / 180.0;
 /// Numerical noise of panel codes: what a damping may be below zero over its maximum, and how far a matrix may be from symmetric
@@ -204,7 +206,11 @@ pub(super) fn check_axes(raw: &RawHydrodynamics) -> Result<(), SeakeepingError> 
                 Reason::TooShort { motion, share: of(last) / most, last_radps: axis[last] };
             return Err(error(Part::Radiation, Some(last), reason));
         }
-        if of(0) > AT_THE_ENDS[0] * most {
+        // In shallow water heave radiates long waves, which its restoring does not notice.
+        let restoring =
+            UPRIGHT.iter().position(|k| *k == motion).map_or(0.0, |k| raw.restoring[k][k]);
+        let is_felt = axis[0] * of(0) > UNFELT * restoring;
+        if is_felt && of(0) > AT_THE_ENDS[0] * most {
             let reason = Reason::StartsLate { motion, share: of(0) / most, first_radps: axis[0] };
             return Err(error(Part::Radiation, Some(0), reason));
         }

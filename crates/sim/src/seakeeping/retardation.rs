@@ -14,7 +14,7 @@ pub(super) const TAIL: f64 = 1.5;
 
 /// Damping on a fine grid of frequencies: cubic between the data, zero at zero frequency. Beyond the last frequency of the data it
 /// fades to zero over half of that frequency: what the water answers faster than that acts as mass
-/// ([`effective_infinite`]).
+/// (`effective_infinite`).
 #[derive(Clone, Debug)]
 pub struct Retardation {
     frequencies_radps: Vec<f64>,
