@@ -1,15 +1,21 @@
 /**
- * A pilot and a tugmaster, each with a page, bring the ship alongside: they only read the docking board and press
- * buttons. The instructor runs faster, pauses, rewinds and branches.
+ * The whole exercise: a pilot and two tugmasters, each with a page, bring the ship alongside and make her fast. They only read
+ * the docking board and press buttons. The exercise ends by itself, and the instructor opens its report. Then the instructor
+ * pauses, rewinds and branches.
  */
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { type Browser, type Served, SHOTS, browse, open, serve } from "./browser";
 
-/** Where the tugmaster's tug works. The pilot sends the other tug to the other end. */
-const MASTERS_END = "bow";
-const PILOTS_END = "stern";
+/** The tugs with the end of the ship at which each works. */
+const TUGS = { forward_tug: "bow", after_tug: "stern" } as const;
+
+interface Master {
+  page: Page;
+  tug: string;
+  end: "bow" | "stern";
+}
 const PACE = "4";
 /** A busy machine gives orders less often, and the ship takes longer. */
 const LONGEST_S = 400;
@@ -27,6 +33,7 @@ const errors: string[] = [];
 let served: Served;
 let browser: Browser;
 let pilot: Page;
+let masters: Master[];
 let tug: Page;
 let instructor: Page;
 
@@ -34,7 +41,14 @@ beforeAll(async () => {
   served = await serve(ABREAST);
   browser = await browse({ width: 1280, height: 800 });
   pilot = await open(browser.context, served, "pilot", errors);
-  tug = await open(browser.context, served, "tugmaster", errors);
+  masters = [];
+  for (const [name, end] of Object.entries(TUGS)) {
+    const page = await open(browser.context, served, `master of ${name}`, errors);
+    masters.push({ page, tug: name, end });
+  }
+  const [first] = masters;
+  if (!first) throw new Error("there is no tugmaster");
+  tug = first.page;
   instructor = await open(browser.context, served, "instructor", errors);
 });
 afterAll(async () => {
@@ -58,16 +72,16 @@ async function board(page: Page): Promise<{ bow: End; stern: End }> {
   });
 }
 
-type Word = { order: "Push" | "Stop" | "Pull"; percent: 25 | 50 | 75 };
+type Word = { order: "Push" | "Stop" | "Pull"; percent: 25 };
 
-/** A careful pilot's order to the tug at an end: close by a fiftieth of the distance per second, and land slowly. */
+/**
+ * A careful order to the tug at an end: push to a small speed, then let the wind do the rest. A pull is the last resort: she leaves
+ * the side for it, and needs minutes to come back. At the fenders she holds the ship.
+ */
 function word({ off, closing }: End): Word {
-  const wanted = off < 0.15 ? 0.02 : Math.min(0.2, Math.max(0.05, off * 0.02));
-  const short = wanted - closing;
-  if (short > 0.08) return { order: "Push", percent: 50 };
-  if (short > 0.015 || off < 0.2) return { order: "Push", percent: 25 };
-  if (short < -0.1) return { order: "Pull", percent: 50 };
-  if (short < -0.04) return { order: "Pull", percent: 25 };
+  if (off < 0.2) return { order: "Push", percent: 25 };
+  if (closing < 0.05) return { order: "Push", percent: 25 };
+  if (closing > 0.2 && off > 3) return { order: "Pull", percent: 25 };
   return { order: "Stop", percent: 25 };
 }
 
@@ -79,36 +93,23 @@ async function once(key: string, order: string, press: () => Promise<void>): Pro
   await press();
 }
 
-async function masterObeys({ order, percent }: Word): Promise<void> {
-  // This tug is a vessel and is ordered by her own master.
-  await tells(tug, MASTERS_END, { order, percent });
-}
-
-/** Orders every tug that this page may order. */
-async function tells(page: Page, end: "bow" | "stern", { order, percent }: Word): Promise<void> {
-  for (const card of await page.getByRole("region", { name: /^Tug / }).all()) {
-    const name = (await card.getAttribute("aria-label"))?.replace("Tug ", "") ?? "";
-    if (!(await card.getByRole("button", { name: `${name} push` }).isEnabled())) continue;
-    // A tug whose place can be chosen is sent to her end.
-    const place = card.getByRole("combobox");
-    if ((await place.count()) > 0)
-      await once(
-        `${name} place`,
-        end,
-        async () =>
-          void (await place.selectOption({
-            label: end === "bow" ? "port shoulder" : "port quarter",
-          })),
-      );
-    const pulls = (await card.getByRole("button", { name: `${name} pull` }).count()) > 0;
-    const verb = order === "Pull" && !pulls ? "Stop" : order;
-    await once(`${name} power`, String(percent), () =>
-      card.getByRole("button", { name: `${name} ${percent} %` }).click(),
-    );
-    await once(name, verb, () =>
-      card.getByRole("button", { name: `${name} ${verb.toLowerCase()}`, exact: true }).click(),
-    );
-  }
+/** Tells the tug of a page, by its own master. */
+async function tells({ page, tug, end }: Master, { order, percent }: Word): Promise<void> {
+  const card = page.getByRole("region", { name: `Tug ${tug}` });
+  await once(
+    `${tug} place`,
+    end,
+    async () =>
+      void (await card
+        .getByRole("combobox")
+        .selectOption({ label: end === "bow" ? "port shoulder" : "port quarter" })),
+  );
+  await once(`${tug} power`, String(percent), () =>
+    card.getByRole("button", { name: `${tug} ${percent} %` }).click(),
+  );
+  await once(tug, order, () =>
+    card.getByRole("button", { name: `${tug} ${order.toLowerCase()}`, exact: true }).click(),
+  );
 }
 
 test("nobody commands before taking the helm, and two cannot hold it", async () => {
@@ -117,8 +118,10 @@ test("nobody commands before taking the helm, and two cannot hold it", async () 
   ).toBe(true);
   await pilot.getByRole("button", { name: "Take the helm" }).click();
   await pilot.getByRole("button", { name: "Release the helm" }).waitFor();
-  await tug.getByRole("button", { name: /^Take / }).click();
-  await tug.getByRole("button", { name: /^Release / }).waitFor();
+  for (const { page } of masters) {
+    await page.getByRole("button", { name: /^Take / }).click();
+    await page.getByRole("button", { name: /^Release / }).waitFor();
+  }
   const second = await open(browser.context, served, "pilot", errors);
   await second.getByText(/has the helm/).waitFor();
   await second.getByRole("button", { name: "Take the helm" }).click();
@@ -126,7 +129,7 @@ test("nobody commands before taking the helm, and two cannot hold it", async () 
   await second.close();
 });
 
-test("a pilot and a tugmaster bring her alongside", async () => {
+test("two tugmasters bring her alongside, and the pilot watches the board", async () => {
   await instructor.getByRole("button", { name: `Pace ${PACE}`, exact: true }).click();
   if ((await instructor.locator(".run-state").textContent()) === "PAUSED")
     await instructor.getByRole("button", { name: "Resume (K)" }).click();
@@ -143,8 +146,7 @@ test("a pilot and a tugmaster bring her alongside", async () => {
       bow: { ...now.bow, closing: now.bow.closing + Math.max(0, -lead) * 0.02 },
       stern: { ...now.stern, closing: now.stern.closing + Math.max(0, lead) * 0.02 },
     };
-    await masterObeys(word(held[MASTERS_END]));
-    await tells(pilot, PILOTS_END, word(held[PILOTS_END]));
+    for (const master of masters) await tells(master, word(held[master.end]));
     for (const end of [now.bow, now.stern])
       if (end.off < 0.4) landing = Math.max(landing, end.closing);
     const still = [now.bow, now.stern].every(
@@ -223,6 +225,48 @@ test("the pilot makes her fast with six lines", async () => {
   await pilot.waitForTimeout(2000);
   await pilot.screenshot({ path: join(SHOTS, "all-fast.png") });
   expect(await pilot.locator(".lines li.alarm").count()).toBe(0);
+});
+
+test("the exercise ends by itself, and its report opens from the page", async () => {
+  await pilot.getByRole("tab", { name: "Exercise" }).click();
+  const finished = (page: Page) =>
+    page.getByText(/^Exercise finished: goal reached at/).waitFor({ timeout: 60_000 });
+  await finished(pilot);
+  await pilot.locator(".run-state", { hasText: "PAUSED" }).waitFor();
+  await pilot.screenshot({ path: join(SHOTS, "exercise-pilot.png") });
+  // The score is the instructor's.
+  expect(await pilot.getByLabel("Score").isVisible()).toBe(false);
+  await instructor.bringToFront();
+  await instructor.getByRole("tab", { name: "Exercise" }).click();
+  await finished(instructor);
+  const score = /^(\d+) of 100, (not )?passed$/.exec(
+    (await instructor.getByLabel("Score").textContent()) ?? "",
+  );
+  expect(score).not.toBeNull();
+  await instructor.screenshot({ path: join(SHOTS, "exercise-instructor.png") });
+  const opened = browser.context.waitForEvent("page");
+  await instructor.getByRole("button", { name: "Report of the exercise" }).click();
+  const report = await opened;
+  await report.waitForURL(/\/report\?token=/, { timeout: 60_000 });
+  await report.getByRole("heading", { name: "Exercise", exact: true }).waitFor();
+  const text = (await report.locator("body").textContent()) ?? "";
+  for (const words of [
+    `score ${score?.[1]} of 100`,
+    "Goal reached at",
+    "6 fast, 6 of 6 with this tension",
+    "Speed towards the berth",
+    "The exercise has ended: its goal is reached",
+    "head: send",
+  ])
+    expect(text).toContain(words);
+  expect(text).not.toContain("not fulfilled");
+  await report.screenshot({ path: join(SHOTS, "exercise-report.png") });
+  await report
+    .getByRole("heading", { name: "Exercise", exact: true })
+    .evaluate((heading) => heading.scrollIntoView());
+  await report.screenshot({ path: join(SHOTS, "exercise-report-limits.png") });
+  await report.close();
+  await instructor.getByRole("button", { name: "Resume (K)" }).click();
 });
 
 test("the instructor pauses, steps, rewinds and branches", async () => {

@@ -22,7 +22,7 @@ export const SHOTS =
 
 export interface Served {
   url: string;
-  /** By role: `instructor`, `pilot`, `tugmaster`, `observer`. */
+  /** By role: `instructor`, `pilot`, `observer`, `master of NAME`; `tugmaster` is the first of those. */
   tokens: Record<string, string>;
   close(): Promise<void>;
 }
@@ -72,6 +72,7 @@ export async function serve(set: string[] = [], scenario = SCENARIO): Promise<Se
         if (role === undefined || base === undefined || token === undefined) continue;
         url = base;
         tokens[tug === undefined ? role : "tugmaster"] ??= token;
+        if (tug !== undefined) tokens[role] = token;
       }
       if (tokens.observer === undefined) return;
       clearTimeout(timer);

@@ -23,6 +23,7 @@ import { Alarms } from "./views/alarms";
 import { Conditions } from "./views/conditions";
 import { Conning } from "./views/conning";
 import { Docking } from "./views/docking";
+import { Exercise } from "./views/exercise";
 import { Fenders } from "./views/fenders";
 import { Lines } from "./views/lines";
 import { Plan } from "./views/plan";
@@ -291,6 +292,7 @@ export class App implements Page {
       ["Alarms", "a", this.alarms],
       ["Verdict", "r", new Verdict()],
     ];
+    if (hello.exercise) views.push(["Exercise", "y", new Exercise(this, hello, hello.exercise)]);
     if (hello.role.name === "instructor")
       views.unshift(
         ["Session", null, new Session(this, hello)],

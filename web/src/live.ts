@@ -167,6 +167,17 @@ export function same(a: Control, b: Control): boolean {
 
 /** The part of the greeting that the page is built from. If it changes, the page is rebuilt; a change of claims does not. */
 export function structure(hello: Hello): string {
-  const { role, file, bodies, vessels, fenders, lines, tugs, gallery, links } = hello;
-  return JSON.stringify([role, file, bodies, vessels, fenders, lines, tugs, gallery, links]);
+  const { role, file, bodies, vessels, fenders, lines, tugs, gallery, links, exercise } = hello;
+  return JSON.stringify([
+    role,
+    file,
+    bodies,
+    vessels,
+    fenders,
+    lines,
+    tugs,
+    gallery,
+    links,
+    exercise,
+  ]);
 }

@@ -50,6 +50,8 @@ export interface Hello {
   depth_m: number | null;
   /** What is drawn behind ships and quays. */
   chart: ChartInfo[];
+  /** What the pilot is asked to do; `null`: the scenario has no exercise. */
+  exercise: ExerciseInfo | null;
   /** For the instructor only: a link for each role, as a path on this server. */
   links?: { role: Role; path: string }[];
 }
@@ -63,6 +65,32 @@ export type Role =
 
 /** A control: a vessel or a tug, by name. One client holds it at a time. */
 export type Control = { vessel: string } | { tug: string } | { session: true };
+
+/** An exercise: a goal, and limits that cost points of a score of 100. */
+export interface ExerciseInfo {
+  task: string;
+  /** Name of the ship. */
+  ship: string;
+  /** The conditions in words. They must hold together. */
+  goal: string[];
+  /** For this long. */
+  hold_s: number;
+  time_limit_s: number | null;
+  /** The least score with which it is passed. */
+  pass_mark: number;
+  limits: LimitInfo[];
+}
+
+export interface LimitInfo {
+  key: string;
+  /** What it is about. */
+  text: string;
+  rule: string;
+  /** The most that it costs. */
+  points: number;
+  /** The exercise is failed where it is exceeded. */
+  fails: boolean;
+}
 
 export interface OrderInfo {
   /** The word in `do`. */
@@ -225,6 +253,9 @@ export interface Frame {
   alarms: Alarm[];
   /** On the run from its start to this tick. */
   verdict: VerdictNow;
+  exercise: ExerciseNow | null;
+  /** For the instructor only: the score of the exercise. */
+  marks?: ExerciseMarks;
   /** Since the last frame. */
   events: { t_s: number; text: string }[];
 }
@@ -283,10 +314,17 @@ export interface VesselNow {
 /**
  * State of an end of a ship, the worst last: clear of the fenders; in contact with them; behind their line where there is
  * none; beyond the last one by more than their spacing; where a hull touched the structure and nobody has acknowledged
- * it; at a fender that failed or is beyond its rating; with the hull on the structure.
+ * it; at a fender that was beyond its rating, and nobody has acknowledged it; at one that failed or is beyond its rating; with the hull on the structure.
  */
 export type BerthEnd =
-  "off" | "at_fenders" | "no_fender" | "past_end" | "touched" | "over_rated" | "structure";
+  | "off"
+  | "at_fenders"
+  | "no_fender"
+  | "past_end"
+  | "touched"
+  | "was_over_rated"
+  | "over_rated"
+  | "structure";
 
 /** The docking board's signal for an end: the worse of its speed and its state. */
 export interface Lamp {
@@ -388,6 +426,35 @@ export interface Alarm {
   /** Its cause is present. Otherwise it only waits to be acknowledged. */
   stands: boolean;
   acknowledged: boolean;
+}
+
+/** An exercise at this tick. */
+export interface ExerciseNow {
+  state: "running" | "reached" | "time_over";
+  ended_s: number | null;
+  /** How long the goal has been fulfilled. */
+  held_s: number;
+  /** In the order of the goal. */
+  conditions: { met: boolean; now: string }[];
+}
+
+/** The marks of an exercise up to this tick. */
+export interface ExerciseMarks {
+  score: number;
+  /** `null`: still open. */
+  passed: boolean | null;
+  /** In the order of the limits. */
+  limits: LimitNow[];
+}
+
+export interface LimitNow {
+  /** The worst value so far. */
+  worst: string | null;
+  exceeded: boolean;
+  /** What it cost so far. */
+  points: number;
+  /** What exceeded it, when and by how much. */
+  why: string | null;
 }
 
 /** How grave a verdict or a finding is; `failed`: something broke or was struck. */

@@ -35,6 +35,7 @@ function frame(tick: number, north: number, paused = false): Frame {
     approach_mps: 0.15,
     alarms: [],
     verdict: { key: "all_well", text: "All well", gravity: "ok", findings: [] },
+    exercise: null,
     events: [],
   };
 }

@@ -8,6 +8,7 @@ use fenderline_results::{
     EstimateError, Events, Interrupted, Outcome, ProviderNotices, RecordedSession, WorldTotals,
 };
 use fenderline_scenario::{Notice, Override, Place, Scenario};
+use fenderline_sim::exercise::{Assessment, ExerciseSetup};
 use fenderline_sim::{Energy, FenderSummary, Finding, OutputPlan, Setup, Simulation, StepRecord};
 use fenderline_validate::errors_of;
 
@@ -34,7 +35,7 @@ pub(crate) struct Start {
 /// What steps the run.
 enum Driven {
     /// The scenario alone, with its orders.
-    Scenario(Box<Simulation>),
+    Scenario(Box<Simulation>, Option<Assessment>),
     /// The people who steered a recorded session, from this set-up on: an instructor changes wind and current.
     Session(Box<Repeat>, RecordedSession, Box<Setup>),
 }
@@ -42,7 +43,7 @@ enum Driven {
 impl Driven {
     fn simulation(&self) -> &Simulation {
         match self {
-            Driven::Scenario(simulation) => simulation,
+            Driven::Scenario(simulation, _) => simulation,
             Driven::Session(repeat, ..) => repeat.simulation(),
         }
     }
@@ -61,6 +62,7 @@ pub(crate) struct Played {
     setup_at_start: Option<Box<Setup>>,
     notices: Vec<String>,
     simulation: Simulation,
+    exercise: Option<Assessment>,
     events: Events,
     world: WorldTotals,
     providers: ProviderNotices,
@@ -100,7 +102,7 @@ impl Start {
     /// A set-up that cannot be simulated.
     pub(crate) fn of_session(recorded: Recorded) -> Result<Start, Failure> {
         let Recorded { scenario, scenario_file, repeat, about } = recorded;
-        Start::of(scenario, scenario_file, |setup| {
+        Start::of(scenario, scenario_file, |setup, _| {
             Ok(Driven::Session(Box::new(repeat), about, Box::new(setup)))
         })
     }
@@ -112,9 +114,10 @@ impl Start {
     pub(crate) fn load(path: &Path, overrides: &[Override]) -> Result<Start, Failure> {
         let scenario = load(path, overrides)?;
         let scenario_file = file_name(path).to_string_lossy().into_owned();
-        let start = Start::of(scenario, scenario_file, |setup| {
+        let start = Start::of(scenario, scenario_file, |setup, exercise| {
             let simulation = Simulation::new(setup).map_err(error)?;
-            Ok(Driven::Scenario(Box::new(simulation)))
+            let exercise = exercise.map(|exercise| Assessment::new(exercise, &simulation));
+            Ok(Driven::Scenario(Box::new(simulation), exercise))
         })?;
         Ok(start.tell())
     }
@@ -128,12 +131,12 @@ impl Start {
     fn of(
         scenario: Scenario,
         scenario_file: String,
-        driven: impl FnOnce(Setup) -> Result<Driven, Failure>,
+        driven: impl FnOnce(Setup, Option<ExerciseSetup>) -> Result<Driven, Failure>,
     ) -> Result<Start, Failure> {
         let mut told: Vec<String> = scenario.notices.iter().map(ToString::to_string).collect();
         let notices: Vec<String> = scenario.notices.iter().map(recorded).collect();
-        let Scenario { title, report, setup, output, .. } = scenario;
-        let driven = driven(setup)?;
+        let Scenario { title, report, setup, exercise, output, .. } = scenario;
+        let driven = driven(setup, exercise)?;
         for finding in driven.simulation().start_findings() {
             told.push(finding.sentence(driven.simulation().setup()).to_string());
         }
@@ -192,18 +195,21 @@ impl Start {
             world.add(step);
             Ok(())
         };
-        let (simulation, session, is_done, setup) = match driven {
-            Driven::Scenario(mut simulation) => {
+        let (simulation, exercise, session, is_done, setup) = match driven {
+            Driven::Scenario(mut simulation, mut exercise) => {
                 let progress = progress(simulation.steps_total());
-                play(&mut simulation, &mut providers, &mut each, interrupt, progress)?;
+                let notices = &mut providers;
+                let marked = (&mut *simulation, exercise.as_mut());
+                play(marked, notices, &mut each, interrupt, progress)?;
                 let is_done = simulation.is_done();
-                (*simulation, None, is_done, None)
+                (*simulation, exercise, None, is_done, None)
             }
             Driven::Session(mut repeat, mut about, setup) => {
                 let progress = progress(repeat.steps_total());
                 step_through(&mut repeat, &mut each, interrupt, progress)?;
-                about.log = lines_of(repeat.log(), repeat.simulation().setup());
-                (repeat.simulation().clone(), Some(about), repeat.is_done(), Some(setup))
+                let exercise = repeat.exercise().cloned();
+                about.log = lines_of(repeat.log(), exercise.as_ref(), repeat.simulation().setup());
+                (repeat.simulation().clone(), exercise, Some(about), repeat.is_done(), Some(setup))
             }
         };
         if let Some(gain) = simulation.energy_gain() {
@@ -225,6 +231,7 @@ impl Start {
             providers,
             fenders: simulation.fender_summaries().cloned().collect(),
             simulation,
+            exercise,
         })
     }
 }
@@ -239,6 +246,7 @@ impl Played {
             report: &self.report,
             scenario_file: &self.scenario_file,
             session: self.session.as_ref(),
+            exercise: self.exercise.as_ref(),
             setup: self.setup_at_start.as_deref().unwrap_or(simulation.setup()),
             notices: &self.notices,
             steps: simulation.steps_taken(),
@@ -279,7 +287,7 @@ fn estimate_errors(setup: &Setup) -> &'static [EstimateError] {
 /// # Errors
 /// A provider that does not start, a step that the simulation cannot make, or the first error of `each`.
 fn play(
-    simulation: &mut Simulation,
+    (simulation, mut exercise): (&mut Simulation, Option<&mut Assessment>),
     notices: &mut ProviderNotices,
     each: &mut impl FnMut(&StepRecord<'_>) -> Result<(), Failure>,
     interrupt: &Interrupt,
@@ -291,6 +299,9 @@ fn play(
         let step = simulation.step().map_err(|e| Failure::case(format_args!("error: {e}")))?;
         each(&step)?;
         progress.advance(step.index + 1);
+        if let Some(exercise) = &mut exercise {
+            exercise.update(simulation);
+        }
         if interrupt.is_asked() {
             break;
         }

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::load::stem;
 use crate::output::write_whole;
 use crate::played::Start;
-use crate::run::{end, interrupted_line, verdict_lines};
+use crate::run::{end, exercise_lines, interrupted_line, verdict_lines};
 use crate::terminal::say;
 
 /// Runs the scenario that `args` name and writes the documents that they ask for; the page where they ask for none.
@@ -32,6 +32,7 @@ pub(crate) fn report(args: &ReportArgs) -> Result<(), Failure> {
     documents.write(&played, &page, sheets)?;
     say(&interrupted_line(&played))?;
     say(&verdict_lines(&played))?;
+    say(&exercise_lines(&played))?;
     end(&played, args.allow_failures)
 }
 

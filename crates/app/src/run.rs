@@ -1,6 +1,7 @@
 //! `fenderline run`: scenario → simulation → files and a short summary.
 
 mod berthing;
+mod exercise;
 mod fenders;
 mod printed;
 mod verdict;
@@ -84,6 +85,11 @@ pub(crate) fn end(played: &Played, allow_failures: bool) -> Result<(), Failure> 
 /// That the run was interrupted, and where; empty if it was not.
 pub(crate) fn interrupted_line(played: &Played) -> String {
     printed::interrupted(&played.outcome())
+}
+
+/// The result of the exercise, as `run` prints it.
+pub(crate) fn exercise_lines(played: &Played) -> String {
+    exercise::lines(&played.outcome())
 }
 
 /// The verdict with its findings, as `run` prints it.

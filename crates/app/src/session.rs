@@ -9,6 +9,7 @@ use fenderline_results::{LogKind, LogLine, RecordedSession};
 use fenderline_scenario::{Override, Scenario};
 use fenderline_serve::Replayed;
 use fenderline_sim::Setup;
+use fenderline_sim::exercise::Assessment;
 use fenderline_sim::order::{Lead, SidePlace, TugWord, Word as _};
 
 use crate::failure::Failure;
@@ -87,7 +88,11 @@ fn refuse_changes(overrides: &[Override]) -> Result<(), Failure> {
 }
 
 /// The log in words, in the order of time.
-pub(crate) fn lines_of(log: &SessionLog, setup: &Setup) -> Vec<LogLine> {
+pub(crate) fn lines_of(
+    log: &SessionLog,
+    exercise: Option<&Assessment>,
+    setup: &Setup,
+) -> Vec<LogLine> {
     let commands = log.commands.iter().map(|command| {
         line(command.t_s, LogKind::Command, &command.who, words_of(&command.action, setup))
     });
@@ -114,7 +119,11 @@ pub(crate) fn lines_of(log: &SessionLog, setup: &Setup) -> Vec<LogLine> {
     });
     let events = log.events.iter().map(|(t_s, text)| line(*t_s, LogKind::Event, "", text.clone()));
     let people = commands.chain(acknowledgements).chain(notes);
-    let mut lines: Vec<LogLine> = people.chain(alarms).chain(events).collect();
+    let deductions = exercise.into_iter().flat_map(Assessment::deductions).map(|of| {
+        let text = format!("−{} points: {}", fixed(of.points, 1), of.sentence(setup));
+        line(of.mark.first_s.unwrap_or(of.at_s), LogKind::Deduction, "", text)
+    });
+    let mut lines: Vec<LogLine> = people.chain(alarms).chain(deductions).chain(events).collect();
     // A stable sort: of one moment, what people did comes first.
     lines.sort_by(|one, other| one.t_s.total_cmp(&other.t_s));
     lines

@@ -67,6 +67,7 @@ impl EngineRun {
             title: title.clone(),
             report: Vec::new(),
             setup,
+            exercise: None,
             output: plan.scenario.output.clone(),
             output_gives: plan.scenario.output_gives,
             notices: Vec::new(),

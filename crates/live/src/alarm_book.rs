@@ -6,6 +6,8 @@ use crate::refusal::Refusal;
 
 /// The beginning of the keys of contact alarms.
 pub(crate) const TOUCH: &str = "touch";
+/// The beginning of the keys of alarms of fenders.
+pub(crate) const FENDER: &str = "fender";
 
 /// How urgent an alarm is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -124,6 +126,17 @@ impl AlarmBook {
         // A stable sort keeps the order within a level.
         all.sort_by_key(|entry| std::cmp::Reverse(entry.alarm.level));
         all.into_iter().map(Entry::message).collect()
+    }
+
+    /// True if the list has an alarm of this fender that nobody has acknowledged: it is or was beyond its rating, or has failed.
+    pub(crate) fn has_open_fender(&self, fender: &str) -> bool {
+        self.0.iter().any(|entry| {
+            let Alarm { level, key, about, .. } = &entry.alarm;
+            !entry.acknowledged
+                && *level == Level::Alarm
+                && key.starts_with(FENDER)
+                && about.iter().any(|name| name == fender)
+        })
     }
 
     /// True if the list has a contact alarm of `hull` with a body that `on` selects, which nobody has acknowledged.

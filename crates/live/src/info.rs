@@ -2,11 +2,12 @@
 
 use fenderline_contact::Vec2;
 use fenderline_contact::number::lesser;
-use fenderline_sim::mooring::{InboardEnd, LineKind};
+use fenderline_sim::berth::Berth;
+use fenderline_sim::mooring::InboardEnd;
 use fenderline_sim::order::{OrderName, SidePlace, TargetKind, Word, towline};
 use fenderline_sim::{BollardSetup, LineEnd, MooringSetup, Setup, TugSetup, VesselSetup};
 
-use crate::berth::Berth;
+use crate::berth;
 use crate::cast::Cast;
 use crate::chart_info::chart_infos;
 use crate::message::{
@@ -83,7 +84,7 @@ impl Info {
             orders: order_infos(),
             telegraph: telegraph(),
             places: cast.own.map_or_else(Vec::new, |own| places(setup, &world.vessels[own])),
-            berth: Berth::of(setup, cast),
+            berth: berth::of(setup, cast),
             depth_m: world.environment.depth_m,
             chart: chart_infos(&world.chart),
         }
@@ -146,13 +147,7 @@ fn places(setup: &Setup, ship: &VesselSetup) -> Vec<&'static str> {
 }
 
 fn line_info(line: &MooringSetup) -> LineInfo {
-    let breaking_n = match &line.line.kind {
-        LineKind::Light { main, tail } => {
-            let tail_n = tail.as_ref().map_or(f64::INFINITY, |tail| tail.rope.break_load_n);
-            lesser(main.break_load_n, tail_n)
-        }
-        LineKind::Heavy { break_load_n, .. } => *break_load_n,
-    };
+    let breaking_n = line.line.kind.break_load_n();
     LineInfo {
         name: line.line.name.clone(),
         ship: line.ship,

@@ -38,8 +38,30 @@ pub struct Hello<'a> {
     pub berth: Option<BerthInfo>,
     pub depth_m: Option<f64>,
     pub chart: &'a [ChartInfo],
+    pub exercise: Option<ExerciseInfo>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub links: Option<&'a [Link]>,
+}
+
+/// The goal of an exercise and its limits.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ExerciseInfo {
+    pub task: String,
+    pub ship: String,
+    pub goal: Vec<String>,
+    pub hold_s: f64,
+    pub time_limit_s: Option<f64>,
+    pub pass_mark: f64,
+    pub limits: Vec<LimitInfo>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LimitInfo {
+    pub key: &'static str,
+    pub text: &'static str,
+    pub rule: String,
+    pub points: f64,
+    pub fails: bool,
 }
 
 /// One order of the table in `fenderline_sim`.
@@ -240,6 +262,38 @@ pub struct Frame {
     pub approach_mps: f64,
     pub alarms: Vec<AlarmNow>,
     pub verdict: VerdictNow,
+    pub exercise: Option<ExerciseNow>,
+}
+
+/// The state of an exercise that everybody sees.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ExerciseNow {
+    pub state: &'static str,
+    pub ended_s: Option<f64>,
+    pub held_s: f64,
+    pub conditions: Vec<ConditionNow>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct ConditionNow {
+    pub met: bool,
+    pub now: String,
+}
+
+/// The marks of an exercise: a part of the frames of instructors only.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ExerciseMarks {
+    pub score: f64,
+    pub passed: Option<bool>,
+    pub limits: Vec<LimitNow>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LimitNow {
+    pub worst: Option<String>,
+    pub exceeded: bool,
+    pub points: f64,
+    pub why: Option<String>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -380,6 +434,7 @@ pub enum BerthEnd {
     NoFender,
     PastEnd,
     Touched,
+    WasOverRated,
     OverRated,
     Structure,
 }
@@ -537,9 +592,14 @@ pub fn text(message: &impl Serialize) -> String {
     serde_json::to_string(message).unwrap_or_else(|e| unreachable!("{e}"))
 }
 
-/// The text of a frame with the events since the client's last frame.
+/// The text of a frame with the events since the client's last frame, and for an instructor with the text of the marks of the
+/// exercise.
 #[must_use]
-pub fn with_events(frame: &str, events: &[EventNow]) -> String {
+pub fn with_events(frame: &str, events: &[EventNow], marks: Option<&str>) -> String {
     let open = frame.strip_suffix('}').unwrap_or(frame);
-    format!("{open},\"events\":{}}}", text(&events))
+    let events = text(&events);
+    match marks {
+        Some(marks) => format!("{open},\"events\":{events},\"marks\":{marks}}}"),
+        None => format!("{open},\"events\":{events}}}"),
+    }
 }

@@ -1,6 +1,7 @@
 //! A branch of a session, stepped through again from its start, with the log of commands, alarms, acknowledgements, notes and events: what a report of
 //! the session is made of.
 
+use fenderline_sim::exercise::Assessment;
 use fenderline_sim::{Simulation, StepRecord};
 
 use crate::action::{Action, OtherAction};
@@ -106,6 +107,12 @@ impl Repeat {
     #[must_use]
     pub fn simulation(&self) -> &Simulation {
         self.session.simulation()
+    }
+
+    /// The exercise, if the scenario has one.
+    #[must_use]
+    pub fn exercise(&self) -> Option<&Assessment> {
+        self.session.exercise()
     }
 
     /// True at the end of the branch.

@@ -4,6 +4,7 @@ use std::fmt;
 use std::ops::Range;
 
 use fenderline_scenario::ScenarioError;
+use fenderline_sim::exercise::{Assessment, ExerciseSetup};
 use fenderline_sim::{SetupError, SimError, Simulation, StepRecord};
 
 use crate::action::{Action, OtherAction};
@@ -13,6 +14,7 @@ use crate::bits::fingerprint;
 use crate::carry_out::{ManualControl, carry_out};
 use crate::cast::Cast;
 use crate::checkpoints::Checkpoints;
+use crate::exercise::ending;
 use crate::frame::{self, Seen};
 use crate::info::Info;
 use crate::limits::{
@@ -55,15 +57,32 @@ pub(crate) struct Now {
     pub(crate) approach: ApproachLimit,
     pub(crate) seen: Seen,
     pub(crate) alarms: AlarmBook,
+    /// The exercise, if the scenario has one.
+    pub(crate) exercise: Option<Assessment>,
     /// Number of steps taken.
     pub(crate) tick: u64,
 }
 
 impl Now {
-    pub(crate) fn before_the_first_step(simulation: Simulation) -> Now {
+    pub(crate) fn before_the_first_step(
+        simulation: Simulation,
+        exercise: Option<ExerciseSetup>,
+    ) -> Now {
+        let exercise = exercise.map(|setup| Assessment::new(setup, &simulation));
         let seen = Seen::before_the_first_step(&simulation);
         let (manual, approach) = (ManualControl::default(), ApproachLimit::default());
-        Now { simulation, manual, approach, seen, alarms: AlarmBook::default(), tick: 0 }
+        let alarms = AlarmBook::default();
+        Now { simulation, manual, approach, seen, alarms, exercise, tick: 0 }
+    }
+
+    /// Updates the exercise after a step. Returns the text of its end, if it ends with this step.
+    pub(crate) fn mark_exercise(&mut self) -> Option<&'static str> {
+        let exercise = self.exercise.as_mut()?;
+        if exercise.state().ended_s().is_some() {
+            return None;
+        }
+        exercise.update(&self.simulation);
+        ending(exercise)
     }
 
     /// Updates the alarms. After every tick, not every frame: a touch of one tick raises an alarm too. Returns the values for
@@ -153,7 +172,7 @@ impl Session {
         let simulation = Simulation::new(scenario.setup).map_err(SessionError::Setup)?;
         let cast = Cast::of(simulation.setup());
         let info = Info::of(simulation.setup(), &cast);
-        let mut now = Now::before_the_first_step(simulation);
+        let mut now = Now::before_the_first_step(simulation, scenario.exercise);
         now.note_alarms(&cast, &info);
         let first = Branch { parent: None, from_tick: 0, ends_tick: 0, commands: Vec::new() };
         Ok(Session {
@@ -386,9 +405,12 @@ impl Session {
         seen.keep(&record);
         each(&record);
         *tick += 1;
+        let ending = self.now.mark_exercise();
         let sample = self.now.note_alarms(&self.cast, &self.info);
         let Now { simulation, seen, alarms, tick, .. } = &self.now;
-        let events: Vec<_> = seen.events(simulation.setup()).map(|text| (t_s, text)).collect();
+        let ending = ending.map(|text| (simulation.time_s(), text.to_owned()));
+        let seen = seen.events(simulation.setup()).map(|text| (t_s, text));
+        let events: Vec<_> = seen.chain(ending).collect();
         let begun = alarms.begun_at(simulation.time_s()).map(|(level, text)| {
             let what = if level == Level::Alarm { "ALARM" } else { "Caution" };
             let text = format!("{what}: {text}");

@@ -1,9 +1,12 @@
 //! A run that nobody steers, with the messages to pages that a session has.
 
+use fenderline_sim::exercise::{Assessment, ExerciseSetup};
 use fenderline_sim::{SimError, Simulation, StepRecord};
 
 use crate::action::COMMAND_LIMITS;
+use crate::berth::berth_info;
 use crate::cast::Cast;
+use crate::exercise;
 use crate::frame;
 use crate::info::Info;
 use crate::message::{self, EventNow, FenderNow, Hello, PROTOCOL, Role, RunState};
@@ -24,10 +27,15 @@ pub struct Watched {
 impl Watched {
     /// A simulation before its first step. Pages show the title and the file's name.
     #[must_use]
-    pub fn new(simulation: Simulation, title: String, file: String) -> Watched {
+    pub fn new(
+        simulation: Simulation,
+        exercise: Option<ExerciseSetup>,
+        title: String,
+        file: String,
+    ) -> Watched {
         let cast = Cast::of(simulation.setup());
         let info = Info::of(simulation.setup(), &cast);
-        let now = Now::before_the_first_step(simulation);
+        let now = Now::before_the_first_step(simulation, exercise);
         Watched { title, file, cast, info, now, events: Vec::new() }
     }
 
@@ -47,6 +55,9 @@ impl Watched {
         seen.keep(&record);
         each(&record);
         *tick += 1;
+        let t_s = self.now.simulation.time_s();
+        let ending = self.now.mark_exercise();
+        self.events.extend(ending.map(|text| EventNow { t_s, text: text.to_owned() }));
         Ok(())
     }
 
@@ -83,9 +94,10 @@ impl Watched {
             mine: vec![],
             claims: &[],
             gallery: &[],
-            berth: info.berth.map(|berth| berth.info()),
+            berth: info.berth.as_ref().map(berth_info),
             depth_m: info.depth_m,
             chart: &info.chart,
+            exercise: self.exercise().map(|of| exercise::info(of, self.simulation().setup())),
             links: None,
         })
     }
@@ -107,7 +119,15 @@ impl Watched {
         };
         let frame = frame::frame(&self.now, &self.cast, &self.info, 0, run);
         let events = std::mem::take(&mut self.events);
-        message::with_events(&message::text(&frame), &events)
+        let setup = self.simulation().setup();
+        let marks = self.exercise().map(|of| message::text(&exercise::marks(of, setup)));
+        message::with_events(&message::text(&frame), &events, marks.as_deref())
+    }
+
+    /// The exercise, if the scenario has one.
+    #[must_use]
+    pub fn exercise(&self) -> Option<&Assessment> {
+        self.now.exercise.as_ref()
     }
 
     /// All fenders of the set-up in the present state.

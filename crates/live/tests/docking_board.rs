@@ -3,8 +3,8 @@
 
 mod support;
 
-use fenderline_live::message::{BerthEnd, BerthNow, Role, RunState};
-use fenderline_live::{OtherAction, Session};
+use fenderline_live::message::{BerthEnd, BerthNow, Frame, Role, RunState};
+use fenderline_live::{Light, OtherAction, Session};
 
 /// The line of the fenders of the scenario is at this east coordinate (m), and the concrete 1.9 m behind it.
 const FENDERS_M: f64 = 28.5;
@@ -13,6 +13,11 @@ const MIDDLE_M: f64 = 0.0;
 
 /// The ship at rest: midship at `along_m` along the quay, her parallel side `off_m` off the fenders.
 fn lying(along_m: f64, off_m: f64, heading_deg: f64) -> Session {
+    lying_with(along_m, off_m, heading_deg, "{ surge = \"0 kn\" }")
+}
+
+/// The same with a velocity.
+fn lying_with(along_m: f64, off_m: f64, heading_deg: f64, velocity: &str) -> Session {
     let half_beam_m = {
         let setup_of = support::harbour();
         setup_of.simulation().setup().bodies[0].outline.bounds().1.y
@@ -23,7 +28,7 @@ fn lying(along_m: f64, off_m: f64, heading_deg: f64) -> Session {
         &[
             &format!("body.ship.position=[{along_m}, {east_m}]"),
             &format!("body.ship.heading=\"{heading_deg} deg\""),
-            "body.ship.velocity={ surge = \"0 kn\" }",
+            &format!("body.ship.velocity={velocity}"),
         ],
     )
 }
@@ -52,19 +57,183 @@ impl Run {
 #[test]
 fn the_docking_board_reports_the_position_of_each_end() {
     use BerthEnd::{AtFenders, Off, OverRated, PastEnd, Structure};
-    for (pose, along_m, off_m, heading_deg, bow, stern) in [
-        ("off", MIDDLE_M, 10.0, 0.0, Off, Off),
-        ("off at an angle", MIDDLE_M, 60.0, 8.0, Off, Off),
-        ("alongside, starboard side to", MIDDLE_M, -0.3, 0.0, AtFenders, AtFenders),
-        ("a fender beyond its rating", MIDDLE_M, -1.35, 0.0, OverRated, OverRated),
-        ("steel on concrete", MIDDLE_M, -2.0, 0.0, Structure, Structure),
-        ("far past the quay's end", 400.0, 19.9, 0.0, PastEnd, PastEnd),
-        ("her bow past the last fender", 80.0, 10.0, 0.0, PastEnd, Off),
-        ("past the end and behind the line", 400.0, -5.0, 0.0, PastEnd, PastEnd),
+    let ok = |text| (Light::Ok, text);
+    let amber = |text| (Light::Caution, text);
+    let red = |text| (Light::Alarm, text);
+    for (pose, along_m, off_m, heading_deg, [bow, stern], [bow_lamp, stern_lamp]) in [
+        ("off", MIDDLE_M, 10.0, 0.0, [Off, Off], [ok("OK"), ok("OK")]),
+        ("off at an angle", MIDDLE_M, 60.0, 8.0, [Off, Off], [ok("OK"), ok("OK")]),
+        (
+            "alongside, starboard side to",
+            MIDDLE_M,
+            -0.3,
+            0.0,
+            [AtFenders, AtFenders],
+            [ok("AT FENDERS"), ok("AT FENDERS")],
+        ),
+        (
+            "at an angle, her bow on the fenders",
+            MIDDLE_M,
+            2.27,
+            3.0,
+            [AtFenders, Off],
+            [ok("AT FENDERS"), ok("OK")],
+        ),
+        (
+            "a fender beyond its rating",
+            MIDDLE_M,
+            -1.35,
+            0.0,
+            [OverRated, OverRated],
+            [red("FENDER LIMIT"), red("FENDER LIMIT")],
+        ),
+        (
+            "steel on concrete",
+            MIDDLE_M,
+            -2.0,
+            0.0,
+            [Structure, Structure],
+            [red("STRUCTURE"), red("STRUCTURE")],
+        ),
+        (
+            "on concrete where there is no fender",
+            190.0,
+            -2.0,
+            0.0,
+            [Structure, Structure],
+            [red("STRUCTURE"), red("STRUCTURE")],
+        ),
+        (
+            "her bow past the last fender, her stern at it",
+            150.0,
+            -1.0,
+            0.0,
+            [PastEnd, AtFenders],
+            [amber("PAST END"), ok("AT FENDERS")],
+        ),
+        (
+            "far past the quay's end",
+            400.0,
+            19.9,
+            0.0,
+            [PastEnd, PastEnd],
+            [amber("PAST END"), amber("PAST END")],
+        ),
+        (
+            "her bow past the last fender",
+            80.0,
+            10.0,
+            0.0,
+            [PastEnd, Off],
+            [amber("PAST END"), ok("OK")],
+        ),
+        (
+            "past the end and behind the line",
+            400.0,
+            -5.0,
+            0.0,
+            [PastEnd, PastEnd],
+            [amber("PAST END"), amber("PAST END")],
+        ),
     ] {
         let now = Run::of(lying(along_m, off_m, heading_deg)).step();
-        assert_eq!((now.bow, now.stern), (bow, stern), "{pose}: {now:?}");
+        assert_eq!([now.bow, now.stern], [bow, stern], "{pose}: {now:?}");
+        let lamps = [now.bow_lamp, now.stern_lamp].map(|lamp| (lamp.light, lamp.text));
+        assert_eq!(lamps, [bow_lamp, stern_lamp], "{pose}");
     }
+}
+
+/// Whether the lamps of bow and stern may be green, found from the frame and from the geometry of the scenario, without the code of
+/// the board.
+fn may_be_green(frame: &Frame, session: &Session, heading_deg: f64) -> [bool; 2] {
+    let setup = session.simulation().setup();
+    let quay = setup.bodies.iter().position(|body| body.name == "quay").expect("a quay");
+    let on_quay = |bodies: [usize; 2]| bodies.contains(&0) && bodies.contains(&quay);
+    let touches = frame.contacts.iter().any(|c| c.fender.is_none() && on_quay(c.bodies));
+    let touched = session.alarms().messages().iter().any(|alarm| {
+        alarm.key == "touch ship quay" && alarm.level == "alarm" && !alarm.acknowledged
+    });
+    // Fenders at -98 to 42 m, 20 m apart; the flat of her starboard side is where her outline is widest.
+    let outline = setup.bodies[0].outline.vertices();
+    let ys = outline.iter().map(|at| at.y);
+    let widest_m = ys.max_by(f64::total_cmp).expect("corners");
+    let flat: Vec<_> = outline.iter().filter(|at| at.y >= 0.98 * widest_m).collect();
+    let heading_rad = heading_deg.to_radians();
+    let (sin, cos) = (libm::sin(heading_rad), libm::cos(heading_rad));
+    let midship_m = session.simulation().states()[0].position_m.x;
+    let along_m = |x: f64, y: f64| midship_m + x * cos - y * sin;
+    let bow = flat.iter().max_by(|a, b| a.x.total_cmp(&b.x)).expect("a flat");
+    let stern = flat.iter().min_by(|a, b| a.x.total_cmp(&b.x)).expect("a flat");
+    let ways_m = [along_m(bow.x, bow.y), along_m(stern.x, stern.y)];
+    std::array::from_fn(|end| {
+        let is_off_the_berth = !(-118.0..=62.0).contains(&ways_m[end]);
+        // Fenders of this end's half.
+        let middle_m = 0.5 * (ways_m[0] + ways_m[1]);
+        let is_over = setup.fenders.iter().zip(&frame.fenders).any(|(fender, now)| {
+            let way_m = fender.position_m.x + setup.bodies[quay].position_m.x;
+            let is_here = if end == 0 { way_m >= middle_m } else { way_m <= middle_m };
+            let is_over = now.failed || now.of_energy >= 1.0 || now.of_reaction >= 1.0;
+            is_here && is_over
+        });
+        !(touches || touched || is_off_the_berth || is_over)
+    })
+}
+
+#[test]
+fn over_a_sweep_of_poses_the_board_is_never_green_where_it_must_not_be() {
+    let (mut green, mut not_green) = (0, 0);
+    for along_m in [-260.0, -150.0, 0.0, 55.0, 160.0] {
+        for off_m in [-2.1, -1.4, -0.9, -0.3, 0.0, 20.0] {
+            for heading_deg in [-4.0, 0.0, 0.4] {
+                let mut session = lying(along_m, off_m, heading_deg);
+                for step in 0..2 {
+                    support::go(&mut session, 1);
+                    let frame = session.frame(0, RunState::default());
+                    let berth = frame.vessels[0].berth.expect("there is a berth");
+                    let allowed = may_be_green(&frame, &session, heading_deg);
+                    for (lamp, allowed) in [berth.bow_lamp, berth.stern_lamp].iter().zip(allowed) {
+                        let is_green = lamp.light == Light::Ok;
+                        assert!(
+                            allowed || !is_green,
+                            "{along_m} m along, {off_m} m off, {heading_deg} deg, step {step}: {berth:?}"
+                        );
+                        if is_green { green += 1 } else { not_green += 1 }
+                    }
+                }
+            }
+        }
+    }
+    // The sweep has both.
+    assert!(green > 50 && not_green > 50, "{green} green, {not_green} not");
+}
+
+/// The ship just off the fenders, moving towards them.
+fn landing(speed_mps: f64) -> Run {
+    Run::of(lying_with(MIDDLE_M, 0.02, 0.0, &format!("{{ sway = {speed_mps} }}")))
+}
+
+/// The run at the step in which both ends are at fenders beyond their rating; `None` if that does not happen in ten seconds.
+fn beyond_its_rating(mut run: Run) -> Option<Run> {
+    let found = (0..100).any(|_| run.step().bow == BerthEnd::OverRated);
+    found.then_some(run)
+}
+
+#[test]
+fn a_fender_that_was_beyond_its_rating_is_amber_until_that_is_acknowledged() {
+    // As fast as needed for a load beyond the rating, and no faster: no fender is compressed to its stop.
+    let speeds_mps = (0..40).map(|step| 0.2 + 0.01 * f64::from(step));
+    let mut run = speeds_mps.map(landing).find_map(beyond_its_rating).expect("at some speed");
+    let frame = run.session.frame(0, RunState::default());
+    assert!(frame.fenders.iter().all(|fender| !fender.failed), "{:?}", frame.fenders);
+    until_over(&mut run, BerthEnd::OverRated);
+    let now = run.berth();
+    assert_eq!((now.bow, now.bow_lamp.light), (BerthEnd::WasOverRated, Light::Caution), "{now:?}");
+    let open: Vec<String> = run.session.alarms().messages().into_iter().map(|a| a.key).collect();
+    for key in open {
+        support::command(&mut run.session, OtherAction::Acknowledge { key }.into());
+    }
+    let now = run.berth();
+    assert!(now.bow < BerthEnd::Touched && now.bow_lamp.light < Light::Alarm, "{now:?}");
 }
 
 /// Steps until neither end reports this.

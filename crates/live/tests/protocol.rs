@@ -5,7 +5,9 @@ mod support;
 use std::collections::{BTreeMap, BTreeSet};
 
 use fenderline_live::message::{self, Hello, Role, RunState};
-use fenderline_live::{COMMAND_LIMITS, Conduct, Fault, OtherAction, Request, Session, Source};
+use fenderline_live::{
+    COMMAND_LIMITS, Conduct, Fault, OtherAction, Request, Session, Source, berth_info,
+};
 use fenderline_sim::OrderName;
 use fenderline_sim::chart::{ChartKind, MarkColour, MarkSide};
 use fenderline_sim::order::Argument;
@@ -89,7 +91,11 @@ fn messages(session: &Session) -> (Value, Value) {
     let run = RunState { pace: 1.0, ..RunState::default() };
     let frame = message::text(&session.frame(7, run));
     let events = [message::EventNow { t_s: 1.0, text: "x".into() }];
-    let frame = message::with_events(&frame, &events);
+    let frame = message::with_events(
+        &frame,
+        &events,
+        session.exercise_marks().map(|marks| message::text(&marks)).as_deref(),
+    );
     let claims: Vec<message::Claim> = session
         .cast()
         .controls()
@@ -116,9 +122,10 @@ fn messages(session: &Session) -> (Value, Value) {
         mine: vec![],
         claims: &claims,
         gallery: &[],
-        berth: info.berth.map(|berth| berth.info()),
+        berth: info.berth.as_ref().map(berth_info),
         depth_m: info.depth_m,
         chart: &info.chart,
+        exercise: session.exercise_info(),
         links: Some(&links),
     };
     let read = |text: &str| serde_json::from_str(text).expect("JSON");
@@ -129,7 +136,13 @@ fn messages(session: &Session) -> (Value, Value) {
 fn frames_and_hellos_have_the_fields_of_the_protocol() {
     let text = protocol();
     let known = interfaces(&text);
-    let mut session = support::harbour();
+    let mut session = support::open(
+        "scenarios/berth/alongside_with_two_tugs.toml",
+        &[
+            "line.head.made_fast=\"0 s\"",
+            "exercise={ vessel = \"ship\", goal = \"alongside\", limit = { fender = { most = 0, points = 1 } } }",
+        ],
+    );
     // Until she lies at the fenders, so that every part of a frame is filled.
     support::go(&mut session, 21_000);
     // So that there is an alarm in the frame.
@@ -170,6 +183,11 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
     has_fields(&history, "Past", &known);
     each(&history, "events").for_each(|value| has_fields(value, "Then", &known));
     assert_eq!(each(&history, "t_s").count(), each(&history, "of_energy").count());
+    has_fields(&frame["exercise"], "ExerciseNow", &known);
+    has_fields(&frame["marks"], "ExerciseMarks", &known);
+    each(&frame["marks"], "limits").for_each(|value| has_fields(value, "LimitNow", &known));
+    has_fields(&hello["exercise"], "ExerciseInfo", &known);
+    each(&hello["exercise"], "limits").for_each(|value| has_fields(value, "LimitInfo", &known));
     let berth = &frame["vessels"][0]["berth"];
     has_fields(berth, "BerthNow", &known);
     // Eight compressed fenders carry her, nearly at rest.

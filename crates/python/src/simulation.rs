@@ -111,7 +111,7 @@ impl Simulation {
             false => None,
         };
         let notices = own.checked.notices.iter().map(ToString::to_string).collect();
-        let totals = Totals::new(&own.checked);
+        let totals = Totals::new(&own.checked, &run.simulation);
         Simulation::around(py, scenario, Arc::new(names), (run, totals), Arc::new(notices), tables)
     }
 
@@ -612,6 +612,7 @@ impl Simulation {
             if let Some(tables) = &mut self.tables {
                 tables.write(&record).map_err(Stopped::NotFinite)?;
             }
+            self.totals.mark(&self.run.simulation);
         }
         Ok(())
     }

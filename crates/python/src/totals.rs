@@ -2,6 +2,7 @@
 
 use fenderline_results::{Events, Interrupted, Outcome, ProviderNotices, WorldTotals, summary};
 use fenderline_scenario::Scenario;
+use fenderline_sim::exercise::Assessment;
 use fenderline_sim::{FenderSummary, Simulation, StepRecord};
 use pyo3::prelude::*;
 
@@ -12,15 +13,19 @@ use crate::errors;
 pub(crate) struct Totals {
     events: Events,
     world: WorldTotals,
+    /// The exercise, if the scenario has one.
+    exercise: Option<Assessment>,
     /// The lines of the report's title page.
     report: Vec<(&'static str, String)>,
 }
 
 impl Totals {
-    pub(crate) fn new(scenario: &Scenario) -> Totals {
+    pub(crate) fn new(scenario: &Scenario, simulation: &Simulation) -> Totals {
+        let exercise = scenario.exercise.clone();
         Totals {
             events: Events::default(),
             world: WorldTotals::new(&scenario.setup),
+            exercise: exercise.map(|setup| Assessment::new(setup, simulation)),
             report: scenario.report.clone(),
         }
     }
@@ -29,6 +34,13 @@ impl Totals {
     pub(crate) fn add(&mut self, step: &StepRecord<'_>) {
         self.events.count(step);
         self.world.add(step);
+    }
+
+    /// Looks at the state after a step.
+    pub(crate) fn mark(&mut self, simulation: &Simulation) {
+        if let Some(exercise) = &mut self.exercise {
+            exercise.update(simulation);
+        }
     }
 
     /// The tree of `summary.json` of a run up to now, without its files.
@@ -47,6 +59,7 @@ impl Totals {
             report: &self.report,
             scenario_file: "",
             session: None,
+            exercise: self.exercise.as_ref(),
             setup: simulation.setup(),
             notices,
             interrupted,

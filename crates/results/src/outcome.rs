@@ -2,6 +2,7 @@
 
 use fenderline_contact::BodyState;
 use fenderline_sim::berthing::{BerthingError, BerthingOutcome};
+use fenderline_sim::exercise::Assessment;
 use fenderline_sim::{
     DolphinSummary, Energy, FenderSummary, Finding, PairSummary, Setup, Simulation,
 };
@@ -48,6 +49,8 @@ pub struct Outcome<'a> {
     pub scenario_file: &'a str,
     /// The session that the run repeats; `None` for a run that nobody steered.
     pub session: Option<&'a RecordedSession>,
+    /// The exercise at the end of the run; `None` if the scenario has none.
+    pub exercise: Option<&'a Assessment>,
     /// The set-up.
     pub setup: &'a Setup,
     /// Notices of the scenario.

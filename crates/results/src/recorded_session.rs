@@ -47,6 +47,8 @@ pub enum LogKind {
     Acknowledgement,
     /// A note for the debriefing.
     Note,
+    /// A limit of the exercise was exceeded.
+    Deduction,
     /// Any other event.
     Event,
 }
@@ -61,6 +63,7 @@ impl LogKind {
             LogKind::Caution => "caution",
             LogKind::Acknowledgement => "acknowledgement",
             LogKind::Note => "note",
+            LogKind::Deduction => "deduction",
             LogKind::Event => "event",
         }
     }

@@ -12,6 +12,7 @@ mod dolphins;
 mod draught;
 mod edge;
 mod environment;
+mod exercise;
 mod fender_sense;
 mod fenders;
 mod flexible;
@@ -50,6 +51,7 @@ use crate::suggest::nearest;
 use crate::vessels::VesselLibrary;
 use fenderline_sim::environment::current::Current;
 use fenderline_sim::environment::wind::{ShipWindage, Wind};
+use fenderline_sim::exercise::ExerciseSetup;
 use fenderline_sim::hydro::Particulars;
 use fenderline_sim::{BodySetup, Integrator, NamedMaterial, Order, OutputPlan, Setup, WorldSetup};
 use std::borrow::Cow;
@@ -100,7 +102,7 @@ pub(crate) fn setup(
     files: &Files,
     libraries: &Libraries,
     notices: &mut Vec<Notice>,
-) -> Checked<(Setup, OutputPlan)> {
+) -> Checked<(Setup, OutputPlan, Option<ExerciseSetup>)> {
     let mut assembly = Assembly { sources, files, notices };
     let (step_s, duration_s, integrator) = assembly.time(file.given("time").table())?;
     let output = assembly.output(file.item("output").map(Item::table), step_s, duration_s)?;
@@ -177,7 +179,9 @@ pub(crate) fn setup(
     assembly.note_draughts(file, &fender_tables, &setup);
     let orders = file.given("order").list();
     setup.world.orders = assembly.orders(orders, &OrderNames::new(&setup, &names))?;
-    Ok((setup, output))
+    let exercise = file.item("exercise").map(Item::table);
+    let exercise = assembly.exercise(exercise, &setup, &names)?;
+    Ok((setup, output, exercise))
 }
 
 /// An order to a vessel, tug or line of a set-up.

@@ -10,6 +10,7 @@ mod body;
 pub(crate) mod chart;
 mod dolphin;
 mod environment;
+pub(crate) mod exercise;
 mod fender;
 pub(crate) mod fender_row;
 mod hull;
@@ -168,6 +169,13 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             Kind::Named(&passing::PASSING),
             Is("{}"),
             "Ships that pass, by name. They push vessels by the flow about them.",
+            &[],
+        ),
+        key(
+            "exercise",
+            Kind::Table(&exercise::EXERCISE),
+            Means("no exercise"),
+            "A goal for the pilot, and limits with points.",
             &[],
         ),
         key("order", Kind::List(&order::ORDER), Is("[]"), "Orders at times of the run.", &[]),

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
+use fenderline_sim::exercise::ExerciseSetup;
 use fenderline_sim::{OutputPlan, Setup};
 
 use crate::assemble::{self, Libraries};
@@ -26,6 +27,8 @@ pub struct Scenario {
     pub report: Vec<(&'static str, String)>,
     /// The simulation, in SI units; bodies and materials in the order of the file.
     pub setup: Setup,
+    /// The exercise; `None` without one.
+    pub exercise: Option<ExerciseSetup>,
     /// The result tables that a run writes.
     pub output: OutputPlan,
     /// Whether the file gives `output.interval`, and `output.tables`.
@@ -94,13 +97,15 @@ impl Scenario {
         };
         let libraries = libraries(&sources, &file, &mut read)?;
         let files = Files::read(&sources, &file, &mut read)?;
-        let (setup, output) = assemble::setup(&sources, &file, &files, &libraries, &mut notices)?;
+        let (setup, output, exercise) =
+            assemble::setup(&sources, &file, &files, &libraries, &mut notices)?;
         forget_repeated(&mut notices);
         let title =
             file.item("title").map_or_else(|| stem(file_name), |item| item.text().to_owned());
         let output_gives = ["interval", "tables"]
             .map(|key| file.item("output").is_some_and(|item| item.table().item(key).is_some()));
-        Ok(Scenario { title, report: report(&file), setup, output, output_gives, notices })
+        let report = report(&file);
+        Ok(Scenario { title, report, setup, exercise, output, output_gives, notices })
     }
 
     /// The result tables of a run of so many steps in place of the file's duration, as of a session that people ended when they

@@ -1,4 +1,6 @@
 //! The JSON Schema against the reader: both accept and refuse the same files, key by key.
+// The scenario with all keys is one macro.
+#![recursion_limit = "256"]
 
 use std::path::{Path, PathBuf};
 
@@ -159,6 +161,7 @@ fn fulls() -> Vec<Json> {
     }
     by_wall["body"]["coaster"]["approach"]["abnormal"] = json!({ "speed_factor": 1.25 });
     let mut on_dolphins = full();
+    on_dolphins["exercise"]["berth"] = json!("b");
     on_dolphins["body"]["coaster"].as_object_mut().unwrap().remove("approach");
     for row in on_dolphins["fender_row"].as_object_mut().unwrap().values_mut() {
         let row = row.as_object_mut().unwrap();
@@ -194,6 +197,26 @@ fn fulls() -> Vec<Json> {
 
 fn pile() -> Json {
     json!({ "stiffness": "5 MN/m", "mass": "60 t", "yield_load": "1500 kN", "damping": 0.02 })
+}
+
+fn exercise() -> Json {
+    json!({
+        "task": "make her fast", "vessel": "d", "goal": "all_fast", "berth": "long quay",
+        "lines": ["spring", "breast"], "at_least": 1, "least_tension": "10 kN", "most_tension": "400 kN",
+        "distance": "0.4 m", "rest_speed": "0.1 kn", "hold": 20, "time_limit": "1 h", "pass_mark": 70,
+        "limit": {
+            "approach_speed": { "most": 0.15, "worst": 0.3, "points": 20, "fails": true, "within": "50 m" },
+            "ahead_speed": { "most": 0.3, "worst": 1, "points": 20, "fails": false, "within": 20 },
+            "angle": { "most": "3 deg", "worst": "6 deg", "points": 20, "fails": false, "within": 20 },
+            "engine": { "most": 0.3, "worst": 1, "points": 20, "fails": false, "within": 20 },
+            "fender": { "most": "80 %", "worst": "120 %", "points": 20, "fails": false },
+            "line": { "most": "50 %", "worst": 1, "points": 20, "fails": false },
+            "clearance": { "least": 2, "worst": 1, "points": 20, "fails": false },
+            "under_keel": { "least": 2, "worst": 1, "points": 20, "fails": false },
+            "touch": { "points": 50, "fails": true },
+            "time": { "most": "30 min", "worst": "1 h", "points": 20, "fails": false }
+        }
+    })
 }
 
 fn tubes() -> Json {
@@ -389,6 +412,7 @@ fn full() -> Json {
         "line_handling": {
             "gangs": 1, "heaving_line": 25, "time": 70, "boat": true, "boat_speed": "2 kn"
         },
+        "exercise": exercise(),
         "order": [
             { "vessel": "d", "at": "1 s", "rudder": "10 deg" },
             { "vessel": "d", "engine": 0.5 },
@@ -708,6 +732,10 @@ fn examples_are_accepted() {
                 "/body/a/outline",
                 "/bollard",
                 "/order/16/send/bollard",
+                // A berth has fenders.
+                "/exercise/vessel",
+                "/exercise/berth",
+                "/exercise/lines",
                 // A boat's speed goes with a boat.
                 "/line_handling/boat",
             ];

@@ -56,10 +56,11 @@ pub(crate) async fn serve(mut socket: WebSocket, hub: Arc<Hub>, role: Role) {
     let client = hub.new_client();
     let (hello, greeted) = watch::channel(None);
     let (out, answers) = mpsc::channel(MOST_ANSWERS);
+    let is_instructor = role == Role::Instructor;
     if !hub.send_to_engine(ToEngine::Join { client, role, hello, out }) {
         return;
     }
-    let ended = exchange(&mut socket, &hub, client, greeted, answers).await;
+    let ended = exchange(&mut socket, &hub, (client, is_instructor), greeted, answers).await;
     hub.send_to_engine(ToEngine::Leave { client });
     if let Some(reason) = ended {
         hub.log.refused(&format!("closed client {client}: {reason}"));
@@ -71,7 +72,7 @@ pub(crate) async fn serve(mut socket: WebSocket, hub: Arc<Hub>, role: Role) {
 async fn exchange(
     socket: &mut WebSocket,
     hub: &Arc<Hub>,
-    client: ClientId,
+    (client, is_instructor): (ClientId, bool),
     mut greeted: watch::Receiver<Option<Text>>,
     mut answers: mpsc::Receiver<Text>,
 ) -> Option<&'static str> {
@@ -109,7 +110,7 @@ async fn exchange(
             changed = async { if is_greeted { frames.changed().await } else { pending().await } } => {
                 changed.ok()?;
                 let published = frames.borrow_and_update().clone();
-                published.map(|published| frame_for(&published, &mut last_event))
+                published.map(|published| frame_for(&published, &mut last_event, is_instructor))
             }
             changed = predictions.changed() => {
                 changed.ok()?;
@@ -135,12 +136,13 @@ async fn exchange(
     }
 }
 
-/// A frame with the events that this client does not have yet.
-fn frame_for(published: &Published, last_event: &mut u64) -> String {
+/// A frame with the events that this client does not have yet, and for an instructor with the marks of the exercise.
+fn frame_for(published: &Published, last_event: &mut u64, is_instructor: bool) -> String {
     let new = published.events.iter().filter(|(number, _)| *number > *last_event);
     let new: Vec<_> = new.map(|(_, event)| event.clone()).collect();
     *last_event = published.events.last().map_or(*last_event, |(number, _)| *number);
-    message::with_events(&published.frame, &new)
+    let marks = published.marks.as_deref().filter(|_| is_instructor);
+    message::with_events(&published.frame, &new, marks)
 }
 
 /// What follows from a message of the client.

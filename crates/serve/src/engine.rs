@@ -177,6 +177,7 @@ impl Engine {
     /// One step of the session.
     fn tick(&mut self) {
         let was_rewound = self.session.is_rewound();
+        let was_open = self.exercise_is_open();
         if let Err(e) = self.session.step() {
             self.paused = true;
             let hint = match &e {
@@ -189,10 +190,19 @@ impl Engine {
             self.paused = true;
             self.notify_all("The recorded part has ended: resume to go on from here.");
         }
+        if was_open && !was_rewound && !self.exercise_is_open() {
+            self.paused = true;
+            self.notify_all("The exercise has ended: resume to go on without marks.");
+        }
         self.record();
         if self.paused || self.published.elapsed() >= BETWEEN_FRAMES {
             self.publish_frame();
         }
+    }
+
+    /// True while an exercise goes on.
+    fn exercise_is_open(&self) -> bool {
+        self.session.exercise().is_some_and(|exercise| exercise.state().ended_s().is_none())
     }
 
     /// Publishes the present state to all clients.
@@ -212,7 +222,9 @@ impl Engine {
         };
         let frame = self.session.frame(unix_ms(), run);
         let frame = message::text(&frame).into();
-        self.hub.frames.send_replace(Some(Published { frame, events: self.events.latest() }));
+        let marks = self.session.exercise_marks().map(|marks| message::text(&marks).into());
+        let events = self.events.latest();
+        self.hub.frames.send_replace(Some(Published { frame, events, marks }));
         self.published = Instant::now();
     }
 }

@@ -32,6 +32,8 @@ pub(crate) type Sentences = Option<Arc<[String]>>;
 pub(crate) struct Published {
     pub(crate) frame: Text,
     pub(crate) events: Arc<[(u64, EventNow)]>,
+    /// The marks of the exercise, for instructors.
+    pub(crate) marks: Option<Text>,
 }
 
 /// A message to the simulation's thread.

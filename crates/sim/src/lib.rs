@@ -146,7 +146,9 @@
 //! | heave, roll and pitch | [`attitude`] |
 //! | tugs as force vectors | [`tug`] |
 //! | controllers for heading, position and thrust | [`control`] |
+//! | the line through a berth's fenders, and how a ship lies to it | [`berth`] |
 //! | berthing energy by PIANC's formulas | [`berthing`] |
+//! | exercises: goal, limits and score | [`exercise`] |
 //! | forces from other programs | [`external`] |
 //! | energies of a step and of a run | `record.rs`, [`ContactEnergy`], [`Energy`] |
 //!
@@ -162,10 +164,12 @@
 #![forbid(unsafe_code)]
 
 pub mod attitude;
+pub mod berth;
 pub mod berthing;
 pub mod constants;
 pub mod control;
 pub mod environment;
+pub mod exercise;
 pub mod external;
 pub mod hydro;
 

@@ -77,7 +77,7 @@ impl Run {
     /// # Errors
     /// A mistake in the scenario; one that needs another program to compute forces; a set-up that cannot be simulated.
     pub fn new(source: &Source<'_>, wanted: Wanted) -> Result<Run, Problem> {
-        let Scenario { title, report, setup, output, notices, .. } = parse(source)?;
+        let Scenario { title, report, setup, exercise, output, notices, .. } = parse(source)?;
         if !setup.world.providers.is_empty() {
             return Err(Problem::new(
                 "setup",
@@ -99,7 +99,7 @@ impl Run {
             world: WorldTotals::new(simulation.setup()),
             tables,
             kept: vec![],
-            watched: Watched::new(simulation, title.clone(), file.clone()),
+            watched: Watched::new(simulation, exercise, title.clone(), file.clone()),
             title,
             file,
             states: Rows::default(),
@@ -269,6 +269,7 @@ impl Run {
             report: &self.report,
             scenario_file: &self.file,
             session: None,
+            exercise: self.watched.exercise(),
             setup,
             notices: &notices,
             interrupted: (!simulation.is_done()).then(|| Interrupted::of(simulation)),

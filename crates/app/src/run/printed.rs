@@ -54,6 +54,7 @@ pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile
     text.push_str(&super::world::lines(outcome));
     text.push('\n');
     text.push_str(&super::verdict::lines(outcome));
+    text.push_str(&super::exercise::lines(outcome));
     text.push('\n');
     let names: Vec<String> = files.iter().map(described).collect();
     let _ = writeln!(text, "in {}: {}", folder.display(), names.join(", "));

@@ -3,7 +3,7 @@
 use fenderline_contact::number::greater;
 use fenderline_sim::Simulation;
 
-use crate::alarm_book::{Alarm, Level, TOUCH};
+use crate::alarm_book::{Alarm, FENDER, Level, TOUCH};
 use crate::approach::{ApproachLimit, Light};
 use crate::info::Info;
 use crate::message::{ContactNow, FenderNow, LineNow, TugNow, VesselNow};
@@ -112,10 +112,10 @@ fn fenders(of: &Input<'_>, all: &mut Vec<Alarm>) {
     for (fender, now) in of.info.fenders.iter().zip(of.fenders) {
         let (name, share) = (&*fender.name, greater(now.of_energy, now.of_reaction));
         if now.failed {
-            all.push(alarm("fender", &[name], format!("Fender {name} has failed")));
+            all.push(alarm(FENDER, &[name], format!("Fender {name} has failed")));
         } else if share >= FENDER_CAUTION {
             let text = format!("Fender {name}: {:.0} % of its rating", 100.0 * share);
-            all.push(of_level(alarm_if(share >= 1.0), "fender", &[name], text));
+            all.push(of_level(alarm_if(share >= 1.0), FENDER, &[name], text));
         }
     }
 }

@@ -1,11 +1,12 @@
 //! The docking board's signals for each end of a ship, from contacts and the position of the berth. Distance alone is not
 //! enough: a hull behind the line of the fenders may lie at a fender, between fenders, or on the quay.
 
-use fenderline_contact::number::{greater, lesser};
+use fenderline_contact::number::greater;
 use fenderline_contact::{Rotation, Vec2, vec2};
+use fenderline_sim::FenderSetup;
+use fenderline_sim::berth::{Berth, Lie};
 
 use crate::approach::Light;
-use crate::berth::{Berth, Ends};
 use crate::message::{BerthEnd, ContactNow, FenderNow, Lamp, Pair, VesselNow};
 
 use super::BoardInput;
@@ -29,6 +30,7 @@ pub(super) fn lamp(end: BerthEnd, speed: Light) -> Lamp {
         BerthEnd::NoFender => (Light::Caution, "NO FENDER"),
         BerthEnd::PastEnd => (Light::Caution, "PAST END"),
         BerthEnd::Touched => (Light::Caution, "TOUCHED"),
+        BerthEnd::WasOverRated => (Light::Caution, "FENDER WAS OVER"),
         BerthEnd::OverRated => (Light::Alarm, "FENDER LIMIT"),
         BerthEnd::Structure => (Light::Alarm, "STRUCTURE"),
     };
@@ -47,7 +49,7 @@ pub(super) fn ends(
     let body = setup.world.vessels[vessel].body;
     let states = of.simulation.states();
     let outline = &setup.bodies[body].outline;
-    let ends = berth.ends(&states[berth.body], outline, &states[body]);
+    let ends = berth.lie(&states[berth.body], outline, &states[body]);
     let ours: Vec<_> = of.contacts.iter().filter(|c| c.bodies.contains(&body)).collect();
     let at_berth = |contact: &ContactNow| contact.bodies.contains(&berth.body);
     let is_carried = ours.iter().any(|contact| contact.fender.is_some() && at_berth(contact));
@@ -57,12 +59,18 @@ pub(super) fn ends(
     };
     let was_touched = of.book.has_open_touch(&setup.bodies[body].name, on_structure);
     let quay = Rotation::from_angle(states[berth.body].heading_rad);
-    let failed: Vec<Vec2> = setup
-        .fenders
-        .iter()
-        .zip(of.fenders)
-        .filter(|(fender, now)| fender.body == berth.body && now.failed)
-        .map(|(fender, _)| states[berth.body].position_m + quay.apply(fender.position_m))
+    let at_berth_fenders = || {
+        let all = setup.fenders.iter().zip(of.fenders);
+        all.filter(|(fender, _)| fender.body == berth.body)
+    };
+    let place =
+        |fender: &FenderSetup| states[berth.body].position_m + quay.apply(fender.position_m);
+    let failed: Vec<Vec2> =
+        at_berth_fenders().filter(|(_, now)| now.failed).map(|(fender, _)| place(fender)).collect();
+    // Beyond their rating before, and nobody has acknowledged it.
+    let were_over: Vec<Vec2> = at_berth_fenders()
+        .filter(|(fender, _)| of.book.has_open_fender(&fender.name))
+        .map(|(fender, _)| place(fender))
         .collect();
     let by_place = [lies.bow_m, lies.stern_m];
     std::array::from_fn(|end| {
@@ -72,11 +80,14 @@ pub(super) fn ends(
         } else if by_place[end] < -AT_FENDERS_M {
             worst = BerthEnd::NoFender;
         }
-        if is_past_the_end(berth, &ends, end) {
+        if berth.is_past_the_end(&ends, end) {
             worst = worst.max(BerthEnd::PastEnd);
         }
         if was_touched {
             worst = worst.max(BerthEnd::Touched);
+        }
+        if were_over.iter().any(|&at_m| is_at(&ends, end, at_m)) {
+            worst = worst.max(BerthEnd::WasOverRated);
         }
         // A failed fender is an alarm, touched or not.
         if failed.iter().any(|&at_m| is_at(&ends, end, at_m)) {
@@ -103,7 +114,7 @@ fn is_over_rated(fender: &FenderNow) -> bool {
 
 /// True if a point belongs to an end: all points but those in the other end's third of the side. A point in the middle, such as
 /// that of a patch along the whole side, belongs to both ends.
-fn is_at(ends: &Ends, end: usize, at_m: Vec2) -> bool {
+fn is_at(ends: &Lie, end: usize, at_m: Vec2) -> bool {
     let [this, other] = [ends.at_m[end], ends.at_m[1 - end]];
     let side = this - other;
     (at_m - other).dot(side) > side.dot(side) / 3.0
@@ -111,18 +122,4 @@ fn is_at(ends: &Ends, end: usize, at_m: Vec2) -> bool {
 
 fn of_pair(at: Pair) -> Vec2 {
     vec2(at[0], at[1])
-}
-
-/// True if an end is farther past the last fender than the distance between fenders: the line through the fenders has no
-/// fender there. At dolphins a ship's ends are usually past the last one, but by less. With a single fender both ends are past
-/// it; then this is true where the fender is not abreast of her side.
-fn is_past_the_end(berth: &Berth, ends: &Ends, end: usize) -> bool {
-    let [bow_m, stern_m] = ends.along_m;
-    match berth.apart_m {
-        Some(apart_m) => {
-            let at_m = ends.along_m[end];
-            at_m < -apart_m || at_m > ends.length_m + apart_m
-        }
-        None => lesser(bow_m, stern_m) > 0.0 || greater(bow_m, stern_m) < 0.0,
-    }
 }

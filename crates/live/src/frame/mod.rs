@@ -9,6 +9,7 @@ mod vessel;
 
 use fenderline_contact::Vec2;
 use fenderline_contact::number::{greater, lesser};
+use fenderline_sim::berth::Berth;
 use fenderline_sim::mooring::WinchOrder;
 use fenderline_sim::order::{TugWord, Word};
 use fenderline_sim::tug::TugOrder;
@@ -16,8 +17,8 @@ use fenderline_sim::{Mooring, MooringSetup, Simulation, TugAtWork, TugSetup};
 
 use crate::alarm_book::{Alarm, AlarmBook};
 use crate::approach::ApproachLimit;
-use crate::berth::Berth;
 use crate::cast::Cast;
+use crate::exercise;
 use crate::info::Info;
 use crate::message::{
     BranchNow, ContactNow, CurrentNow, FenderNow, Frame, LineNow, RunState, TugNow, VesselNow,
@@ -117,6 +118,7 @@ pub(crate) fn frame(now: &Now, cast: &Cast, info: &Info, at_ms: u64, run: RunSta
         approach_mps: now.approach.at_fenders_mps,
         alarms: now.alarms.messages(),
         verdict: verdict(simulation),
+        exercise: now.exercise.as_ref().map(|exercise| exercise::now(exercise, t_s)),
     }
 }
 

@@ -1,18 +1,19 @@
 //! The present state of a vessel, for a frame.
 
 use fenderline_contact::Rotation;
+use fenderline_sim::berth::Berth;
 use fenderline_sim::order::{SidePlace, TugWord, Word};
 use fenderline_sim::{Job, Pilots};
 
 use crate::action::Fault;
-use crate::berth::Berth;
+use crate::berth;
 use crate::cast::Cast;
 use crate::message::{AssistNow, AssistState, AzimuthNow, RudderNow, ShareNow, VesselNow};
 use crate::session::Now;
 
 /// The present state of a vessel. Speeds over ground and through the water are those of midship; lateral speeds are those of
 /// the foremost and aftmost points of her outline.
-pub(super) fn now(all: &Now, cast: &Cast, index: usize, berth: Option<&Berth>) -> VesselNow {
+pub(super) fn now(all: &Now, cast: &Cast, index: usize, at: Option<&Berth>) -> VesselNow {
     let simulation = &all.simulation;
     let setup = simulation.setup();
     let environment = &setup.world.environment;
@@ -51,9 +52,9 @@ pub(super) fn now(all: &Now, cast: &Cast, index: usize, berth: Option<&Berth>) -
         under_keel_m: vessel.under_keel_m,
         aground: vessel.aground,
         // A berth has no distance from the body that carries it.
-        berth: berth
-            .filter(|berth| berth.body != of.body)
-            .map(|berth| berth.seen_from(&simulation.states()[berth.body], &body.outline, state)),
+        berth: at
+            .filter(|at| at.body != of.body)
+            .map(|at| berth::seen_from(at, &simulation.states()[at.body], &body.outline, state)),
         assist: vessel
             .pilots
             .assist

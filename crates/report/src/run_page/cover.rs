@@ -5,7 +5,7 @@ use maud::{Markup, html};
 
 use super::governing::{Governing, governing};
 use super::tables::{TONNE_N, number};
-use super::{Recorder, approach, scene, session, verdict};
+use super::{Recorder, approach, exercise, scene, session, verdict};
 use crate::plot::{decimals_for, fenders_legend, fixed, ordinal, outlined_legend, significant};
 use crate::words::interrupted_text;
 use crate::{Head, table_head};
@@ -23,6 +23,7 @@ pub(super) fn cover(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
             (details(outcome))
             (approach::sentences(outcome))
             (verdict::headline(outcome))
+            (exercise::headline(outcome))
             @if let Some(interrupted) = &outcome.interrupted {
                 p { strong { "Interrupted: " } (interrupted_text(interrupted)) "." }
             }

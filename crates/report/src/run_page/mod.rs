@@ -7,6 +7,7 @@ mod berthing;
 mod charts;
 mod cover;
 mod energy;
+mod exercise;
 mod fenders;
 mod governing;
 mod parts;
@@ -54,6 +55,7 @@ pub fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
         (tables::results(outcome))
         (remarks(outcome))
         (vessels::remarks(outcome))
+        (exercise::section(outcome))
         (session::section(outcome))
         (system::section(outcome, recorder))
         (fenders::section(outcome, recorder))

@@ -58,6 +58,7 @@ fn picture(outcome: &Outcome<'_>, session: &RecordedSession) -> Markup {
     let (_, unit_s) = charts.unit();
     let end_s = charts.end_s();
     let mut notes: Vec<Span> = Vec::new();
+    let mut deductions: Vec<Span> = Vec::new();
     let mut people: Vec<Lane> = Vec::new();
     let mut alarms: Vec<(&str, Lane)> = Vec::new();
     for line in &session.log {
@@ -78,8 +79,12 @@ fn picture(outcome: &Outcome<'_>, session: &RecordedSession) -> Markup {
                 }
             }
             LogKind::Note => notes.push(mark),
+            LogKind::Deduction => deductions.push(mark),
             LogKind::Acknowledgement | LogKind::Event => {}
         }
+    }
+    if !deductions.is_empty() {
+        people.insert(0, lane("exercise: deductions", false, deductions));
     }
     if !notes.is_empty() {
         people.insert(0, lane("notes", false, notes));
@@ -91,7 +96,7 @@ fn picture(outcome: &Outcome<'_>, session: &RecordedSession) -> Markup {
     people.truncate(LANES);
     alarms.truncate(LANES);
     let mut note =
-        "Marks: commands and notes. Dark red: alarms; amber: cautions; the text is that of the first. Full bar: active and not \
+        "Marks: commands, notes, and when a limit of the exercise was exceeded first. Dark red: alarms; amber: cautions; the text is that of the first. Full bar: active and not \
          acknowledged. Faint bar: active, acknowledged. Dashed outline: the cause is over, but nobody has acknowledged it."
             .to_owned();
     if left_out > 0 {
@@ -162,9 +167,14 @@ fn list(log: &[LogLine]) -> Markup {
 
 fn lasted(line: &LogLine) -> String {
     match (line.kind, line.until_s) {
-        (LogKind::Command | LogKind::Acknowledgement | LogKind::Note | LogKind::Event, _) => {
-            String::new()
-        }
+        (
+            LogKind::Command
+            | LogKind::Acknowledgement
+            | LogKind::Note
+            | LogKind::Deduction
+            | LogKind::Event,
+            _,
+        ) => String::new(),
         (_, Some(until_s)) => fixed(until_s - line.t_s, 1),
         (_, None) => "to the end".to_owned(),
     }
@@ -180,7 +190,7 @@ fn acknowledged(line: &LogLine) -> String {
 }
 
 /// Minutes and seconds since the start.
-fn clock(t_s: f64) -> String {
+pub(super) fn clock(t_s: f64) -> String {
     let tenths = libm::round(t_s * 10.0);
     let minutes = libm::floor(tenths / 600.0);
     let seconds = (tenths - minutes * 600.0) / 10.0;

@@ -4,6 +4,7 @@ mod approach;
 mod berthing;
 mod dolphins;
 mod events;
+mod exercise;
 mod fenders;
 mod session;
 mod verdict;
@@ -21,6 +22,7 @@ use approach::approaches_json;
 use berthing::berthing_json;
 use dolphins::dolphins_json;
 use events::events_json;
+use exercise::exercise_json;
 use fenders::fenders_json;
 use session::session_json;
 use verdict::verdict_json;
@@ -95,6 +97,9 @@ pub fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<String, S
         "notices": outcome.notices,
         "files": files,
     });
+    if let Some(exercise) = outcome.exercise {
+        whole["exercise"] = exercise_json(exercise, setup);
+    }
     if let Some(session) = outcome.session {
         whole["session"] = session_json(session);
     }

@@ -234,4 +234,4 @@ pub(super) static LINE_HANDLING: TableSpec = TableSpec {
 };
 
 /// A number of gangs, or of lines at a bollard.
-const COUNT: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 100.0 };
+pub(super) const COUNT: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 100.0 };

@@ -5,7 +5,7 @@ use std::sync::{Arc, PoisonError};
 use std::time::Instant;
 
 use fenderline_live::message::{self, Hello, Link, Reply, Role};
-use fenderline_live::{COMMAND_LIMITS, Control};
+use fenderline_live::{COMMAND_LIMITS, Control, berth_info};
 use tokio::sync::{mpsc, watch};
 
 use super::Engine;
@@ -121,9 +121,10 @@ impl Engine {
                 .collect(),
             claims: &claims,
             gallery: self.gallery.entries(),
-            berth: self.session.info().berth.map(|berth| berth.info()),
+            berth: self.session.info().berth.as_ref().map(berth_info),
             depth_m: self.session.info().depth_m,
             chart: &self.session.info().chart,
+            exercise: self.session.exercise_info(),
             links: links.as_deref(),
         };
         of.hello.send_replace(Some(message::text(&hello).into()));

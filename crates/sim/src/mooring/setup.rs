@@ -93,7 +93,8 @@ impl LineKind {
     }
 
     /// Smallest break load of rope and tail (N).
-    pub(super) fn break_load_n(&self) -> f64 {
+    #[must_use]
+    pub fn break_load_n(&self) -> f64 {
         match self {
             LineKind::Light { main, tail } => lesser(
                 tail.as_ref().map_or(f64::INFINITY, |t| t.rope.break_load_n),

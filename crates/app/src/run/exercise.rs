@@ -1,0 +1,18 @@
+//! The exercise in the summary that `run` prints.
+
+use core::fmt::Write as _;
+
+use super::printed::one_line;
+use fenderline_report::plot::fixed;
+use fenderline_results::Outcome;
+
+/// The result in a line, and a line for each deduction; empty without an exercise.
+pub(super) fn lines(outcome: &Outcome<'_>) -> String {
+    let Some(exercise) = outcome.exercise else { return String::new() };
+    let mut text = format!("exercise: {}\n", exercise.sentence());
+    for deduction in exercise.deductions() {
+        let sentence = deduction.sentence(outcome.setup);
+        let _ = writeln!(text, "  -{}  {}", fixed(deduction.points, 1), one_line(&sentence));
+    }
+    text
+}

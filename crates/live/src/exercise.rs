@@ -1,0 +1,90 @@
+//! The exercise of a session, as pages see it.
+
+use fenderline_sim::Setup;
+use fenderline_sim::exercise::{Assessment, Deduction, State};
+
+use crate::message::{ConditionNow, ExerciseInfo, ExerciseMarks, ExerciseNow, LimitInfo, LimitNow};
+use crate::session::Session;
+
+impl Session {
+    /// The exercise, if the scenario has one.
+    #[must_use]
+    pub fn exercise(&self) -> Option<&Assessment> {
+        self.now().exercise.as_ref()
+    }
+
+    /// The constant part of the exercise, for pages.
+    #[must_use]
+    pub fn exercise_info(&self) -> Option<ExerciseInfo> {
+        self.exercise().map(|exercise| info(exercise, self.simulation().setup()))
+    }
+
+    /// The marks so far, for the instructor's page.
+    #[must_use]
+    pub fn exercise_marks(&self) -> Option<ExerciseMarks> {
+        self.exercise().map(|exercise| marks(exercise, self.simulation().setup()))
+    }
+}
+
+/// How an exercise ended, without its score; `None` while it goes on.
+pub(crate) fn ending(exercise: &Assessment) -> Option<&'static str> {
+    match exercise.state() {
+        State::Running => None,
+        State::Reached(_) => Some("The exercise has ended: its goal is reached"),
+        State::TimeOver(_) => Some("The exercise has ended: its time is over"),
+    }
+}
+
+/// The constant part of an exercise.
+pub(crate) fn info(exercise: &Assessment, setup: &Setup) -> ExerciseInfo {
+    let of = exercise.setup();
+    let ship = setup.world.vessels[of.vessel].body;
+    let limits = of.limits.iter().map(|limit| LimitInfo {
+        key: limit.measure.key(),
+        text: limit.measure.text(),
+        rule: limit.words(),
+        points: limit.points,
+        fails: limit.fails,
+    });
+    ExerciseInfo {
+        task: of.task.clone(),
+        ship: setup.bodies[ship].name.clone(),
+        goal: of.goal.iter().map(|condition| condition.words()).collect(),
+        hold_s: of.hold_s,
+        time_limit_s: of.time_limit_s.is_finite().then_some(of.time_limit_s),
+        pass_mark: of.pass_mark,
+        limits: limits.collect(),
+    }
+}
+
+/// The present state of an exercise: what everybody sees.
+pub(crate) fn now(exercise: &Assessment, t_s: f64) -> ExerciseNow {
+    let conditions = exercise.conditions().iter();
+    ExerciseNow {
+        state: exercise.state().word(),
+        ended_s: exercise.state().ended_s(),
+        held_s: exercise.held_s(exercise.state().ended_s().unwrap_or(t_s)),
+        conditions: conditions
+            .map(|of| ConditionNow { met: of.is_met, now: of.now.clone() })
+            .collect(),
+    }
+}
+
+/// Score and limits of an exercise: what the instructor sees.
+pub(crate) fn marks(exercise: &Assessment, setup: &Setup) -> ExerciseMarks {
+    let deductions: Vec<Deduction<'_>> = exercise.deductions().collect();
+    let limits = exercise.setup().limits.iter().zip(exercise.marks()).map(|(limit, mark)| {
+        let deduction = deductions.iter().find(|of| of.limit == limit);
+        LimitNow {
+            worst: mark.worst.map(|(value, ..)| limit.measure.value_text(value)),
+            exceeded: deduction.is_some(),
+            points: deduction.map_or(0.0, |of| of.points),
+            why: deduction.map(|of| of.sentence(setup)),
+        }
+    });
+    ExerciseMarks {
+        score: exercise.score(),
+        passed: exercise.is_passed(),
+        limits: limits.collect(),
+    }
+}

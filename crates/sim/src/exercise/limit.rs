@@ -1,0 +1,189 @@
+//! The limits of an exercise.
+
+use fenderline_contact::number::bounded;
+
+use super::words::{angle, force_share, metres, seconds, speed};
+
+/// What a limit is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Measure {
+    /// Speed of bow and stern towards the berth (m/s).
+    ApproachSpeed,
+    /// Speed of the ship along her axis, relative to the berth (m/s).
+    AheadSpeed,
+    /// Angle between ship and berth (rad).
+    Angle,
+    /// Revolutions of the engine over the full ones.
+    Engine,
+    /// Peak energy or reaction of a fender of the berth over the rated one; the larger share.
+    Fender,
+    /// Tension over break load of a line that is fast to the ship.
+    Line,
+    /// Distance of the hull from fixed structures other than the berth (m).
+    Clearance,
+    /// Water under the keel (m).
+    UnderKeel,
+    /// The hull touched a structure or another hull without a fender: 1, else 0.
+    Touch,
+    /// Time until the goal is reached (s).
+    Time,
+}
+
+impl Measure {
+    /// All measures.
+    pub const ALL: [Measure; 10] = [
+        Measure::ApproachSpeed,
+        Measure::AheadSpeed,
+        Measure::Angle,
+        Measure::Engine,
+        Measure::Fender,
+        Measure::Line,
+        Measure::Clearance,
+        Measure::UnderKeel,
+        Measure::Touch,
+        Measure::Time,
+    ];
+
+    /// The key in scenarios and results.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            Measure::ApproachSpeed => "approach_speed",
+            Measure::AheadSpeed => "ahead_speed",
+            Measure::Angle => "angle",
+            Measure::Engine => "engine",
+            Measure::Fender => "fender",
+            Measure::Line => "line",
+            Measure::Clearance => "clearance",
+            Measure::UnderKeel => "under_keel",
+            Measure::Touch => "touch",
+            Measure::Time => "time",
+        }
+    }
+
+    /// What it is, in words.
+    #[must_use]
+    pub fn text(self) -> &'static str {
+        match self {
+            Measure::ApproachSpeed => "Speed towards the berth",
+            Measure::AheadSpeed => "Speed ahead or astern",
+            Measure::Angle => "Angle to the berth",
+            Measure::Engine => "Engine",
+            Measure::Fender => "Load of a fender",
+            Measure::Line => "Load of a line",
+            Measure::Clearance => "Distance from structures",
+            Measure::UnderKeel => "Water under the keel",
+            Measure::Touch => "Touch without a fender",
+            Measure::Time => "Time to the goal",
+        }
+    }
+
+    /// A value in words.
+    #[must_use]
+    pub fn value_text(self, value: f64) -> String {
+        match self {
+            Measure::ApproachSpeed | Measure::AheadSpeed => speed(value),
+            Measure::Angle => angle(value),
+            Measure::Engine => format!("{:.0} % of full", 100.0 * value),
+            Measure::Fender => format!("{:.0} % of rated", 100.0 * value),
+            Measure::Line => force_share(value),
+            Measure::Clearance | Measure::UnderKeel => metres(value),
+            Measure::Touch if value > 0.0 => "touched".to_owned(),
+            Measure::Touch => "none".to_owned(),
+            Measure::Time => seconds(value),
+        }
+    }
+
+    /// The unit of values in results; empty for a plain number.
+    #[must_use]
+    pub fn unit(self) -> &'static str {
+        match self {
+            Measure::ApproachSpeed | Measure::AheadSpeed => "m/s",
+            Measure::Angle => "rad",
+            Measure::Clearance | Measure::UnderKeel => "m",
+            Measure::Time => "s",
+            Measure::Engine | Measure::Fender | Measure::Line | Measure::Touch => "",
+        }
+    }
+
+    /// True if values below the bound exceed the limit.
+    #[must_use]
+    pub fn is_least(self) -> bool {
+        matches!(self, Measure::Clearance | Measure::UnderKeel)
+    }
+
+    /// True if it counts only near the berth, so that the limit has a distance.
+    #[must_use]
+    pub fn is_near_berth(self) -> bool {
+        matches!(
+            self,
+            Measure::ApproachSpeed | Measure::AheadSpeed | Measure::Angle | Measure::Engine
+        )
+    }
+
+    /// True if it needs a berth.
+    #[must_use]
+    pub fn needs_berth(self) -> bool {
+        self.is_near_berth() || self == Measure::Fender
+    }
+
+    /// True if the excess has a length: the value is that of the moment. The others are peaks that stay.
+    #[must_use]
+    pub fn is_momentary(self) -> bool {
+        !matches!(self, Measure::Fender | Measure::Time)
+    }
+}
+
+/// A limit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limit {
+    /// What it is about.
+    pub measure: Measure,
+    /// The value up to which nothing is deducted; for a least value, down to which. In the unit of the measure.
+    pub bound: f64,
+    /// The value at which all points are deducted.
+    pub worst: f64,
+    /// The points.
+    pub points: f64,
+    /// The exercise is failed if the limit is exceeded.
+    pub fails: bool,
+    /// The limit counts while the ship is abreast of the berth and an end of hers is this near to it (m); infinite: everywhere.
+    pub within_m: f64,
+}
+
+impl Limit {
+    /// True if a value exceeds the limit.
+    #[must_use]
+    pub fn is_exceeded_by(&self, value: f64) -> bool {
+        if self.measure.is_least() { value < self.bound } else { value > self.bound }
+    }
+
+    /// Points for a value: none at the bound, all at the worst value and beyond it, in proportion between them.
+    #[must_use]
+    pub fn points_at(&self, value: f64) -> f64 {
+        if !self.is_exceeded_by(value) {
+            return 0.0;
+        }
+        let span = self.worst - self.bound;
+        if span == 0.0 {
+            return self.points;
+        }
+        let share = (value - self.bound) / span;
+        self.points * bounded(share, 0.0, 1.0)
+    }
+
+    /// The limit in words.
+    #[must_use]
+    pub fn words(&self) -> String {
+        let bound = self.measure.value_text(self.bound);
+        let rule = match self.measure {
+            Measure::Touch => "not allowed".to_owned(),
+            _ if self.measure.is_least() => format!("at least {bound}"),
+            _ => format!("at most {bound}"),
+        };
+        if self.within_m.is_finite() {
+            return format!("{rule} within {} of the berth", metres(self.within_m));
+        }
+        rule
+    }
+}

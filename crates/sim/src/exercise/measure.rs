@@ -1,0 +1,156 @@
+//! The present value of each measure of an exercise.
+
+use fenderline_contact::number::{greater, lesser};
+
+use super::ExerciseSetup;
+use super::clearance::distance_m;
+use super::limit::{Limit, Measure};
+use crate::berth::Lie;
+use crate::setup::Setup;
+use crate::simulation::Simulation;
+use crate::world::LineEnd;
+
+/// What a value belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// The ship as a whole.
+    Ship,
+    /// Her bow.
+    Bow,
+    /// Her stern.
+    Stern,
+    /// A fender: an index into [`Setup::fenders`].
+    Fender(usize),
+    /// A line: an index into [`crate::WorldSetup::lines`].
+    Line(usize),
+    /// A body: an index into [`Setup::bodies`].
+    Body(usize),
+}
+
+impl Subject {
+    /// Its name.
+    #[must_use]
+    pub fn name(self, setup: &Setup) -> String {
+        match self {
+            Subject::Ship => "ship".to_owned(),
+            Subject::Bow => "bow".to_owned(),
+            Subject::Stern => "stern".to_owned(),
+            Subject::Fender(fender) => setup.fenders[fender].name.clone(),
+            Subject::Line(line) => setup.world.lines[line].line.name.clone(),
+            Subject::Body(body) => setup.bodies[body].name.clone(),
+        }
+    }
+}
+
+/// The worst present value that a limit is about, and what it belongs to; `None` while there is none, as far from the berth.
+pub(super) fn worst_now(
+    limit: &Limit,
+    exercise: &ExerciseSetup,
+    simulation: &Simulation,
+    lie: Option<&Lie>,
+) -> Option<(f64, Subject)> {
+    if limit.within_m.is_finite() && !is_near(limit.within_m, exercise, simulation, lie?) {
+        return None;
+    }
+    let body = simulation.setup().world.vessels[exercise.vessel].body;
+    let vessel = &simulation.vessels()[exercise.vessel];
+    match limit.measure {
+        Measure::ApproachSpeed => {
+            let lie = lie?;
+            let ends = [Subject::Bow, Subject::Stern].into_iter().enumerate();
+            let near = ends.filter(|(end, _)| lie.off_m[*end] < limit.within_m);
+            largest(near.map(|(end, subject)| (lie.closing_mps[end], subject)))
+        }
+        Measure::AheadSpeed => Some((lie?.ahead_mps.abs(), Subject::Ship)),
+        Measure::Angle => Some((lie?.angle_rad.abs(), Subject::Ship)),
+        Measure::Engine => {
+            let stop = simulation.setup().world.vessels[exercise.vessel].shaft.stop;
+            let azimuths = vessel.azimuths.iter().map(|unit| unit.power.value.abs());
+            let shaft = if stop > 0.0 { (vessel.shaft.value / stop).abs() } else { 0.0 };
+            Some((azimuths.fold(shaft, greater), Subject::Ship))
+        }
+        Measure::Fender => fender(exercise, simulation),
+        Measure::Line => line(body, simulation),
+        Measure::Clearance => clearance(body, exercise, simulation),
+        Measure::UnderKeel => Some((vessel.under_keel_m?, Subject::Ship)),
+        Measure::Touch => Some(touch(body, simulation)),
+        Measure::Time => Some((simulation.time_s(), Subject::Ship)),
+    }
+}
+
+fn largest(of: impl Iterator<Item = (f64, Subject)>) -> Option<(f64, Subject)> {
+    // The first of equal values.
+    of.reduce(|best, next| if next.0 > best.0 { next } else { best })
+}
+
+/// True if the ship is abreast of the berth and an end of hers is within a distance of it.
+fn is_near(within_m: f64, exercise: &ExerciseSetup, simulation: &Simulation, lie: &Lie) -> bool {
+    let Some(berth) = &exercise.berth else { return false };
+    let setup = simulation.setup();
+    let body = setup.world.vessels[exercise.vessel].body;
+    let states = simulation.states();
+    let (on, outline) = (&states[berth.body], &setup.bodies[body].outline);
+    lesser(lie.off_m[0], lie.off_m[1]) < within_m
+        && berth.is_near(on, outline, &states[body], f64::INFINITY)
+}
+
+/// The largest share so far of the fenders on the body of the berth.
+fn fender(exercise: &ExerciseSetup, simulation: &Simulation) -> Option<(f64, Subject)> {
+    let on = exercise.berth?.body;
+    let fenders = &simulation.setup().fenders;
+    let at_berth = simulation.fender_summaries().filter(|of| fenders[of.fender].body == on);
+    largest(at_berth.map(|of| {
+        let shares = of.share_of_rated_energy.into_iter().chain(of.share_of_largest_reaction);
+        (shares.fold(0.0, greater), Subject::Fender(of.fender))
+    }))
+}
+
+/// The largest tension over break load of the lines that are fast to the ship.
+fn line(body: usize, simulation: &Simulation) -> Option<(f64, Subject)> {
+    let world = &simulation.setup().world;
+    let lines = simulation.lines().iter().zip(&world.lines).enumerate();
+    let fast = lines.filter(|(_, (line, setup))| {
+        let far = match line.end(setup, &world.bollards) {
+            Some(LineEnd::OnBody { body, .. }) => Some(body),
+            Some(LineEnd::Fixed(_)) | None => None,
+        };
+        line.line.is_some() && (setup.ship == body || far == Some(body))
+    });
+    largest(fast.map(|(index, (line, setup))| {
+        (line.load.tension_n / setup.line.kind.break_load_n(), Subject::Line(index))
+    }))
+}
+
+/// The least distance of the hull from a fixed body that is not her berth.
+fn clearance(
+    body: usize,
+    exercise: &ExerciseSetup,
+    simulation: &Simulation,
+) -> Option<(f64, Subject)> {
+    let (setup, states) = (simulation.setup(), simulation.states());
+    let berth = exercise.berth.map(|berth| berth.body);
+    let own = (&setup.bodies[body].outline, states[body].pose());
+    let mut best: Option<(f64, Subject)> = None;
+    for (index, other) in setup.bodies.iter().enumerate() {
+        if !other.is_fixed() || Some(index) == berth {
+            continue;
+        }
+        let nearer_m = best.map_or(f64::INFINITY, |(least_m, _)| least_m);
+        let found_m = distance_m(own, (&other.outline, states[index].pose()), nearer_m);
+        if found_m < nearer_m {
+            best = Some((found_m, Subject::Body(index)));
+        }
+    }
+    best
+}
+
+/// 1 and the body that the hull touches without a fender in this step; 0 without such a touch.
+fn touch(body: usize, simulation: &Simulation) -> (f64, Subject) {
+    for contact in simulation.contacts().iter().filter(|contact| contact.fender.is_none()) {
+        let bodies = [contact.body_1.0 as usize, contact.body_2.0 as usize];
+        if let Some(at) = bodies.iter().position(|&of| of == body) {
+            return (1.0, Subject::Body(bodies[1 - at]));
+        }
+    }
+    (0.0, Subject::Ship)
+}
