@@ -2,6 +2,7 @@
 
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,7 +18,7 @@ HEADINGS = [0.0, math.radians(60), math.radians(120), math.pi]
 
 
 @pytest.fixture(scope="module")
-def dataset():
+def dataset() -> Any:
     """A coarse box barge of 40 m in deep water: some seconds."""
     cpt.set_logging("ERROR")
     mesh = cpt.mesh_parallelepiped(
@@ -45,13 +46,13 @@ def dataset():
     return cpt.assemble_dataset(results)
 
 
-def converted(dataset):
+def converted(dataset: Any) -> hydrodynamics.Hydrodynamics:
     inertia = np.diag(dataset["inertia_matrix"].sel(influenced_dof=DOFS, radiating_dof=DOFS).values)
-    gyradii = tuple(float(math.sqrt(inertia[k] / inertia[0])) for k in (3, 4, 5))
-    return hydrodynamics.from_capytaine(dataset, gravity_above_water_m=0.5, gyradii_m=gyradii)
+    roll, pitch, yaw = (float(math.sqrt(inertia[k] / inertia[0])) for k in (3, 4, 5))
+    return hydrodynamics.from_capytaine(dataset, gravity_above_water_m=0.5, gyradii_m=(roll, pitch, yaw))
 
 
-def motion(data, omega, heading_deg):
+def motion(data: hydrodynamics.Hydrodynamics, omega: float, heading_deg: float) -> Any:
     """The frequency-domain motion in a wave of 1 m by the converted data."""
     mass = np.diag([data.mass_kg] * 3 + [data.mass_kg * k * k for k in data.gyradii_m])
     restoring = np.zeros((6, 6))
@@ -64,7 +65,7 @@ def motion(data, omega, heading_deg):
     return np.linalg.solve(matrix, np.array(data.excitation[omega, heading_deg]))
 
 
-def test_motions_of_converted_data_are_those_of_capytaine(dataset):
+def test_motions_of_converted_data_are_those_of_capytaine(dataset: Any) -> None:
     data = converted(dataset)
     own = cpt.post_pro.rao(dataset.sel(omega=OMEGAS))
     for omega in OMEGAS:
@@ -79,7 +80,7 @@ def test_motions_of_converted_data_are_those_of_capytaine(dataset):
             assert np.abs(found - mirror * SIGNS * expected.conj()).max() < 2e-3 * scale
 
 
-def test_wamit_files_of_capytaine_give_the_same_data(dataset, tmp_path: Path):
+def test_wamit_files_of_capytaine_give_the_same_data(dataset: Any, tmp_path: Path) -> None:
     cpt.export_dataset(tmp_path / "barge", dataset, format="wamit")
     data = converted(dataset)
     # Capytaine writes numbers with dimensions over rho and g.
@@ -102,7 +103,7 @@ def test_wamit_files_of_capytaine_give_the_same_data(dataset, tmp_path: Path):
         np.testing.assert_allclose(waves[round(omega, 4), round(heading, 2)], forces, rtol=1e-3, atol=2e3)
 
 
-def test_nemoh_files_give_the_numbers_in_them(tmp_path: Path):
+def test_nemoh_files_give_the_numbers_in_them(tmp_path: Path) -> None:
     zones = []
     for j in range(6):
         rows = "\n".join(f" {w} " + " ".join(f"{10 * j + i + w} {0.5}" for i in range(6)) for w in (0.5, 1.0))
@@ -128,7 +129,7 @@ def test_nemoh_files_give_the_numbers_in_them(tmp_path: Path):
     assert force[1] == pytest.approx(force[0]) and force[2] == pytest.approx(-force[0])
 
 
-def test_the_file_has_all_tables_and_the_committed_one_is_such_a_file(dataset):
+def test_the_file_has_all_tables(dataset: Any) -> None:
     text = converted(dataset).text()
     tables = [line for line in text.splitlines() if line.startswith("=")]
     assert tables == [
