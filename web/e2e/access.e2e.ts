@@ -98,7 +98,7 @@ test("hints, the help, the helm in hand and the measuring tools have no finding"
   await page.getByRole("button", { name: "Rudder port 10", exact: true }).click();
   found.push(...(await inEachPalette(page)));
   // With the measuring tools.
-  await page.keyboard.press("z");
+  await page.keyboard.press("i");
   for (const tool of [/^EBL: /, /^Cursor: /])
     await page.getByRole("button", { name: tool }).click();
   found.push(...(await inEachPalette(page, ".plan")));

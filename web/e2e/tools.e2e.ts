@@ -30,7 +30,7 @@ async function plan(): Promise<{ x: number; y: number; scale: number }> {
 const texts = async () => (await labels(page)).texts;
 
 test("two clicks, or two touches, measure bearing and distance; each tool is turned on and off", async () => {
-  await page.getByRole("button", { name: "Measure: tools (Z)" }).click();
+  await page.getByRole("button", { name: "Measure: tools (I)" }).click();
   const tool = (name: string) => page.getByRole("button", { name: new RegExp(`^${name}: `) });
   await tool("2 points").click();
   const { x, y, scale } = await plan();
@@ -67,7 +67,7 @@ test("two clicks, or two touches, measure bearing and distance; each tool is tur
   await page.waitForTimeout(200);
   expect((await texts()).some((text) => /relative$|^\d{3}\.\d° /.test(text))).toBe(false);
   await cursor.waitFor({ state: "hidden" });
-  await page.getByRole("button", { name: "Measure: tools (Z)" }).click();
+  await page.getByRole("button", { name: "Measure: tools (I)" }).click();
   expect(errors).toEqual([]);
 });
 

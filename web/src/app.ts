@@ -542,7 +542,7 @@ export class App implements Page {
       { key: "0", text: "Ship and berth", run: () => plan?.fit() },
       { key: "f", text: "Follow the ship or not", run: () => plan?.follow() },
       { key: "u", text: "North, head or berth up", run: () => plan?.turnUp() },
-      { key: "z", text: "Measuring tools", run: () => plan?.measure() },
+      { key: "i", text: "Measuring tools", run: () => plan?.measure() },
       { key: "v", text: "Predicted path", run: () => plan?.togglePath() },
       { key: "b", text: "Day, dusk, night", run: () => this.nextPalette() },
       { key: "?", text: "This help", run: () => this.help.open(this.keys()) },

@@ -75,7 +75,7 @@ export class Tools {
       ...this.buttons.values(),
     );
     this.opener = button("Measure", () => this.open(), {
-      name: "Measure: tools (Z)",
+      name: "Measure: tools (I)",
       "aria-expanded": "false",
     });
     this.show();
