@@ -4,6 +4,7 @@
 use std::io::ErrorKind;
 use std::process::Command;
 
+use crate::step::Play;
 use crate::table::Table;
 use crate::world::Engine;
 
@@ -17,30 +18,33 @@ const SCENES: [(&str, u64, u64, u64); 4] = [
 
 pub(crate) fn bench() -> Result<Table, String> {
     let mut table =
-        Table::new(&["scene", "method", "contacts", "instructions a step", "a contact"]);
+        Table::new(&["scene", "plays", "method", "contacts", "instructions a step", "a contact"]);
     for (scene, contacts, few, many) in SCENES {
-        for engine in Engine::OURS {
-            let method = engine.name();
-            let counted = |steps| instructions(scene, method, steps);
-            let step = (counted(many)? - counted(few)?) / (many - few);
-            table.row(vec![
-                scene.to_owned(),
-                method.to_owned(),
-                contacts.to_string(),
-                step.to_string(),
-                (step / contacts).to_string(),
-            ]);
+        for play in Play::ALL {
+            for engine in Engine::OURS {
+                let method = engine.name();
+                let counted = |steps| instructions(scene, method, play, steps);
+                let step = (counted(many)? - counted(few)?) / (many - few);
+                table.row(vec![
+                    scene.to_owned(),
+                    play.name().to_owned(),
+                    method.to_owned(),
+                    contacts.to_string(),
+                    step.to_string(),
+                    (step / contacts).to_string(),
+                ]);
+            }
         }
     }
     Ok(table)
 }
 
-fn instructions(scene: &str, method: &str, steps: u64) -> Result<u64, String> {
+fn instructions(scene: &str, method: &str, play: Play, steps: u64) -> Result<u64, String> {
     let this = std::env::current_exe().map_err(|e| format!("this program's own path: {e}"))?;
     let output = Command::new("valgrind")
         .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
         .arg(this)
-        .args(["instructions", scene, method, &steps.to_string()])
+        .args(["instructions", scene, method, play.name(), &steps.to_string()])
         .output()
         .map_err(|error| match error.kind() {
             ErrorKind::NotFound => {

@@ -18,7 +18,7 @@
 //! cargo run --release -p fenderline-bench -- outlines [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- many [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- runs METHOD anew|restart N
-//! cargo run --release -p fenderline-bench -- instructions SCENE METHOD N
+//! cargo run --release -p fenderline-bench -- instructions SCENE METHOD anew|steady N
 //! cargo run --release -p fenderline-bench -- callgrind
 //! ```
 #![allow(clippy::disallowed_methods, reason = "what is measured and drawn, not what is computed")]
@@ -53,6 +53,7 @@ mod world;
 use std::process::ExitCode;
 
 use scenes::Scene;
+use step::Play;
 use table::Style;
 use world::Engine;
 
@@ -81,7 +82,9 @@ usage: fenderline-bench clip [--markdown] [--rounds N]   the overlap of two conv
        fenderline-bench fleet-steps SHIPS N              N steps of a fleet, likewise
        fenderline-bench fender-steps FENDERS N           N steps of a simulation along so many fenders, likewise
        fenderline-bench berth-steps N                    the first N steps of the berthing, likewise
-       fenderline-bench instructions SCENE METHOD N      N warm steps, to be counted by a profiler
+       fenderline-bench instructions SCENE METHOD PLAY N
+                                                         N warm steps, to be counted by a profiler; PLAY is anew
+                                                         (a restart every 17 steps) or steady
        fenderline-bench callgrind                        instructions a warm step, by valgrind
 SCENE is tug, ship, faces, fenders-100, fenders-300, fenders-1000, blocks-100, blocks-1000, pairs-1000,
 pairs-10000, chain-N, raft-N, stars-N, coast-N or combs-N; METHOD is coupled, paper, either
@@ -163,12 +166,14 @@ fn run(arguments: &[&str]) -> Result<(), String> {
         ["berth-steps", steps] => berth::steps(count_of(steps)?),
         ["runs", method, set_up, count] => many::runs(method, set_up, count_of(count)?)?,
         ["accuracy", options @ ..] => accuracy_table(options)?,
-        ["instructions", scene, method, steps] => {
+        ["instructions", scene, method, play, steps] => {
             let scene = scene_of(scene)?;
             let mut engines = Engine::OURS.iter().chain(Engine::PEERS);
             let engine = engines.find(|engine| engine.name() == *method);
             let engine = engine.ok_or_else(|| format!("no method `{method}`\n{USAGE}"))?;
-            step::steps(scene, *engine, count_of(steps)?);
+            let play = Play::ALL.into_iter().find(|known| known.name() == *play);
+            let play = play.ok_or_else(|| format!("a scene plays `anew` or `steady`\n{USAGE}"))?;
+            step::steps(scene, *engine, count_of(steps)?, play);
         }
         ["callgrind"] => println!("{}", callgrind::bench()?.printed(Style::Plain)),
         _ => return Err(USAGE.to_owned()),

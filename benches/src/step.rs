@@ -19,7 +19,7 @@ const SETTLING: usize = 200;
 
 /// Whether a scene begins anew all the time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Play {
+pub(crate) enum Play {
     /// It begins anew every 17 steps.
     Anew,
     /// It goes on, from [`SETTLING`] steps after its start.
@@ -27,9 +27,9 @@ enum Play {
 }
 
 impl Play {
-    const ALL: [Play; 2] = [Play::Anew, Play::Steady];
+    pub(crate) const ALL: [Play; 2] = [Play::Anew, Play::Steady];
 
-    fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Play::Anew => "anew",
             Play::Steady => "steady",
@@ -245,11 +245,14 @@ fn on_clock(world: &mut dyn World, steps: usize) -> Duration {
     start.elapsed()
 }
 
-/// So many warm steps of our engine, restarts and their copying included, to be counted.
-pub(crate) fn steps(scene: Scene, engine: Engine, count: usize) {
+/// So many warm steps of an engine, to be counted: anew with restarts and their copying, steady after [`SETTLING`] steps.
+pub(crate) fn steps(scene: Scene, engine: Engine, count: usize, play: Play) {
     let mut world = engine.world(&scene.plan(), STEP_S);
+    if play == Play::Steady {
+        (0..SETTLING).for_each(|_| world.step());
+    }
     for step in 0..count {
-        if step % BURST == 0 {
+        if play == Play::Anew && step % BURST == 0 {
             world.restart();
         }
         world.step();

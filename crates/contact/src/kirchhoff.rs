@@ -9,6 +9,8 @@ pub(crate) struct Kirchhoff {
     surge_kg: f64,
     sway_kg: f64,
     yaw_kgm2: f64,
+    /// 2(m_y/m_x + m_x/m_y): see [`Kirchhoff::rate_squared`].
+    coupling: f64,
 }
 
 /// Most rounds of the fixed-point iteration. Each reduces the error by about the angle turned in the sub-step: a few
@@ -21,7 +23,8 @@ const MOST_PARTS: f64 = 64.0;
 impl Kirchhoff {
     /// `None` if surge and sway have the same mass: the momentum does not turn then.
     pub(crate) fn new(surge_kg: f64, sway_kg: f64, yaw_kgm2: f64) -> Option<Kirchhoff> {
-        (surge_kg != sway_kg).then_some(Kirchhoff { surge_kg, sway_kg, yaw_kgm2 })
+        let coupling = 2.0 * (sway_kg / surge_kg + surge_kg / sway_kg);
+        (surge_kg != sway_kg).then_some(Kirchhoff { surge_kg, sway_kg, yaw_kgm2, coupling })
     }
 
     /// The velocities after `h` seconds of Kirchhoff's equations without forces,
@@ -48,9 +51,9 @@ impl Kirchhoff {
     /// √m_y v and √I r their Jacobian has, with ρ² twice the energy, a Frobenius norm of at most
     /// ρ √(2(m_y/m_x + m_x/m_y)/I).
     fn rate_squared(&self, (u, v, r): (f64, f64, f64)) -> f64 {
-        let &Kirchhoff { surge_kg, sway_kg, yaw_kgm2 } = self;
+        let &Kirchhoff { surge_kg, sway_kg, yaw_kgm2, coupling } = self;
         let energy = surge_kg * u * u + sway_kg * v * v + yaw_kgm2 * r * r;
-        2.0 * (sway_kg / surge_kg + surge_kg / sway_kg) * energy / yaw_kgm2
+        coupling * energy / yaw_kgm2
     }
 
     /// A step in which they turn too far for one fixed-point iteration.
@@ -84,11 +87,14 @@ mod tests {
     use super::*;
     use crate::vec2::Vec2;
 
-    const SHIP: Kirchhoff = Kirchhoff { surge_kg: 9e7, sway_kg: 1.4e8, yaw_kgm2: 8e11 };
+    fn ship() -> Kirchhoff {
+        Kirchhoff::new(9e7, 1.4e8, 8e11).expect("the masses differ")
+    }
 
     /// A ship that drifts and turns, alone for ten minutes, in steps of 0.1 s.
     #[test]
     fn a_free_body_conserves_energy_and_momentum() {
+        let ship = ship();
         let mut state = BodyState {
             velocity_mps: vec2(2.0, 0.6),
             yaw_rate_radps: 0.01,
@@ -96,21 +102,21 @@ mod tests {
         };
         let energy = |state: &BodyState| {
             let own = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps);
-            SHIP.surge_kg * own.x * own.x
-                + SHIP.sway_kg * own.y * own.y
-                + SHIP.yaw_kgm2 * state.yaw_rate_radps * state.yaw_rate_radps
+            ship.surge_kg * own.x * own.x
+                + ship.sway_kg * own.y * own.y
+                + ship.yaw_kgm2 * state.yaw_rate_radps * state.yaw_rate_radps
         };
         let momentum = |state: &BodyState| {
             let rotation = Rotation::from_angle(state.heading_rad);
             let own = rotation.apply_inverse(state.velocity_mps);
-            rotation.apply(vec2(SHIP.surge_kg * own.x, SHIP.sway_kg * own.y))
+            rotation.apply(vec2(ship.surge_kg * own.x, ship.sway_kg * own.y))
         };
         let (start_j, start) = (energy(&state), momentum(&state));
         for _ in 0..6000 {
             let before = Rotation::from_angle(state.heading_rad);
             state.heading_rad += 0.1 * state.yaw_rate_radps;
             let after = Rotation::from_angle(state.heading_rad);
-            SHIP.turn(&mut state, before, after, 0.1);
+            ship.turn(&mut state, before, after, 0.1);
             assert!((energy(&state) / start_j - 1.0).abs() < 1e-12);
         }
         // The heading goes by the yaw rate at each step's start: momentum is kept to first order in it.
@@ -123,8 +129,8 @@ mod tests {
     /// a step of a minute was refused, though she was alone.
     #[test]
     fn a_free_body_conserves_energy_in_steps_of_any_length() {
-        let tug = Kirchhoff { surge_kg: 1.01e6, sway_kg: 1.71e6, yaw_kgm2: 8.3e7 };
-        for body in [SHIP, tug] {
+        let tug = Kirchhoff::new(1.01e6, 1.71e6, 8.3e7).expect("the masses differ");
+        for body in [ship(), tug] {
             let energy = |own: Vec2, r: f64| {
                 body.surge_kg * own.x * own.x + body.sway_kg * own.y * own.y + body.yaw_kgm2 * r * r
             };

@@ -212,18 +212,14 @@ impl Dynamics {
         let mut changed = false;
         for island in islands {
             let own = &patches[island.patches_from(group.patches.start)];
-            let floating = || {
-                let both = own.iter().flat_map(|patch| [patch.candidate.a, patch.candidate.b]);
-                both.map(|rank| rank as usize).filter(|&rank| !model.ranked[rank].is_fixed())
-            };
-            let least_s =
-                floating().fold(f64::INFINITY, |least, rank| lesser(least, lags_s[rank].abs()));
-            for rank in floating() {
+            let mut least_s = f64::INFINITY;
+            for_each_floating(model, own, |rank| least_s = lesser(least_s, lags_s[rank].abs()));
+            for_each_floating(model, own, |rank| {
                 let lag_s = &mut lags_s[rank];
                 if lag_s.abs() > least_s {
                     (*lag_s, changed) = (least_s, true);
                 }
-            }
+            });
         }
         changed
     }
@@ -273,7 +269,10 @@ impl Dynamics {
             move_body(state, velocity, h);
             if !model.ranked[rank].is_alike {
                 pose.position_m = state.position_m;
-                turn_with(model.ranked.rest(rank), state, pose, &mut self.inverses[rank], h);
+                turn_with(model.ranked.rest(rank), state, pose, h);
+                if !sub_step.is_last() {
+                    self.inverses[rank] = model.ranked.rest(rank).inverse.turned(pose.rotation);
+                }
             } else if !sub_step.is_last() {
                 *pose = state.pose();
             }
@@ -373,6 +372,18 @@ impl Dynamics {
     }
 }
 
+/// Calls with the rank of each floating body of these patches, once a patch.
+#[inline(always)]
+fn for_each_floating(model: &Model, patches: &[Patch], mut call: impl FnMut(usize)) {
+    for patch in patches {
+        for rank in [patch.candidate.a as usize, patch.candidate.b as usize] {
+            if !model.ranked[rank].is_fixed() {
+                call(rank);
+            }
+        }
+    }
+}
+
 /// Not finite if a number of the state is not.
 #[inline(always)]
 fn sum_of(state: &BodyState) -> f64 {
@@ -404,18 +415,11 @@ fn move_body(state: &mut BodyState, velocity: Velocity, h: f64) {
     state.heading_rad += state.yaw_rate_radps * h;
 }
 
-/// Turns pose, momentum and inverse mass of a body that has moved.
-fn turn_with(
-    body: &Rest,
-    state: &mut BodyState,
-    pose: &mut Pose,
-    inverse: &mut InverseMatrix,
-    h: f64,
-) {
+/// Turns pose and momentum of a body that has moved.
+fn turn_with(body: &Rest, state: &mut BodyState, pose: &mut Pose, h: f64) {
     let after = Rotation::from_angle(state.heading_rad);
     let before = core::mem::replace(&mut pose.rotation, after);
     if let Some(kirchhoff) = &body.kirchhoff {
         kirchhoff.turn(state, before, after, h);
     }
-    *inverse = body.inverse.turned(after);
 }

@@ -9,7 +9,7 @@ use crate::coupled::island::Island;
 use crate::fender::{FenderBounds, RankedFender};
 use crate::geometry::clip::Hint;
 use crate::geometry::gap::gap_m;
-use crate::geometry::shapes::near_pairs;
+use crate::geometry::shapes::{Piece, near_pairs};
 use crate::memory::HintMemory;
 use crate::model::Model;
 use crate::number::{bounded, greater, lesser};
@@ -410,15 +410,19 @@ impl Bounded<'_> {
         let (a, b) = (candidate.a as usize, candidate.b as usize);
         let b_in_a = self.bodies.poses[a].to(self.bodies.poses[b]);
         let reach_m = self.closing_mps(candidate) * self.step_s;
-        let [of_a, of_b] = self.model.shapes_of(candidate);
-        near_pairs(of_a, of_b, b_in_a, reach_m).any(|[(piece_a, shape_a), (piece_b, shape_b)]| {
+        let is_near = |[(piece_a, shape_a), (piece_b, shape_b)]: [Piece<'_>; 2]| {
             let key = (candidate.a, candidate.b, candidate.face, piece_a, piece_b);
             let hint = match hints.binary_search_by_key(&key, HintMemory::key) {
                 Ok(index) => hints[index].hint,
                 Err(_) => Hint::None,
             };
             gap_m(shape_a, shape_b, b_in_a, hint) <= reach_m
-        })
+        };
+        let [of_a, of_b] = self.model.shapes_of(candidate);
+        match (of_a.pieces, of_b.pieces) {
+            ([a], [b]) => is_near([(0, a), (0, b)]),
+            _ => near_pairs(of_a, of_b, b_in_a, reach_m).any(is_near),
+        }
     }
 
     /// A bound on the speed at which any two points of the candidate approach each other in this step (m/s).

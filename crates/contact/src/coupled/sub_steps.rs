@@ -185,6 +185,11 @@ impl SubSteps<'_> {
         let joined = self.joined.then_some(islands);
         dynamics.begin_sub_step(model, self.loads, group, joined, patches, sub_step);
 
+        if patches.is_empty() && past.patches.is_empty() {
+            // Nothing touches: the bodies only move.
+            return dynamics.advance_positions(model, group, bodies, results, sub_step);
+        }
+
         // 4. The laws of the contacts (eq. 2–10) as constraints, from what each inherits.
         let first_patch = next_memory.patches.len();
         let (constraints, diagnostics, solver) =
