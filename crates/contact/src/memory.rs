@@ -57,7 +57,7 @@ pub(crate) struct PatchMemory {
     pub(crate) face: u32,
     pub(crate) patch: u32,
     /// [`PatchMemory::CONTAINED`] and [`PatchMemory::DEEP`], so that each is reported once,
-    /// [`PatchMemory::APPROACHING`], [`PatchMemory::PRESSED_OUT`] and [`PatchMemory::SLIPPING`].
+    /// [`PatchMemory::APPROACHING`], [`PatchMemory::PRESSED_OUT`], [`PatchMemory::SLIPPING`] and [`PatchMemory::LIMITED`].
     pub(crate) flags: u32,
     /// S^{n−1} (m²).
     pub(crate) area_m2: f64,
@@ -102,6 +102,8 @@ impl PatchMemory {
     pub(crate) const PRESSED_OUT: u32 = 8;
     /// By the coupled method: the contact slides, and sliding has not reversed.
     pub(crate) const SLIPPING: u32 = 16;
+    /// By the coupled method: N was less than its law's force.
+    pub(crate) const LIMITED: u32 = 32;
 
     /// Geometry of a patch with this normal at this point; the laws fill in the rest.
     #[inline(always)]

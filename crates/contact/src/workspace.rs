@@ -56,14 +56,16 @@ pub struct Workspace {
 }
 
 impl Workspace {
-    /// Buffers for a model.
+    /// Buffers for a model. Lists of its bodies are made at once, so that the first step does not wait for their memory.
     #[must_use]
     pub fn new(model: &Model) -> Workspace {
         let count = model.bodies().len();
+        let mut bodies = Bodies::with_capacity(count);
+        bodies.resize(count);
         Workspace {
-            bodies: Bodies::with_capacity(count),
+            bodies,
             displaced: Displaced::default(),
-            dynamics: Dynamics::default(),
+            dynamics: Dynamics::new(model),
             candidates: Candidates::default(),
             islands: Islands::default(),
             overlap: Overlap::default(),

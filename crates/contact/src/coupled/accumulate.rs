@@ -54,6 +54,7 @@ impl Totals<'_> {
         if constraint.shear.slides_on(slip.shear_m, after_mps, friction) {
             memory.flags |= PatchMemory::SLIPPING;
         }
+        memory.flags |= u32::from(normal_n < constraint.law_n) * PatchMemory::LIMITED;
         memory.normal_force_n = normal_n;
         memory.tangential_force_n = tangential_n;
         memory.taken_j =

@@ -210,6 +210,7 @@ pub(crate) fn assemble(
             Some(memory) if memory.flags & PatchMemory::SLIPPING != 0 => Slide::Slides,
             Some(_) => Slide::Holds,
         },
+        was_limited: old.is_some_and(|m| m.flags & PatchMemory::LIMITED != 0),
         h: start.h,
         kick_s,
     };

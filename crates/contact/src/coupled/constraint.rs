@@ -46,10 +46,26 @@ pub(crate) struct Constraint {
     /// Stored energy that no load balances: see [`super::release`] (J).
     pub(crate) unbalanced_j: f64,
     pub(crate) shear: ShearSpring,
+    /// N was less than its law's force in the last (sub-)step.
+    pub(crate) was_limited: bool,
+    /// Which bound the direct solve takes to decide N, while it knows of others than the law's force.
+    pub(crate) bound: NormalBound,
     /// The forces that sweeps begin with; after the solve its result.
     pub(crate) forces: Forces,
     /// V_n⁺ and V_t⁺ after the solve (m/s).
     pub(crate) after: Speeds,
+}
+
+/// Which bound decides N.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum NormalBound {
+    /// N = f.
+    #[default]
+    Full,
+    /// V_n⁺ = −γ v_ref.
+    Tight,
+    /// N = 0.
+    Open,
 }
 
 /// N and T of a contact (N), and whether it slips.
@@ -108,6 +124,8 @@ pub(crate) struct Laws<'m> {
     /// Stored energy that no load balances (J).
     pub(crate) unbalanced_j: f64,
     pub(crate) slide: Slide,
+    /// N was less than its law's force in the last (sub-)step.
+    pub(crate) was_limited: bool,
     /// Length of the sub-step, and κ (s).
     pub(crate) h: f64,
     pub(crate) kick_s: f64,
@@ -221,6 +239,7 @@ impl Constraint {
         self.rebound_mps = laws.rebound_mps;
         self.available_j = laws.available_j;
         self.unbalanced_j = laws.unbalanced_j;
+        self.was_limited = laws.was_limited;
         self.forces = forces;
     }
 
@@ -368,10 +387,22 @@ impl Constraint {
     /// Do N = f and this T keep all bounds, if with all contacts' forces the speeds become these?
     #[inline]
     pub(crate) fn is_within_bounds(&self, speeds: Speeds, tangential_n: f64, h: f64) -> bool {
-        let gives_j = -0.5 * h * self.law_n * (self.normal_before_mps + speeds.normal_mps);
         speeds.normal_mps >= -self.rebound_mps
-            && gives_j <= self.available_j
-            && self.shear.is_within_bounds(tangential_n, self.law_n, speeds.tangential_mps, h)
+            && self.has_energy_and_holds(speeds, (self.law_n, tangential_n), h)
+    }
+
+    /// Do N and this T of the sticking spring keep to the energies that are available, and to Coulomb's limit, if with all contacts'
+    /// forces the speeds become these?
+    #[inline(always)]
+    pub(crate) fn has_energy_and_holds(
+        &self,
+        speeds: Speeds,
+        (normal_n, tangential_n): (f64, f64),
+        h: f64,
+    ) -> bool {
+        let gives_j = -0.5 * h * normal_n * (self.normal_before_mps + speeds.normal_mps);
+        gives_j <= self.available_j
+            && self.shear.is_within_bounds(tangential_n, normal_n, speeds.tangential_mps, h)
     }
 
     /// Sets the result to N = f and this T of the sticking spring.
@@ -407,6 +438,13 @@ impl Constraint {
     #[inline(always)]
     pub(crate) fn floating_side(&self) -> Side {
         if self.a_floats { Side::A } else { Side::B }
+    }
+
+    /// Its only floating body's part of the Jacobian, and the sign of its side.
+    #[inline]
+    pub(crate) fn floating_jacobian(&self) -> (Jacobian, f64) {
+        let side = self.floating_side();
+        (self.jacobian(side), side.sign())
     }
 
     /// One body's part of the Jacobian, with the sign of A.

@@ -62,6 +62,8 @@ pub(crate) struct Assembly<'w> {
     pub(crate) start: Start<'w>,
     pub(crate) aside: Aside<'w>,
     pub(crate) patches: &'w [Patch],
+    /// The islands of these patches, and the first patch of the first.
+    pub(crate) islands: (&'w [Island], usize),
     /// One a patch.
     pub(crate) constraints: &'w mut [Constraint],
     /// One a patch if contacts are reported, else empty.
@@ -118,10 +120,14 @@ impl Assembly<'_> {
     #[inline(never)]
     fn contacts_beside(&self, index: usize) -> u32 {
         let floats = |rank: u32| !self.start.scene.model.ranked[rank as usize].is_fixed();
+        // All of them are in its island.
+        let (islands, first) = self.islands;
+        let at = islands.partition_point(|island| island.patches_from(first).end <= index);
+        let island = &self.patches[islands[at].patches_from(first)];
         let own = self.patches[index].candidate;
         let shares = |rank: u32| [own.a, own.b].contains(&rank) && floats(rank);
         let beside = |patch: &&Patch| shares(patch.candidate.a) || shares(patch.candidate.b);
-        (self.patches.iter().filter(beside).count() as u32).max(1)
+        (island.iter().filter(beside).count() as u32).max(1)
     }
 
     /// The law of a contact of two outlines.

@@ -61,6 +61,12 @@ pub(crate) struct HostInput<'a> {
 }
 
 impl Dynamics {
+    pub(crate) fn new(model: &Model) -> Dynamics {
+        let mut dynamics = Dynamics::default();
+        dynamics.forget(model);
+        dynamics
+    }
+
     pub(crate) fn invalidate(&mut self) {
         self.layout = None;
     }
@@ -158,6 +164,7 @@ impl Dynamics {
 
     /// Lists of the right length for a model of which nothing is known yet.
     #[cold]
+    #[inline(never)]
     fn forget(&mut self, model: &Model) {
         let count = model.ranked.len();
         self.roles.clear();

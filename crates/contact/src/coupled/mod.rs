@@ -21,6 +21,7 @@ mod constraint;
 pub(crate) mod contact_stage;
 mod direct;
 mod direct_joined;
+mod direct_system;
 pub(crate) mod dynamics;
 pub(crate) mod held;
 pub(crate) mod island;

@@ -16,7 +16,7 @@
 use alloc::vec::Vec;
 
 use crate::coupled::block_cholesky::Triple;
-use crate::coupled::constraint::{Change, Constraint, Forces, Speeds};
+use crate::coupled::constraint::{Change, Constraint, Forces, NormalBound, Speeds};
 use crate::coupled::unknowns::{Row, Unknowns};
 use crate::mass::InverseMatrix;
 use crate::number::{greater, lesser};
@@ -58,17 +58,6 @@ impl Trial {
             tangential_mps: self.speeds.tangential_mps + share * self.along.tangential_mps,
         }
     }
-}
-
-/// Which bound decides N.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum NormalBound {
-    /// N = f.
-    Full,
-    /// V_n⁺ = −γ v_ref.
-    Tight,
-    /// N = 0.
-    Open,
 }
 
 /// Which bounds decide a contact's forces.

@@ -89,6 +89,7 @@ impl Raft {
                     shear_available_j: f64::MAX,
                     unbalanced_j: 0.0,
                     slide: Slide::Begins,
+                    was_limited: false,
                     h: H,
                     kick_s: H,
                 };

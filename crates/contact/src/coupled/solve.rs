@@ -255,6 +255,7 @@ mod tests {
                 shear_available_j,
                 unbalanced_j: 0.0,
                 slide: Slide::Begins,
+                was_limited: false,
                 h: H,
                 kick_s: H,
             };
@@ -321,6 +322,7 @@ mod tests {
                 shear_available_j: stored_j,
                 unbalanced_j: 0.0,
                 slide: Slide::Begins,
+                was_limited: false,
                 h: 0.5,
                 kick_s: 0.5,
             };

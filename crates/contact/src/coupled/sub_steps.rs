@@ -176,19 +176,33 @@ impl SubSteps<'_> {
         islands: &[Island],
         sub_step: SubStep,
     ) {
+        let patches = &overlap.patches[self.group.patches.clone()];
+
+        // v_free = v + κ M⁻¹ W: velocities by the loads alone.
+        let (model, joined) = (self.model, self.joined.then_some(islands));
+        self.dynamics.begin_sub_step(model, self.loads, self.group, joined, patches, sub_step);
+
+        if !patches.is_empty() || !past.patches.is_empty() {
+            self.solve_contacts(past, overlap, islands, sub_step);
+        }
+
+        // x⁺ = x + h v⁺.
+        self.dynamics.advance_positions(model, self.group, self.bodies, self.results, sub_step);
+    }
+
+    /// Stages 4 to 6 of a sub-step in which something touches, or touched before: laws, forces and sums.
+    #[inline(always)]
+    fn solve_contacts(
+        &mut self,
+        past: Past<'_>,
+        overlap: &Overlap,
+        islands: &[Island],
+        sub_step: SubStep,
+    ) {
         let SubSteps { model, bodies, dynamics, group, next_memory, results, .. } = self;
         let (model, count) = (*model, self.model.ranked.len());
         let patches = &overlap.patches[group.patches.clone()];
         let poses = &bodies.poses[..count];
-
-        // v_free = v + κ M⁻¹ W: velocities by the loads alone.
-        let joined = self.joined.then_some(islands);
-        dynamics.begin_sub_step(model, self.loads, group, joined, patches, sub_step);
-
-        if patches.is_empty() && past.patches.is_empty() {
-            // Nothing touches: the bodies only move.
-            return dynamics.advance_positions(model, group, bodies, results, sub_step);
-        }
 
         // 4. The laws of the contacts (eq. 2–10) as constraints, from what each inherits.
         let first_patch = next_memory.patches.len();
@@ -210,6 +224,7 @@ impl SubSteps<'_> {
                 parted: &mut results.parted,
             },
             patches,
+            islands: (islands, group.patches.start),
             constraints,
             diagnostics,
             next_patches: &mut next_memory.patches,
@@ -241,8 +256,5 @@ impl SubSteps<'_> {
                 totals.add(model.ids_of([constraint.a, constraint.b]), constraint, memory);
             }
         }
-
-        // x⁺ = x + h v⁺.
-        dynamics.advance_positions(model, group, bodies, results, sub_step);
     }
 }

@@ -1,0 +1,127 @@
+//! The equations of the direct solve: what contacts push on a body, and how stiff their shear springs hold it.
+
+use crate::coupled::constraint::{Constraint, Jacobian};
+use crate::mass::InverseMatrix;
+use crate::state::Velocity;
+use crate::vec2::{Vec2, vec2};
+
+/// Σ (−N n + T t) and its moment on the floating body, with N and T as they act on it.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Push {
+    /// Σ N n and Σ T n: the quarter turn from n to t is taken once, of the sum.
+    pub(super) normal_n: Vec2,
+    tangential_n: Vec2,
+    pub(super) moment_nm: f64,
+}
+
+impl Push {
+    /// Of this N alone.
+    pub(super) fn of_normal(constraint: &Constraint, normal_n: f64) -> Push {
+        let (jacobian, sign) = constraint.floating_jacobian();
+        Push {
+            normal_n: jacobian.normal * (sign * normal_n),
+            moment_nm: -jacobian.levers.n_m * (sign * normal_n),
+            ..Push::default()
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn add(&mut self, jacobian: &Jacobian, normal_n: f64, tangential_n: f64) {
+        self.normal_n += jacobian.normal * normal_n;
+        self.moment_nm -= jacobian.levers.n_m * normal_n;
+        self.add_shear(jacobian, tangential_n);
+    }
+
+    #[inline(always)]
+    pub(super) fn add_shear(&mut self, jacobian: &Jacobian, tangential_n: f64) {
+        self.tangential_n += jacobian.normal * tangential_n;
+        self.moment_nm += jacobian.levers.t_m * tangential_n;
+    }
+
+    #[inline(always)]
+    pub(super) fn subtract_shear(&mut self, jacobian: &Jacobian, tangential_n: f64) {
+        self.tangential_n -= jacobian.normal * tangential_n;
+        self.moment_nm -= jacobian.levers.t_m * tangential_n;
+    }
+
+    /// The change of velocity and yaw rate, with h M⁻¹.
+    #[inline(always)]
+    pub(super) fn response(&self, response: &InverseMatrix) -> Velocity {
+        let force_n = self.tangential_n.quarter_turn() - self.normal_n;
+        response.response(force_n, self.moment_nm)
+    }
+}
+
+/// C = Σ c j_t j_tᵀ, symmetric: columns of x, y and yaw.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Stiffness {
+    xx: f64,
+    xy: f64,
+    yy: f64,
+    xr: f64,
+    yr: f64,
+    rr: f64,
+}
+
+impl Stiffness {
+    #[inline(always)]
+    pub(super) fn add(&mut self, jacobian: &Jacobian, slope: f64) {
+        // t = (−n_y, n_x).
+        let (Vec2 { x, y }, lever_m) = (jacobian.normal, jacobian.levers.t_m);
+        let (of_x, of_y, of_r) = (slope * x, slope * y, slope * lever_m);
+        self.xx += of_y * y;
+        self.xy -= of_x * y;
+        self.yy += of_x * x;
+        self.xr -= of_y * lever_m;
+        self.yr += of_x * lever_m;
+        self.rr += of_r * lever_m;
+    }
+
+    /// The matrix 1 + h M⁻¹ C: M + h C is positive definite.
+    #[inline]
+    pub(super) fn system(&self, response: &InverseMatrix) -> System {
+        let column = |x: f64, y: f64, r: f64| {
+            let (linear, turn) = response.response(vec2(x, y), r);
+            [linear.x, linear.y, turn]
+        };
+        let mut a = column(self.xx, self.xy, self.xr);
+        let mut b = column(self.xy, self.yy, self.yr);
+        let mut c = column(self.xr, self.yr, self.rr);
+        a[0] += 1.0;
+        b[1] += 1.0;
+        c[2] += 1.0;
+        let b_c = cross(b, c);
+        System { a, b, c, b_c, scale: 1.0 / dot(a, b_c) }
+    }
+}
+
+/// A system of three equations, by the columns of its matrix.
+pub(super) struct System {
+    a: [f64; 3],
+    b: [f64; 3],
+    c: [f64; 3],
+    /// b × c, and 1 over the determinant.
+    b_c: [f64; 3],
+    scale: f64,
+}
+
+impl System {
+    /// v of (a b c) v = `free`, by Cramer's rule.
+    #[inline]
+    pub(super) fn solve(&self, (dv, dr): Velocity) -> Velocity {
+        let System { a, b, c, b_c, scale } = *self;
+        let free = [dv.x, dv.y, dr];
+        let a_free = cross(a, free);
+        (vec2(dot(free, b_c), dot(c, a_free)) * scale, -dot(b, a_free) * scale)
+    }
+}
+
+#[inline]
+fn dot(p: [f64; 3], q: [f64; 3]) -> f64 {
+    p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
+}
+
+#[inline]
+fn cross(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
+    [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
+}
