@@ -40,6 +40,8 @@ pub(crate) enum Command {
     Init(InitArgs),
     /// Run a scenario, or repeat a recorded session, and write only documents: the report as a page or PDF, an Excel workbook
     Report(ReportArgs),
+    /// Find the largest value of a key, such as the speed of a passing ship, with which a run stays within all limits, by bisection
+    Limit(LimitArgs),
     /// Make many runs of a scenario, with every combination of some values or with values drawn from distributions: a table with a
     /// row a case, and a figure or report
     Campaign(CampaignArgs),
@@ -780,6 +782,30 @@ fn positive(text: &str) -> Result<f64, String> {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct LimitArgs {
+    /// Scenario file; `-` reads it from standard input
+    #[arg(value_name = "SCENARIO.toml")]
+    pub(crate) scenario: PathBuf,
+    /// Key to change, such as passing.feeder.speed; larger values must be worse
+    #[arg(long, value_name = "KEY")]
+    pub(crate) key: String,
+    /// Least value, with its unit, such as "2 kn"
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub(crate) from: String,
+    /// Largest value, with the same unit
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub(crate) to: String,
+    /// Accuracy, in the unit of the values [default: a hundredth of the range]
+    #[arg(long, value_name = "NUMBER")]
+    pub(crate) within: Option<f64>,
+    /// Print the limit and all runs as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) changes: Changes,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct CheckArgs {
     /// Scenario or campaign file; `-` reads a scenario from standard input
     #[arg(value_name = "FILE.toml")]
@@ -939,6 +965,7 @@ impl Cli {
         match &self.command {
             Command::Run(args) => args.json,
             Command::Check(args) => args.json,
+            Command::Limit(args) => args.json,
             Command::Statistics(args) => args.json,
             Command::Validate(args) => args.json,
             Command::Manoeuvre(args) => args.json,

@@ -1,6 +1,6 @@
 //! fenderline: contact of ships, fenders, quays and tugs from a scenario file.
 //!
-//! `cli` is the command line; `run`, `report`, `campaign`, `statistics`, `check`, `validate`, `manoeuvre`, `vessels`, `fenders`, `fender`, `init` and `fmu` are the
+//! `cli` is the command line; `run`, `report`, `limit`, `campaign`, `statistics`, `check`, `validate`, `manoeuvre`, `vessels`, `fenders`, `fender`, `init` and `fmu` are the
 //! commands; `man` makes completions and manual pages; `load` reads a scenario; `interrupt` handles Ctrl-C;
 //! `output` writes the result files, `documents` PDF and workbook; `provider` exchanges data with other programs that apply forces to bodies.
 
@@ -17,6 +17,7 @@ mod fenders;
 mod fmu;
 mod init;
 mod interrupt;
+mod limit;
 mod load;
 mod man;
 mod manoeuvre;
@@ -69,6 +70,7 @@ fn main() -> ExitCode {
         Command::Init(args) => init::init(args),
         Command::Report(args) => report::report(args),
         Command::Check(args) => check::check(args),
+        Command::Limit(args) => limit::limit(args),
         Command::Campaign(args) => campaign::campaign(args),
         Command::Statistics(args) => statistics::statistics(args),
         Command::Validate(args) => validate::validate(args),

@@ -53,6 +53,8 @@ impl Driven {
 pub(crate) struct Played {
     pub(crate) recorder: Recorder,
     pub(crate) findings: Vec<Finding>,
+    /// The value that each limit of the scenario is compared with.
+    pub(crate) limit_values: Vec<f64>,
     pub(crate) interrupted: Option<Interrupted>,
     title: String,
     report: Vec<(&'static str, String)>,
@@ -219,6 +221,7 @@ impl Start {
         Ok(Played {
             recorder,
             findings: simulation.findings(),
+            limit_values: simulation.limit_values(),
             interrupted: (!is_done).then(|| Interrupted::of(&simulation)),
             title,
             report,
@@ -258,6 +261,8 @@ impl Played {
             fenders: &self.fenders,
             dolphins: simulation.dolphin_summaries(),
             berthing: simulation.berthing(),
+            statistics: simulation.statistics(),
+            limit_values: &self.limit_values,
             world: &self.world,
             providers: &self.providers,
             estimate_errors: estimate_errors(simulation.setup()),

@@ -72,6 +72,8 @@ impl Totals {
             fenders: &fenders,
             dolphins: simulation.dolphin_summaries(),
             berthing: simulation.berthing(),
+            statistics: simulation.statistics(),
+            limit_values: &simulation.limit_values(),
             world: &self.world,
             providers: &ProviderNotices::default(),
             estimate_errors: &[],

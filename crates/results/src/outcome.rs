@@ -3,6 +3,7 @@
 use fenderline_contact::BodyState;
 use fenderline_sim::berthing::{BerthingError, BerthingOutcome};
 use fenderline_sim::exercise::Assessment;
+use fenderline_sim::statistics::Statistics;
 use fenderline_sim::{
     DolphinSummary, Energy, FenderSummary, Finding, PairSummary, Setup, Simulation,
 };
@@ -75,6 +76,10 @@ pub struct Outcome<'a> {
     pub dolphins: &'a [DolphinSummary],
     /// Berthing energy by formula and in the run; `None` if the scenario does not ask for it or no fender was touched.
     pub berthing: Option<Result<&'a BerthingOutcome, &'a BerthingError>>,
+    /// Statistics of motions and lines; `None` if the scenario does not ask for them.
+    pub statistics: Option<&'a Statistics>,
+    /// The value that each limit of the scenario is compared with.
+    pub limit_values: &'a [f64],
     /// Vessels, tugs and lines.
     pub world: &'a WorldTotals,
     /// Events of force providers.

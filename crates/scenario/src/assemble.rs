@@ -17,6 +17,7 @@ mod fender_sense;
 mod fenders;
 mod flexible;
 mod hull;
+mod limits;
 mod loads;
 mod materials;
 mod mooring;
@@ -130,6 +131,7 @@ pub(crate) fn setup(
     let vessels = assembly.vessels(file.given("body").named(), &kinds)?;
     let flow =
         assembly.flow(file, &libraries.vessels, (&kinds, &vessels, &bodies), &environment)?;
+    let statistics = assembly.statistics(file, &vessels, &names)?;
     let tugs = assembly.tugs(file.given("tug").named(), &vessels, &names)?;
     let lines =
         assembly.lines(file.given("line").named(), (&bodies, &environment.tide), &decks, &names)?;
@@ -169,6 +171,7 @@ pub(crate) fn setup(
             bollards,
             line_handling,
             flow,
+            statistics,
             providers,
             chart,
         },

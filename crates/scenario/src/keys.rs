@@ -14,6 +14,7 @@ pub(crate) mod exercise;
 mod fender;
 pub(crate) mod fender_row;
 mod hull;
+pub(crate) mod limit;
 mod load;
 mod material;
 pub(crate) mod mooring;
@@ -162,6 +163,20 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             Kind::Table(&mooring::LINE_HANDLING),
             Is("{}"),
             "How lines come to a bollard.",
+            &[],
+        ),
+        key(
+            "statistics",
+            Kind::Table(&limit::STATISTICS),
+            Means("no statistics, unless there is a `limit`"),
+            "Statistics of motions and lines.",
+            &[],
+        ),
+        key(
+            "limit",
+            Kind::Named(&limit::LIMIT),
+            Is("{}"),
+            "Limits of motions, lines and fenders, by name.",
             &[],
         ),
         key(

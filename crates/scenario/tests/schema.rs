@@ -264,6 +264,12 @@ fn with_rows(mut full: Json) -> Json {
             "distance": "20 m", "abnormal": { "energy_factor": 1.5 }
         }
     });
+    full["statistics"] = json!({ "from": "2 s" });
+    full["limit"] = json!({
+        "ahead": { "of": "surge", "vessel": "d", "statistic": "significant range", "distance": "0.8 m" },
+        "heel": { "of": "roll", "vessel": "d", "statistic": "maximum", "angle": "2 deg" },
+        "ropes": { "of": "lines", "share": 0.5 }
+    });
     full
 }
 

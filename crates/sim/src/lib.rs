@@ -143,6 +143,7 @@
 //! | mooring lines and winches | [`mooring`] |
 //! | ships that pass, and the flow between ships | [`passing`] |
 //! | where a ship is that follows waypoints at given speeds | [`track`] |
+//! | statistics of motions, and limits on them | [`statistics`] |
 //! | heave, roll and pitch | [`attitude`] |
 //! | tugs as force vectors | [`tug`] |
 //! | controllers for heading, position and thrust | [`control`] |
@@ -201,6 +202,7 @@ pub mod seakeeping;
 mod setup;
 mod simulation;
 mod start;
+pub mod statistics;
 mod summary;
 pub mod track;
 pub mod tug;

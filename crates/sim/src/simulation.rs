@@ -40,6 +40,7 @@ use crate::ledger::{Bodies, Ledger};
 use crate::record::StepRecord;
 use crate::rigid_body::Inertia;
 use crate::setup::{Integrator, Load, Method, Setup};
+use crate::statistics::Statistics;
 use crate::summary::Summaries;
 use crate::verdict::{Watch, starts_inside};
 use crate::world::{VesselSetup, VesselState, World};
@@ -70,6 +71,7 @@ pub struct Simulation {
     watch: Watch,
     dolphins: Dolphins,
     study: Option<Study>,
+    statistics: Option<Statistics>,
     buffers: Buffers,
 }
 
@@ -108,6 +110,7 @@ impl Simulation {
             }),
             dolphins: Dolphins::new(&setup, &model),
             study: berthing_study(&setup)?,
+            statistics: Statistics::new(&setup),
             world,
             sides,
             index: 0,
@@ -257,6 +260,9 @@ impl Simulation {
         };
         self.summaries.add(&record);
         self.watch.add(&self.setup, &record);
+        if let Some(statistics) = &mut self.statistics {
+            statistics.add(&self.setup, &record);
+        }
         let setups = (self.setup.fenders.as_slice(), self.setup.materials.as_slice());
         let (vessels, now) = (&self.setup.world.vessels, &self.world.vessels);
         let sinking_mps = |contact: &Contact, host: usize| {

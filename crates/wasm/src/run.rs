@@ -282,6 +282,8 @@ impl Run {
             fenders: &fenders,
             dolphins: simulation.dolphin_summaries(),
             berthing: simulation.berthing(),
+            statistics: simulation.statistics(),
+            limit_values: &simulation.limit_values(),
             world: &self.world,
             providers: &ProviderNotices::default(),
             estimate_errors: estimate_errors(setup),

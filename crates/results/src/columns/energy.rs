@@ -29,7 +29,7 @@ pub(crate) fn energy_table() -> Layout<EnergyRow> {
         float(
             "load_work_j",
             "J",
-            "work of all loads other than contact since the start, in the ground frame: the sum of the next fourteen columns",
+            "work of all loads other than contact since the start, in the ground frame: the sum of the next fifteen columns",
             |r| r.energy.load_work_j,
         ),
         float(

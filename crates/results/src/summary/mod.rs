@@ -7,6 +7,7 @@ mod events;
 mod exercise;
 mod fenders;
 mod session;
+mod statistics;
 mod verdict;
 mod world;
 
@@ -25,6 +26,7 @@ use events::events_json;
 use exercise::exercise_json;
 use fenders::fenders_json;
 use session::session_json;
+use statistics::put_statistics;
 use verdict::verdict_json;
 use world::put_world;
 
@@ -113,6 +115,7 @@ pub fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<String, S
         whole["berthing"] = berthing_json(berthing, setup);
     }
     put_world(&mut whole, outcome);
+    put_statistics(&mut whole, outcome);
     match first_null(&whole) {
         None => Ok(format!("{whole:#}\n")),
         Some(key) => Err(SummaryNotFinite { key }),

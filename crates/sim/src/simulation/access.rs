@@ -14,6 +14,7 @@ use crate::gain::{EnergyGain, REPORTED_GAIN};
 use crate::order::{Action, LineAction, Order, OrderError, VesselAction, check_order};
 use crate::record::Energy;
 use crate::setup::{Integrator, Method, Setup};
+use crate::statistics::Statistics;
 use crate::summary::PairSummary;
 use crate::verdict::{Finding, Verdict};
 use crate::world::{Assist, Faults, Job, Mooring, TugAtWork, VesselState};
@@ -129,7 +130,31 @@ impl Simulation {
             .map(|EnergyGain { gained_j, taken_j }| Finding::EnergyGained { gained_j, taken_j });
         let touched = (self.fender_summaries(), self.sides.missed());
         let piles = self.dolphins.summaries.as_slice();
-        self.watch.findings(&self.setup, touched, piles, gain)
+        let mut all = self.watch.findings(&self.setup, touched, piles, gain);
+        let limits = &self.setup.world.statistics.limits;
+        let exceeded = self.limit_values().into_iter().zip(limits).enumerate();
+        let exceeded = exceeded.filter(|(_, (value, limit))| *value > limit.most);
+        all.extend(exceeded.map(|(limit, (value, _))| Finding::LimitExceeded { limit, value }));
+        all.sort_by_key(|finding| core::cmp::Reverse(finding.verdict()));
+        all
+    }
+
+    /// Statistics of motions and lines so far; `None` if the set-up asks for none.
+    #[must_use]
+    pub fn statistics(&self) -> Option<&Statistics> {
+        self.statistics.as_ref()
+    }
+
+    /// The value that each limit of the set-up is compared with, in its order; empty without limits.
+    #[must_use]
+    pub fn limit_values(&self) -> Vec<f64> {
+        let Some(statistics) =
+            self.statistics.as_ref().filter(|_| !self.setup.world.statistics.limits.is_empty())
+        else {
+            return Vec::new();
+        };
+        let tensions = self.watch.peak_tensions_n();
+        statistics.values(&self.setup, &tensions, self.fender_summaries())
     }
 
     /// Bodies that started inside each other; empty in a sound scenario. Known before the first step.

@@ -7,6 +7,7 @@ use crate::error::SetupError;
 use crate::ledger::{Bodies, Ledger};
 use crate::rigid_body::initial_state;
 use crate::start::Start;
+use crate::statistics::Statistics;
 use crate::verdict::starts_inside;
 
 impl Simulation {
@@ -43,6 +44,7 @@ impl Simulation {
         let states: &[BodyState] = states;
         self.ledger = Ledger::new(Bodies { order: &world.order.bodies, inertias, states });
         self.index = 0;
+        self.statistics = Statistics::new(setup);
         self.contact_totals.restart();
         self.summaries.pairs.clear();
         self.fender_summaries.restart();

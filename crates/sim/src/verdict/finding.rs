@@ -79,6 +79,13 @@ pub enum Finding {
         /// How long (s).
         lasting_s: f64,
     },
+    /// A limit of the scenario was exceeded.
+    LimitExceeded {
+        /// The limit, by its index in [`crate::statistics::StatisticsSetup::limits`].
+        limit: usize,
+        /// The value (m, rad, or a share).
+        value: f64,
+    },
     /// A fender was beyond its rating.
     FenderOverRated {
         /// The fender.
@@ -185,6 +192,7 @@ impl Finding {
             Finding::StartInside { .. } => Verdict::StartInside,
             Finding::Aground { .. } => Verdict::Aground,
             Finding::FenderOverRated { .. } => Verdict::FenderOverRated,
+            Finding::LimitExceeded { .. } => Verdict::LimitExceeded,
             Finding::AboveCatalogue { .. } => Verdict::AboveCatalogue,
             Finding::NoSideAtFender { .. } => Verdict::NoSideAtFender,
             Finding::LineOverWorking { .. } => Verdict::LineOverWorking,
@@ -226,6 +234,9 @@ impl Finding {
             | Finding::LineNotMadeFast { line, .. }
             | Finding::LineRendered { line, .. } => {
                 vec![setup.world.lines[line].line.name.as_str()]
+            }
+            Finding::LimitExceeded { limit, .. } => {
+                vec![setup.world.statistics.limits[limit].name.as_str()]
             }
             Finding::PileYielded { body: of, .. } => vec![body(of)],
             Finding::Aground { vessel, .. } => vec![body(setup.world.vessels[vessel].body)],
@@ -297,6 +308,16 @@ impl Finding {
                     "{}: {quantity} {:.0} % of rated",
                     called("Fender", names[0]),
                     100.0 * share
+                )
+            }
+            Finding::LimitExceeded { limit, value } => {
+                let limit = &setup.world.statistics.limits[limit];
+                format!(
+                    "Limit {}: {} was {}, above {}",
+                    limit.name,
+                    limit.subject(setup),
+                    limit.shown(value),
+                    limit.shown(limit.most)
                 )
             }
             Finding::AboveCatalogue { quantity, share, share_of_run, others, .. } => {

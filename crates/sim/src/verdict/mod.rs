@@ -46,6 +46,8 @@ pub enum Verdict {
     NoSideAtFender,
     /// Deflection, reaction or energy of a fender was beyond its rating.
     FenderOverRated,
+    /// A limit of the scenario on motions, lines or fenders was exceeded.
+    LimitExceeded,
     /// A vessel was aground.
     Aground,
     /// Bodies started the run inside each other: forces and energies of the first contact have no meaning.
@@ -75,7 +77,7 @@ pub enum Gravity {
 
 impl Verdict {
     /// All verdicts, from best to worst.
-    pub const ALL: [Verdict; 18] = [
+    pub const ALL: [Verdict; 19] = [
         Verdict::AllWell,
         Verdict::NoFenderTouched,
         Verdict::NotRated,
@@ -88,6 +90,7 @@ impl Verdict {
         Verdict::LineOverWorking,
         Verdict::NoSideAtFender,
         Verdict::FenderOverRated,
+        Verdict::LimitExceeded,
         Verdict::Aground,
         Verdict::StartInside,
         Verdict::LineParted,
@@ -118,6 +121,7 @@ impl Verdict {
             Verdict::LineOverWorking => "Line over its working load",
             Verdict::NoSideAtFender => "A fender met no side",
             Verdict::FenderOverRated => "Fender over its rating",
+            Verdict::LimitExceeded => "A limit of the scenario exceeded",
             Verdict::Aground => "Aground",
             Verdict::StartInside => "Bodies start inside each other",
             Verdict::LineParted => "Line parted",
@@ -143,6 +147,7 @@ impl Verdict {
             Verdict::LineOverWorking => "line_over_working_load",
             Verdict::NoSideAtFender => "no_side_at_fender",
             Verdict::FenderOverRated => "fender_over_rated",
+            Verdict::LimitExceeded => "limit_exceeded",
             Verdict::Aground => "aground",
             Verdict::StartInside => "start_inside",
             Verdict::LineParted => "line_parted",
@@ -168,6 +173,7 @@ impl Verdict {
             | Verdict::LineOverWorking
             | Verdict::NoSideAtFender
             | Verdict::FenderOverRated
+            | Verdict::LimitExceeded
             | Verdict::Aground
             | Verdict::StartInside => Gravity::Attention,
             Verdict::LineParted

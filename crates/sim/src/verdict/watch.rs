@@ -112,6 +112,11 @@ impl Watch {
         &self.starts
     }
 
+    /// The largest tension of each line so far (N).
+    pub(crate) fn peak_tensions_n(&self) -> Vec<f64> {
+        self.lines.iter().map(|line| line.peak_n).collect()
+    }
+
     /// Adds one step.
     pub(crate) fn add(&mut self, setup: &Setup, step: &StepRecord<'_>) {
         self.add_touches(step);

@@ -8,6 +8,7 @@ use super::vessel::VesselSetup;
 use crate::chart::Chart;
 use crate::order::Order;
 use crate::passing::FlowSetup;
+use crate::statistics::StatisticsSetup;
 
 /// Everything around the bodies of a [`crate::Setup`]; empty by default.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -28,6 +29,8 @@ pub struct WorldSetup {
     pub line_handling: LineHandling,
     /// Ships that pass, and vessels that act on each other by the flow about them.
     pub flow: FlowSetup,
+    /// Statistics of motions, and limits.
+    pub statistics: StatisticsSetup,
     /// Programs that give forces on bodies.
     pub providers: Vec<ProviderSetup>,
     /// What is drawn behind the bodies. It exerts no force.

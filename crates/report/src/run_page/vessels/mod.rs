@@ -2,6 +2,7 @@
 
 mod charts;
 mod headline;
+mod motions;
 mod orders;
 mod passing;
 mod tables;
@@ -39,6 +40,7 @@ pub(super) fn sections(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
         @if !world.vessels.is_empty() {
             h2 { "Vessels" }
             (tables::vessels(outcome))
+            (motions::section(outcome))
             (charts::vessels(&page, recorder))
         }
         @if !world.flow.hulls.is_empty() {
