@@ -23,13 +23,14 @@ impl Assembly<'_, '_> {
                 return Err(self.refused(item.table(), from, &"the run has ended by then"));
             }
         }
-        let limits = limits.iter().map(|(name, table)| self.limit(name, table, vessels, names));
+        let limits =
+            limits.iter().map(|(name, table)| self.motion_limit(name, table, vessels, names));
         let limits = limits.collect::<Checked<Vec<LimitSetup>>>()?;
         let from_s = from_s.or((!limits.is_empty()).then_some(0.0));
         Ok(StatisticsSetup { from_s, limits })
     }
 
-    fn limit(
+    fn motion_limit(
         &self,
         name: &str,
         table: &Table,
