@@ -14,7 +14,7 @@ import { ON_PAGE, isOrder, unknownOrders } from "./orders";
 import type { Page } from "./page";
 import { PastRequests } from "./past";
 import { PALETTE_NAMES, type PaletteName, applyPalette } from "./palette";
-import type { Action, Alarm, FromServer, Hello, Role, VerdictNow } from "./protocol";
+import type { Action, Alarm, FromServer, Hello, PlannedNow, Role, VerdictNow } from "./protocol";
 import { Trial } from "./trial";
 import { button, h, setAttribute, setClass, setText } from "./ui/dom";
 import { Sound } from "./sound";
@@ -60,6 +60,8 @@ export class App implements Page {
   private plan: Plan | null = null;
   private trialView: TrialView | null = null;
   private alarms: Alarms | null = null;
+  private conditions: Conditions | null = null;
+  private plannedEvents: PlannedNow[] = [];
   private tabs: Tab[] = [];
   private groups: Group[] = [];
   /** Kept over a reload. */
@@ -209,6 +211,10 @@ export class App implements Page {
       case "prediction":
         this.live.prediction = message;
         break;
+      case "planned":
+        this.plannedEvents = message.events;
+        this.conditions?.planned.heard(message.events);
+        break;
       case "trial":
         this.trial.heard(message);
         break;
@@ -293,19 +299,23 @@ export class App implements Page {
       ["Verdict", "r", new Verdict()],
     ];
     if (hello.exercise) views.push(["Exercise", "y", new Exercise(this, hello, hello.exercise)]);
-    if (hello.role.name === "instructor")
+    this.conditions = null;
+    if (hello.role.name === "instructor") {
+      this.conditions = new Conditions(this, hello);
+      this.conditions.planned.heard(this.plannedEvents);
       views.unshift(
         ["Session", null, new Session(this, hello)],
-        ["Weather, faults", null, new Conditions(this, hello)],
+        ["Weather, faults", null, this.conditions],
       );
+    }
     this.trialView = null;
     this.trial.end();
     this.markTrial(false);
     if (hello.role.name !== "observer" && hello.vessels.length > 0) {
       this.trialView = new TrialView(this, hello, (on) => this.markTrial(on));
-      views.push(["Trial", "y", this.trialView]);
+      views.push(["Trial", "j", this.trialView]);
       plan.addTool(
-        button("Trial", () => this.show("Trial"), { name: "Trial manoeuvre: try orders (Y)" }),
+        button("Trial", () => this.show("Trial"), { name: "Trial manoeuvre: try orders (J)" }),
       );
     }
     this.tabs = views.map(([name, key, view]) => ({

@@ -11,7 +11,8 @@ import type { Order } from "./orders";
 
 // ---------------------------------------------------------------- server → page
 
-export type FromServer = Hello | Frame | Prediction | Trial | Past | Ack | Refused | Notice;
+export type FromServer =
+  Hello | Frame | Prediction | Trial | Past | Planned | Ack | Refused | Notice;
 
 /** A place or a vector: [north, east] or [forward, starboard]. */
 export type Pair = [number, number];
@@ -31,6 +32,7 @@ export interface Hello {
   lines: LineInfo[];
   bollards: BollardInfo[];
   tugs: TugInfo[];
+  traffic: TrafficInfo[];
   /** The table of orders: words, units and limits. */
   orders: OrderInfo[];
   /** The engine telegraph, from full astern to navigation full. */
@@ -133,6 +135,8 @@ export interface CommandLimits {
   approach_limit_mps: Pair;
   /** Simulated time over wall time. */
   pace: Pair;
+  /** Time over which wind or current changes [s]. */
+  over_s: Pair;
   /** How far a trial looks ahead [s]. */
   trial_s: Pair;
 }
@@ -229,6 +233,13 @@ export interface TugInfo {
   pull_at_m: Pair;
 }
 
+/** A ship that passes on a track of her own: no order moves her, and she touches nothing. */
+export interface TrafficInfo {
+  name: string;
+  /** About midship [m]. */
+  outline: Pair[];
+}
+
 /** One tick. The page interpolates between the last two. */
 export interface Frame {
   type: "frame";
@@ -243,6 +254,8 @@ export interface Frame {
   contacts: ContactNow[];
   lines: LineNow[];
   tugs: TugNow[];
+  /** Of each ship in `Hello.traffic`; she is where her track says. */
+  traffic: BodyNow[];
   /** Wind at the pilot's ship: where it comes from, and its speed; 0 without wind. */
   wind: { speed_mps: number; from_rad: number };
   /** Current at the pilot's ship: where it flows to, and its speed. */
@@ -414,6 +427,8 @@ export interface TugNow {
   /** Direction of the force on the ship, from the ship's bow. */
   direction_rad: number;
   limited: boolean;
+  /** She has dropped out and carries out no orders. */
+  out: boolean;
 }
 
 export interface Alarm {
@@ -534,6 +549,21 @@ export interface Then {
   level: Alarm["level"] | null;
 }
 
+/** For instructors only: what is planned, by time, whenever it has changed. */
+export interface Planned {
+  type: "planned";
+  events: PlannedNow[];
+}
+
+export interface PlannedNow {
+  id: number;
+  at_s: number;
+  event: OtherAction;
+  state: "waits" | "fired" | "cancelled" | "refused";
+  /** Why it could not be carried out. */
+  reason: string | null;
+}
+
 export interface Ack {
   type: "ack";
   id: number;
@@ -629,8 +659,16 @@ export type OtherAction =
   | { do: "note"; text?: string }
   /** The speed limit at the fenders, of docking board and alarms: by pilot and instructor. */
   | { do: "approach_limit"; speed_mps: number }
-  | { do: "wind"; speed_mps: number; from_rad: number }
-  | { do: "current"; speed_mps: number; to_rad: number }
+  /** At once, or over a time. */
+  | { do: "wind"; speed_mps: number; from_rad: number; over_s?: number }
+  | { do: "current"; speed_mps: number; to_rad: number; over_s?: number }
+  | { do: "part_line"; line: string }
+  /** A vector tug drops out, or comes back. */
+  | { do: "tug_out"; tug: string; on: boolean }
+  /** Plans weather or a fault for a time of the run. */
+  | { do: "plan"; at_s: number; event: OtherAction }
+  | { do: "cancel_planned"; id: number }
   | { do: "fault"; vessel: string; fault: Fault; on: boolean };
 
-export type Fault = "rudder_stuck" | "engine_lost" | "thrusters_lost" | "blackout";
+export type Fault =
+  "rudder_stuck" | "follow_up_lost" | "engine_lost" | "thrusters_lost" | "blackout";

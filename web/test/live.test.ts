@@ -18,6 +18,7 @@ function frame(tick: number, north: number, paused = false): Frame {
     contacts: [],
     lines: [],
     tugs: [],
+    traffic: [],
     run: {
       paused,
       pace: 1,

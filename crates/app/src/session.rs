@@ -146,12 +146,23 @@ fn words_of(action: &Action, setup: &Setup) -> String {
         Action::Other(OtherAction::Tug { tug, order, power, lead, place }) => {
             tug_words(tug, *order, *power, *lead, *place)
         }
-        Action::Other(OtherAction::Wind { speed_mps, from_rad }) => {
-            format!("wind {} m/s from {}", plain(*speed_mps, 3), degrees(*from_rad))
+        Action::Other(OtherAction::Wind { speed_mps, from_rad, over_s }) => {
+            let over = over_words(*over_s);
+            format!("wind {} m/s from {}{over}", plain(*speed_mps, 3), degrees(*from_rad))
         }
-        Action::Other(OtherAction::Current { speed_mps, to_rad }) => {
-            format!("current {} m/s towards {}", plain(*speed_mps, 3), degrees(*to_rad))
+        Action::Other(OtherAction::Current { speed_mps, to_rad, over_s }) => {
+            let over = over_words(*over_s);
+            format!("current {} m/s towards {}{over}", plain(*speed_mps, 3), degrees(*to_rad))
         }
+        Action::Other(OtherAction::PartLine { line }) => format!("line {line} parts"),
+        Action::Other(OtherAction::TugOut { tug, on }) => {
+            format!("{tug}: {}", if *on { "drops out" } else { "comes back" })
+        }
+        Action::Other(OtherAction::Plan { at_s, event }) => {
+            let event = words_of(&Action::Other((**event).clone()), setup);
+            format!("plans for {} s: {event}", plain(*at_s, 1))
+        }
+        Action::Other(OtherAction::CancelPlanned { id }) => format!("cancels planned event {id}"),
         Action::Other(OtherAction::Fault { vessel, fault, on }) => {
             let ends = if *on { "" } else { " ends" };
             format!("{vessel}: {}{ends}", fault_words(*fault))
@@ -186,10 +197,16 @@ fn tug_words(
 fn fault_words(fault: Fault) -> &'static str {
     match fault {
         Fault::RudderStuck => "rudder stuck",
+        Fault::FollowUpLost => "rudder does not follow",
         Fault::EngineLost => "engine lost",
         Fault::ThrustersLost => "thrusters lost",
         Fault::Blackout => "blackout",
     }
+}
+
+/// Over what time wind or current changes; nothing where it changes at once.
+fn over_words(over_s: f64) -> String {
+    if over_s > 0.0 { format!(" over {} s", plain(over_s, 0)) } else { String::new() }
 }
 
 /// Three digits, as a direction is said.

@@ -39,10 +39,29 @@ pub enum OtherAction {
         #[serde(default, with = "crate::word")]
         place: SidePlace,
     },
-    /// Sets the mean wind, given at 10 m. The gusts of the scenario go on, in proportion to it; a time series becomes steady.
-    Wind { speed_mps: f64, from_rad: f64 },
-    /// Replaces the current by a uniform one.
-    Current { speed_mps: f64, to_rad: f64 },
+    /// Sets the mean wind, given at 10 m, at once or over a time. The gusts of the scenario go on, in proportion to it; a time
+    /// series becomes steady.
+    Wind {
+        speed_mps: f64,
+        from_rad: f64,
+        #[serde(default, skip_serializing_if = "is_zero")]
+        over_s: f64,
+    },
+    /// Replaces the current by a uniform one, at once or over a time.
+    Current {
+        speed_mps: f64,
+        to_rad: f64,
+        #[serde(default, skip_serializing_if = "is_zero")]
+        over_s: f64,
+    },
+    /// A line parts.
+    PartLine { line: String },
+    /// A vector tug drops out, or comes back.
+    TugOut { tug: String, on: bool },
+    /// Plans a change of the weather or a fault for a time.
+    Plan { at_s: f64, event: Box<OtherAction> },
+    /// Cancels a planned event, by its number.
+    CancelPlanned { id: u64 },
     /// A fault on a vessel begins or ends.
     Fault { vessel: String, fault: Fault, on: bool },
     /// Sets the speed limit at the fenders: a greater closing speed is an alarm.
@@ -54,6 +73,30 @@ pub enum OtherAction {
         #[serde(default, skip_serializing_if = "String::is_empty")]
         text: String,
     },
+}
+
+fn is_zero(number: &f64) -> bool {
+    *number == 0.0
+}
+
+impl OtherAction {
+    /// True for what happens by itself at a time: weather and faults.
+    #[must_use]
+    pub fn can_be_planned(&self) -> bool {
+        match self {
+            OtherAction::Wind { .. }
+            | OtherAction::Current { .. }
+            | OtherAction::Fault { .. }
+            | OtherAction::PartLine { .. }
+            | OtherAction::TugOut { .. } => true,
+            OtherAction::Tug { .. }
+            | OtherAction::Plan { .. }
+            | OtherAction::CancelPlanned { .. }
+            | OtherAction::ApproachLimit { .. }
+            | OtherAction::Acknowledge { .. }
+            | OtherAction::Note { .. } => false,
+        }
+    }
 }
 
 /// The limits of commands that are not in the table of orders: least and greatest value. Pages get them in `hello`.
@@ -69,6 +112,8 @@ pub struct CommandLimits {
     pub approach_limit_mps: Pair,
     /// Simulated time over wall time.
     pub pace: Pair,
+    /// Time over which wind or current changes (s).
+    pub over_s: Pair,
     /// How far a trial looks ahead (s).
     pub trial_s: Pair,
 }
@@ -80,6 +125,7 @@ pub const COMMAND_LIMITS: CommandLimits = CommandLimits {
     current_mps: [0.0, Current::FASTEST_MPS],
     approach_limit_mps: ApproachLimit::LIMITS_MPS,
     pace: [0.1, 20.0],
+    over_s: [0.0, 7200.0],
     trial_s: [10.0, 1200.0],
 };
 
@@ -132,6 +178,8 @@ impl<'de> Deserialize<'de> for Action {
 pub enum Fault {
     /// The rudder stays where it is; azimuth units do not turn.
     RudderStuck,
+    /// The rudder runs to its stop on the side of the order.
+    FollowUpLost,
     /// Shaft and azimuth units give no thrust.
     EngineLost,
     /// Tunnel thrusters give no thrust.
@@ -146,6 +194,7 @@ impl Fault {
     pub fn active(faults: &fenderline_sim::Faults) -> Vec<Fault> {
         [
             (faults.rudder_stuck, Fault::RudderStuck),
+            (faults.follow_up_lost, Fault::FollowUpLost),
             (faults.engine_lost, Fault::EngineLost),
             (faults.thrusters_lost, Fault::ThrustersLost),
             (faults.blackout, Fault::Blackout),
@@ -159,6 +208,7 @@ impl Fault {
     pub(crate) fn switch(self, faults: &mut fenderline_sim::Faults, on: bool) {
         match self {
             Fault::RudderStuck => faults.rudder_stuck = on,
+            Fault::FollowUpLost => faults.follow_up_lost = on,
             Fault::EngineLost => faults.engine_lost = on,
             Fault::ThrustersLost => faults.thrusters_lost = on,
             Fault::Blackout => faults.blackout = on,

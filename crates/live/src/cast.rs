@@ -143,7 +143,11 @@ impl Cast {
                 OtherAction::Tug { tug, .. } => Helm::Of(Control::Tug(tug.clone())),
                 OtherAction::Wind { .. }
                 | OtherAction::Current { .. }
-                | OtherAction::Fault { .. } => Helm::World,
+                | OtherAction::Fault { .. }
+                | OtherAction::PartLine { .. }
+                | OtherAction::TugOut { .. }
+                | OtherAction::Plan { .. }
+                | OtherAction::CancelPlanned { .. } => Helm::World,
                 OtherAction::ApproachLimit { .. } => Helm::Board,
                 OtherAction::Acknowledge { .. } => Helm::Alarm,
                 OtherAction::Note { .. } => Helm::Notes,

@@ -5,6 +5,7 @@ use fenderline_contact::number::lesser;
 use fenderline_sim::berth::Berth;
 use fenderline_sim::mooring::InboardEnd;
 use fenderline_sim::order::{OrderName, SidePlace, TargetKind, Word, towline};
+use fenderline_sim::passing::PassingSetup;
 use fenderline_sim::{BollardSetup, LineEnd, MooringSetup, Setup, TugSetup, VesselSetup};
 
 use crate::berth;
@@ -12,7 +13,7 @@ use crate::cast::Cast;
 use crate::chart_info::chart_infos;
 use crate::message::{
     AzimuthInfo, BodyInfo, BollardInfo, ChartInfo, FenderInfo, LineEndInfo, LineInfo, OrderInfo,
-    Pair, TelegraphInfo, ThrusterInfo, TugInfo, VesselInfo,
+    Pair, TelegraphInfo, ThrusterInfo, TrafficInfo, TugInfo, VesselInfo,
 };
 use crate::order_info::{order_infos, telegraph};
 
@@ -36,6 +37,8 @@ pub struct Info {
     pub bollards: Vec<BollardInfo>,
     /// As in [`crate::message::Hello`].
     pub tugs: Vec<TugInfo>,
+    /// As in [`crate::message::Hello`].
+    pub traffic: Vec<TrafficInfo>,
     /// As in [`crate::message::Hello`].
     pub orders: Vec<OrderInfo>,
     /// As in [`crate::message::Hello`].
@@ -81,6 +84,7 @@ impl Info {
             lines: world.lines.iter().map(line_info).collect(),
             bollards: world.bollards.iter().map(bollard_info).collect(),
             tugs: world.tugs.iter().map(|tug| tug_info(tug, &world.vessels)).collect(),
+            traffic: world.flow.passing.iter().map(traffic_info).collect(),
             orders: order_infos(),
             telegraph: telegraph(),
             places: cast.own.map_or_else(Vec::new, |own| places(setup, &world.vessels[own])),
@@ -93,6 +97,11 @@ impl Info {
 
 pub(crate) fn pair(of: Vec2) -> Pair {
     [of.x, of.y]
+}
+
+fn traffic_info(ship: &PassingSetup) -> TrafficInfo {
+    let outline = ship.outline_m.iter().map(|&at| pair(at)).collect();
+    TrafficInfo { name: ship.name.clone(), outline }
 }
 
 fn vessel_info(setup: &Setup, cast: &Cast, vessel: &VesselSetup, is_tug: bool) -> VesselInfo {

@@ -35,6 +35,7 @@ mod refusal;
 mod repeat;
 mod replay;
 mod request;
+mod script;
 mod session;
 mod source;
 mod trial;

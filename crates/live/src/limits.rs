@@ -22,6 +22,11 @@ pub(crate) const MARKS: u64 = 10;
 /// Most orders of a trial, and most that are given together.
 pub(crate) const MOST_TRIAL_ORDERS: usize = 16;
 
+/// Most planned events that wait.
+pub(crate) const MOST_PLANNED: usize = 100;
+/// How far ahead an event can be planned (s).
+pub(crate) const LONGEST_PLAN_S: f64 = 86_400.0;
+
 /// The longest name of a person (characters).
 pub const LONGEST_NAME: usize = 30;
 

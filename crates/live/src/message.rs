@@ -4,7 +4,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::action::{CommandLimits, Fault};
+use crate::action::{CommandLimits, Fault, OtherAction};
 use crate::approach::Light;
 use crate::request::Control;
 
@@ -28,6 +28,7 @@ pub struct Hello<'a> {
     pub lines: &'a [LineInfo],
     pub bollards: &'a [BollardInfo],
     pub tugs: &'a [TugInfo],
+    pub traffic: &'a [TrafficInfo],
     pub orders: &'a [OrderInfo],
     pub telegraph: &'a [TelegraphInfo],
     pub limits: CommandLimits,
@@ -242,6 +243,13 @@ pub struct TugInfo {
     pub pull_at_m: Pair,
 }
 
+/// A ship that passes on a track of her own: no order moves her, and she touches nothing.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TrafficInfo {
+    pub name: String,
+    pub outline: Vec<Pair>,
+}
+
 /// A frame without its `events`, which differ between clients.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "type", rename = "frame")]
@@ -256,6 +264,7 @@ pub struct Frame {
     pub contacts: Vec<ContactNow>,
     pub lines: Vec<LineNow>,
     pub tugs: Vec<TugNow>,
+    pub traffic: Vec<[f64; 6]>,
     pub wind: WindNow,
     pub current: CurrentNow,
     pub waves: Option<WavesNow>,
@@ -485,6 +494,7 @@ pub struct TugNow {
     pub force_n: f64,
     pub direction_rad: f64,
     pub limited: bool,
+    pub out: bool,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
@@ -563,6 +573,9 @@ pub enum Reply {
         paths: Vec<ShipPath>,
         findings: Vec<String>,
     },
+    Planned {
+        events: Vec<PlannedNow>,
+    },
     Ack {
         id: i64,
         tick: u64,
@@ -574,6 +587,16 @@ pub enum Reply {
     Notice {
         text: String,
     },
+}
+
+/// An event that the instructor has planned, and what became of it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PlannedNow {
+    pub id: u64,
+    pub at_s: f64,
+    pub event: OtherAction,
+    pub state: &'static str,
+    pub reason: Option<String>,
 }
 
 /// The path of a vessel: time (s), position (m), heading (rad).

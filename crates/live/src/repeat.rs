@@ -87,6 +87,9 @@ pub struct Repeat {
     known: Vec<(String, usize)>,
 }
 
+/// Who gives what was planned, in the log.
+const PLAN: &str = "plan";
+
 impl Repeat {
     /// A branch of `session` at its start. Nothing is added to the recording.
     ///
@@ -137,7 +140,12 @@ impl Repeat {
     pub fn step(&mut self, each: impl FnOnce(&StepRecord<'_>)) -> Result<(), StepError> {
         assert!(!self.is_done(), "the branch is at its end");
         self.note_given();
+        let t_s = self.simulation().time_s();
         self.session.step_with(each)?;
+        for event in self.session.fired() {
+            let (who, action) = (PLAN.to_owned(), Action::Other(event.clone()));
+            self.log.commands.push(LoggedCommand { t_s, who, action });
+        }
         self.log.events.extend(self.session.take_events());
         self.note_alarms(self.session.causes_for_alarm());
         if self.is_done() {
@@ -245,7 +253,7 @@ mod tests {
     }
 
     fn wind(speed_mps: f64) -> Action {
-        OtherAction::Wind { speed_mps, from_rad: 1.0 }.into()
+        OtherAction::Wind { speed_mps, from_rad: 1.0, over_s: 0.0 }.into()
     }
 
     #[test]

@@ -21,10 +21,11 @@ use crate::limits::{
     Full, LONGEST_HEADER_BYTES, MARKS, MOST_BRANCHES, MOST_COMMANDS, MOST_NOTES, MOST_TICKS,
     NOTE_TICKS,
 };
-use crate::message::{History, Then};
+use crate::message::{History, PlannedNow, Then};
 use crate::past::{Past, Sample};
 use crate::recording::{Line, Writer};
 use crate::refusal::Refusal;
+use crate::script::{self, Script};
 use crate::source::Source;
 
 /// A branch: the commands from a tick on. Before that tick the commands of its parent apply.
@@ -59,6 +60,7 @@ pub(crate) struct Now {
     pub(crate) alarms: AlarmBook,
     /// The exercise, if the scenario has one.
     pub(crate) exercise: Option<Assessment>,
+    pub(crate) script: Script,
     /// Number of steps taken.
     pub(crate) tick: u64,
 }
@@ -71,8 +73,8 @@ impl Now {
         let exercise = exercise.map(|setup| Assessment::new(setup, &simulation));
         let seen = Seen::before_the_first_step(&simulation);
         let (manual, approach) = (ManualControl::default(), ApproachLimit::default());
-        let alarms = AlarmBook::default();
-        Now { simulation, manual, approach, seen, alarms, exercise, tick: 0 }
+        let (alarms, script) = (AlarmBook::default(), Script::default());
+        Now { simulation, manual, approach, seen, alarms, exercise, script, tick: 0 }
     }
 
     /// Updates the exercise after a step. Returns the text of its end, if it ends with this step.
@@ -112,6 +114,8 @@ pub struct Session {
     /// Time (s) and text of the events since the last call of [`Session::take_events`].
     events: Vec<(f64, String)>,
     past: Past,
+    /// The planned events that fired before the last step.
+    fired: Vec<OtherAction>,
 }
 
 /// Why a session cannot be opened.
@@ -189,6 +193,7 @@ impl Session {
             now,
             writer,
             events: Vec::new(),
+            fired: Vec::new(),
         })
     }
 
@@ -220,6 +225,17 @@ impl Session {
     #[must_use]
     pub fn alarms(&self) -> &AlarmBook {
         &self.now.alarms
+    }
+
+    /// The events that the instructor has planned, by time, and what became of them.
+    #[must_use]
+    pub fn planned(&self) -> Vec<PlannedNow> {
+        self.now.script.messages()
+    }
+
+    /// The planned events that fired before the last step.
+    pub(crate) fn fired(&self) -> &[OtherAction] {
+        &self.fired
     }
 
     /// The simulation in its present state.
@@ -399,9 +415,21 @@ impl Session {
 
     /// Takes one step of the simulation and keeps its contacts and events.
     fn advance(&mut self, each: impl FnOnce(&StepRecord<'_>)) -> Result<(), SimError> {
+        let before = script::is_due(&self.now).then(|| self.now.clone());
+        self.fired = script::run(&self.cast, &mut self.now);
         let Now { simulation, seen, tick, .. } = &mut self.now;
         let t_s = simulation.time_s();
-        let record = simulation.step()?;
+        let record = match simulation.step() {
+            Ok(record) => record,
+            Err(error) => {
+                // What was due is not carried out in a step that failed.
+                if let Some(before) = before {
+                    self.now = before;
+                }
+                self.fired.clear();
+                return Err(error);
+            }
+        };
         seen.keep(&record);
         each(&record);
         *tick += 1;

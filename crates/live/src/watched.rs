@@ -87,6 +87,7 @@ impl Watched {
             lines: &info.lines,
             bollards: &info.bollards,
             tugs: &info.tugs,
+            traffic: &info.traffic,
             orders: &info.orders,
             telegraph: &info.telegraph,
             limits: COMMAND_LIMITS,

@@ -115,6 +115,7 @@ fn messages(session: &Session) -> (Value, Value) {
         lines: &info.lines,
         bollards: &info.bollards,
         tugs: &info.tugs,
+        traffic: &info.traffic,
         orders: &info.orders,
         telegraph: &info.telegraph,
         limits: COMMAND_LIMITS,
@@ -148,7 +149,12 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
     // So that there is an alarm in the frame.
     let fault = OtherAction::Fault { vessel: "ship".into(), fault: Fault::RudderStuck, on: true };
     support::command(&mut session, fault.into());
+    let fault = OtherAction::TugOut { tug: "aft".into(), on: true };
+    let at_s = session.simulation().time_s() + 60.0;
+    support::command(&mut session, OtherAction::Plan { at_s, event: Box::new(fault) }.into());
     support::go(&mut session, 1);
+    let planned = message::text(&session.planned()[0]);
+    has_fields(&serde_json::from_str(&planned).expect("JSON"), "PlannedNow", &known);
     let (frame, hello) = messages(&session);
     assert_eq!((&frame["type"], &hello["type"]), (&"frame".into(), &"hello".into()));
     has_fields(&frame, "Frame", &known);
@@ -197,6 +203,7 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
     assert_eq!(hello["role"], serde_json::json!({ "name": "tugmaster", "tug": "aft" }));
     assert_eq!(hello["claims"][1]["control"], serde_json::json!({ "tug": "forward" }));
     for (reply, name) in [
+        (message::Reply::Planned { events: session.planned() }, "Planned"),
         (message::Reply::Ack { id: 1, tick: 2 }, "Ack"),
         (message::Reply::Refused { id: None, reason: "x".into() }, "Refused"),
         (message::Reply::Notice { text: "x".into() }, "Notice"),

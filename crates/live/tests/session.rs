@@ -24,12 +24,26 @@ fn commands() -> Vec<Action> {
         order(OrderName::LetGo, "head").into(),
         words("aft", TugWord::Pull),
         OtherAction::ApproachLimit { speed_mps: 0.2 }.into(),
-        OtherAction::Wind { speed_mps: 17.0, from_rad: 4.0 }.into(),
-        OtherAction::Current { speed_mps: 0.8, to_rad: 1.0 }.into(),
+        OtherAction::Wind { speed_mps: 17.0, from_rad: 4.0, over_s: 0.0 }.into(),
+        OtherAction::Current { speed_mps: 0.8, to_rad: 1.0, over_s: 0.0 }.into(),
         OtherAction::Fault { vessel: "ship".into(), fault: Fault::RudderStuck, on: true }.into(),
+        OtherAction::Wind { speed_mps: 4.0, from_rad: 1.0, over_s: 9.0 }.into(),
+        OtherAction::Current { speed_mps: 0.3, to_rad: 3.0, over_s: 12.0 }.into(),
+        OtherAction::Fault { vessel: "ship".into(), fault: Fault::FollowUpLost, on: true }.into(),
+        OtherAction::TugOut { tug: "aft".into(), on: true }.into(),
+        OtherAction::PartLine { line: "head".into() }.into(),
+        planned(6.0, Fault::EngineLost),
+        planned(15.0, Fault::RudderStuck),
+        OtherAction::CancelPlanned { id: 1 }.into(),
         OtherAction::Fault { vessel: "ship".into(), fault: Fault::Blackout, on: true }.into(),
         OtherAction::Fault { vessel: "ship".into(), fault: Fault::Blackout, on: false }.into(),
     ]
+}
+
+/// A fault that is planned for a time.
+fn planned(at_s: f64, fault: Fault) -> Action {
+    let event = Box::new(OtherAction::Fault { vessel: "ship".into(), fault, on: true });
+    OtherAction::Plan { at_s, event }.into()
 }
 
 /// An order in words to a tug, at half her power.
@@ -237,9 +251,15 @@ fn an_impossible_command_is_refused_with_a_reason_and_changes_nothing() {
                 .into(),
             "no line `none`",
         ),
-        (OtherAction::Wind { speed_mps: 400.0, from_rad: 0.0 }.into(), "wind speed"),
-        (OtherAction::Wind { speed_mps: f64::NAN, from_rad: 0.0 }.into(), "wind speed"),
-        (OtherAction::Current { speed_mps: -1.0, to_rad: 0.0 }.into(), "is not within"),
+        (OtherAction::Wind { speed_mps: 400.0, from_rad: 0.0, over_s: 0.0 }.into(), "wind speed"),
+        (
+            OtherAction::Wind { speed_mps: f64::NAN, from_rad: 0.0, over_s: 0.0 }.into(),
+            "wind speed",
+        ),
+        (
+            OtherAction::Current { speed_mps: -1.0, to_rad: 0.0, over_s: 0.0 }.into(),
+            "is not within",
+        ),
         (
             OtherAction::Fault { vessel: "x".into(), fault: Fault::Blackout, on: true }.into(),
             "no vessel",

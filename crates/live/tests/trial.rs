@@ -72,7 +72,7 @@ fn a_trial_refuses_what_a_real_order_refuses_and_in_its_words() {
         let second = session.command_all("test", 0, vec![rudder(0.1), action]).expect_err("bad");
         assert_eq!(second.to_string(), format!("order 2: {given}"));
     }
-    let wind = OtherAction::Wind { speed_mps: 5.0, from_rad: 0.0 };
+    let wind = OtherAction::Wind { speed_mps: 5.0, from_rad: 0.0, over_s: 0.0 };
     let many = vec![rudder(0.1); 17];
     for (orders, horizon_s, why) in [
         (vec![wind.into()], 60.0, "ships, tugs and lines only"),

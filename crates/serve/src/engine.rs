@@ -19,7 +19,7 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
-use fenderline_live::message::{self, RunState};
+use fenderline_live::message::{self, PlannedNow, Reply, Role, RunState};
 use fenderline_live::{Session, StepError};
 use fenderline_nautical::ChartOrigin;
 
@@ -68,6 +68,8 @@ pub(crate) struct Engine {
     predictor: Predictor,
     trials: Trials,
     history: KeptHistory,
+    /// The planned events that instructors were told last.
+    planned: Vec<PlannedNow>,
     /// `None`: no chart programs are served.
     chart: Option<ChartOutput>,
 }
@@ -109,6 +111,7 @@ impl Engine {
             predictor: Predictor::default(),
             trials: Trials::default(),
             history: KeptHistory::default(),
+            planned: Vec::new(),
             chart: chart.map(ChartOutput::new),
         };
         engine.make_tokens().map_err(|e| format!("no random numbers for the links: {e}"))?;
@@ -226,6 +229,23 @@ impl Engine {
         let events = self.events.latest();
         self.hub.frames.send_replace(Some(Published { frame, events, marks }));
         self.published = Instant::now();
+        self.tell_planned();
+    }
+
+    /// Tells the instructors what is planned, if it has changed. Nobody else may know.
+    fn tell_planned(&mut self) {
+        let events = self.session.planned();
+        if events != self.planned {
+            self.planned = events;
+            let instructors = self.clients.iter().filter(|(_, of)| of.role == Role::Instructor);
+            let instructors: Vec<ClientId> = instructors.map(|(id, _)| *id).collect();
+            instructors.into_iter().for_each(|id| self.tell_planned_to(id));
+        }
+    }
+
+    /// Tells one instructor what is planned.
+    fn tell_planned_to(&self, client: ClientId) {
+        self.reply(client, &Reply::Planned { events: self.planned.clone() });
     }
 }
 

@@ -129,6 +129,61 @@ fn from_and_speed(air: Vec2) -> (f64, f64) {
     (libm::atan2(-air.y, -air.x), air.length())
 }
 
+/// MMSI of a ship that passes: after those of the vessels.
+fn mmsi_of_traffic(session: &Session, index: usize) -> u32 {
+    FIRST_MMSI + (session.simulation().vessels().len() + index) as u32
+}
+
+/// The report of a ship that passes on a track of her own.
+fn traffic_report(
+    session: &Session,
+    origin: &ChartOrigin,
+    at: &Moment,
+    index: usize,
+) -> PositionReport {
+    let simulation = session.simulation();
+    let ship = &simulation.setup().world.flow.passing[index];
+    let now = ship.track.at(simulation.time_s());
+    let midship = now.pose.position_m;
+    PositionReport {
+        mmsi: mmsi_of_traffic(session, index),
+        status: 0,
+        turn_radps: now.yaw_rate_radps,
+        speed_mps: now.speed_mps,
+        place: origin.place(midship.x, midship.y),
+        course_rad: now.heading_rad,
+        heading_rad: now.heading_rad,
+        second: (at.seconds % 60.0) as u8,
+        radio: 0,
+    }
+}
+
+/// Name and size of a ship that passes on a track of her own.
+fn traffic_data(session: &Session, index: usize) -> ShipData {
+    let ship = &session.simulation().setup().world.flow.passing[index];
+    let extent = |of: fn(&Vec2) -> f64, sign: f64| {
+        let all = ship.outline_m.iter().map(of);
+        all.map(|m| sign * m).fold(0.0, fenderline_contact::number::greater)
+    };
+    ShipData {
+        mmsi: mmsi_of_traffic(session, index),
+        imo: 0,
+        call_sign: String::new(),
+        name: ship.name.replace('_', " "),
+        kind: 70,
+        extent_m: [
+            extent(|at| at.x, 1.0),
+            extent(|at| at.x, -1.0),
+            extent(|at| at.y, -1.0),
+            extent(|at| at.y, 1.0),
+        ],
+        device: 1,
+        arrival: (0, 0, 24, 60),
+        draught_m: ship.hull.draught_m,
+        destination: String::new(),
+    }
+}
+
 /// One round of sentences: the own ship's instruments and her AIS, then the AIS of all others. `round` counts the rounds.
 pub(crate) fn sentences(
     session: &Session,
@@ -149,6 +204,13 @@ pub(crate) fn sentences(
         if round.is_multiple_of(SHIP_DATA_EVERY) {
             let sequence = ((round / SHIP_DATA_EVERY + index as u64) % 10) as u8;
             all.extend(ais_ship_data(&vessel.ship_data(session), is_own, sequence));
+        }
+    }
+    for index in 0..session.simulation().setup().world.flow.passing.len() {
+        all.extend(ais_position(&traffic_report(session, origin, &at, index), false));
+        if round.is_multiple_of(SHIP_DATA_EVERY) {
+            let sequence = ((round / SHIP_DATA_EVERY + (count + index) as u64) % 10) as u8;
+            all.extend(ais_ship_data(&traffic_data(session, index), false, sequence));
         }
     }
     all

@@ -137,7 +137,7 @@ mod tests {
         let rudder =
             |name: &str| NamedOrder::new(OrderName::Rudder, name).number("angle", 0.0).into();
         let hands = |name: &str| NamedOrder::new(OrderName::Hands, name).into();
-        let wind = Action::from(OtherAction::Wind { speed_mps: 1.0, from_rad: 0.0 });
+        let wind = Action::from(OtherAction::Wind { speed_mps: 1.0, from_rad: 0.0, over_s: 0.0 });
         let limit = Action::from(OtherAction::ApproachLimit { speed_mps: 0.2 });
         let note = Action::from(OtherAction::Note { text: String::new() });
         let line = Action::from(NamedOrder::new(OrderName::LetGo, "none"));

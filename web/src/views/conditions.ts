@@ -1,13 +1,15 @@
 /** The instructor's weather and faults. */
 import type { Page } from "../page";
 import type { Fault, Frame, Hello, Pair } from "../protocol";
-import { button, h, setAttribute, setText } from "../ui/dom";
+import { button, h, setAttribute, setText, sureButton } from "../ui/dom";
 import { Ring } from "../ui/ring";
 import { KNOT_MPS, fixed, heading, spoken, toKnots } from "../units";
+import { Planned } from "./planned";
 import type { View } from "./view";
 
 const FAULTS: { fault: Fault; text: string }[] = [
   { fault: "rudder_stuck", text: "Rudder stuck" },
+  { fault: "follow_up_lost", text: "Rudder does not follow" },
   { fault: "engine_lost", text: "Engine lost" },
   { fault: "thrusters_lost", text: "Thrusters lost" },
   { fault: "blackout", text: "Blackout" },
@@ -96,20 +98,26 @@ export class Conditions implements View {
     root: HTMLButtonElement;
     on: boolean;
   }[] = [];
+  private readonly tugs: { root: HTMLButtonElement; on: boolean }[];
+  readonly planned: Planned;
   private frame: Frame | null = null;
   readonly root: HTMLElement;
 
   constructor(page: Page, hello: Hello) {
+    const planned = new Planned(page);
+    this.planned = planned;
+    const over_s = () => planned.over_s();
     this.wind = new Flow("Wind", "from", 1, hello.limits.wind_mps, (speed_mps, from_rad) =>
-      page.order({ do: "wind", speed_mps, from_rad }),
+      planned.happen({ do: "wind", speed_mps, from_rad, over_s: over_s() }),
     );
     this.current = new Flow("Current", "to", 0.1, hello.limits.current_mps, (speed_mps, to_rad) =>
-      page.order({ do: "current", speed_mps, to_rad }),
+      planned.happen({ do: "current", speed_mps, to_rad, over_s: over_s() }),
     );
     const faults = hello.vessels.map((vessel, index) => {
       const fits = FAULTS.filter(
         ({ fault }) =>
-          (fault !== "rudder_stuck" || vessel.rudder_stop_rad !== null) &&
+          ((fault !== "rudder_stuck" && fault !== "follow_up_lost") ||
+            vessel.rudder_stop_rad !== null) &&
           (fault !== "engine_lost" || vessel.full_rps !== null) &&
           (fault !== "thrusters_lost" || vessel.thrusters.length + vessel.azimuths.length > 0),
       );
@@ -120,7 +128,7 @@ export class Conditions implements View {
           on: false,
           root: button(
             text,
-            () => void page.order({ do: "fault", vessel: vessel.name, fault, on: !entry.on }),
+            () => void planned.happen({ do: "fault", vessel: vessel.name, fault, on: !entry.on }),
             { name: `${vessel.name}: ${text}`, "aria-pressed": "false", class: "fault" },
           ),
         };
@@ -134,13 +142,45 @@ export class Conditions implements View {
         h("div", { class: "row" }, ...buttons),
       );
     });
+    this.tugs = hello.tugs.map(({ name }) => {
+      const entry = {
+        on: false,
+        root: button(
+          "Drops out",
+          () => void planned.happen({ do: "tug_out", tug: name, on: !entry.on }),
+          { name: `${name}: drops out`, "aria-pressed": "false", class: "fault" },
+        ),
+      };
+      return entry;
+    });
+    const tugRows = hello.tugs.map(({ name }, i) =>
+      h("div", { class: "fault-row" }, h("b", {}, spoken(name)), this.tugs[i]?.root),
+    );
+    const lines = hello.lines.map(({ name }) =>
+      sureButton(
+        spoken(name),
+        "Parts?",
+        () => void planned.happen({ do: "part_line", line: name }),
+        { name: `Line ${spoken(name)} parts`, class: "fault" },
+      ),
+    );
+    const lineRow = h(
+      "div",
+      { class: "fault-row" },
+      h("b", {}, "A line parts"),
+      h("div", { class: "row" }, ...lines),
+    );
     this.root = h(
       "div",
       { class: "conditions" },
+      planned.when,
       h("div", { class: "flows" }, this.wind.root, this.current.root),
       h("p", { class: "note" }, "Rings are north up."),
       h("h3", {}, "Faults"),
       ...faults,
+      ...tugRows,
+      lines.length > 0 && lineRow,
+      planned.root,
     );
   }
 
@@ -152,6 +192,11 @@ export class Conditions implements View {
       entry.on = frame.vessels[entry.vessel]?.faults.includes(entry.fault) ?? false;
       setAttribute(entry.root, "aria-pressed", String(entry.on));
     }
+    this.tugs.forEach((entry, i) => {
+      entry.on = frame.tugs[i]?.out ?? false;
+      setAttribute(entry.root, "aria-pressed", String(entry.on));
+    });
+    this.planned.tick(frame);
   }
 
   draw(): void {

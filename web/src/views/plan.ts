@@ -2,6 +2,7 @@
 import { drawChart, drawChartMarks } from "../draw/chart";
 import * as scene from "../draw/scene";
 import { type Box, type Label, type Placed, Rank, place } from "../draw/labels";
+import { drawTraffic } from "../draw/traffic";
 import { drawTrial } from "../draw/trial";
 import { FONT, arrow, drawLabel, labelFont, stroke } from "../draw/marks";
 import { type Camera, add, fitted, minus, roundLength, toEarth, zoomed } from "../geometry";
@@ -197,6 +198,7 @@ export class Plan implements View {
       scene.drawPrediction(all);
     }
     scene.drawHulls(all);
+    drawTraffic(all);
     scene.drawFenders(all);
     scene.drawBollards(all);
     scene.drawLines(all);

@@ -37,7 +37,9 @@ pub(super) fn causes(of: &Input<'_>) -> Vec<Alarm> {
     contacts(of, &mut all);
     lines(of, &mut all);
     for (tug, now) in of.info.tugs.iter().zip(of.tugs) {
-        if now.limited {
+        if now.out {
+            all.push(alarm("tug out", &[&tug.name], format!("Tug {} has dropped out", tug.name)));
+        } else if now.limited {
             let text = format!("Tug {} cannot give the ordered force", tug.name);
             all.push(caution("tug", &[&tug.name], text));
         }
@@ -77,6 +79,7 @@ fn vessels(of: &Input<'_>, all: &mut Vec<Alarm>) {
         for fault in &now.faults {
             let what = match fault {
                 crate::Fault::RudderStuck => "rudder stuck",
+                crate::Fault::FollowUpLost => "rudder does not follow",
                 crate::Fault::EngineLost => "engine lost",
                 crate::Fault::ThrustersLost => "thrusters lost",
                 crate::Fault::Blackout => "blackout",

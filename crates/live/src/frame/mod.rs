@@ -4,6 +4,7 @@ mod alarms;
 mod board;
 mod sample;
 mod seen;
+mod traffic;
 mod verdict;
 mod vessel;
 
@@ -77,7 +78,9 @@ pub(crate) fn after_tick(now: &Now, cast: &Cast, info: &Info) -> (Vec<Alarm>, Sa
         approach: now.approach,
         tugs: &tugs(simulation),
     };
-    (alarms::causes(&of), sample::sample(&of, cast))
+    let mut causes = alarms::causes(&of);
+    causes.extend(traffic::collisions(simulation, info));
+    (causes, sample::sample(&of, cast))
 }
 
 /// The frame of a state.
@@ -112,6 +115,7 @@ pub(crate) fn frame(now: &Now, cast: &Cast, info: &Info, at_ms: u64, run: RunSta
         contacts: contacts.to_vec(),
         lines: lines(simulation, info),
         tugs: tugs(simulation),
+        traffic: traffic::now(simulation),
         wind: wind_now(simulation, t_s),
         current: current_now(simulation, t_s, place),
         waves: waves_now(simulation),
@@ -198,6 +202,7 @@ fn tug_now(tug: &TugAtWork, setup: &TugSetup) -> TugNow {
         force_n: libm::hypot(tug.force.surge_n, tug.force.sway_n),
         direction_rad: tug.state.direction_rad,
         limited: tug.limited,
+        out: tug.out,
     }
 }
 

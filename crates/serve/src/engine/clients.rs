@@ -48,8 +48,12 @@ impl Engine {
         let label = format!("{} {client}", role_words(&role));
         self.notify_all(&format!("{label} has joined"));
         let trials = Trials::bucket(Instant::now());
+        let is_instructor = role == Role::Instructor;
         self.clients.insert(client, Client { role, label, hello, out, trials, asked: None });
         self.greet(client);
+        if is_instructor {
+            self.tell_planned_to(client);
+        }
         if mem::take(&mut self.starts_with_first_client) {
             self.paused = false;
             self.pacer.restart(Instant::now());
@@ -109,6 +113,7 @@ impl Engine {
             lines: &self.session.info().lines,
             bollards: &self.session.info().bollards,
             tugs: &self.session.info().tugs,
+            traffic: &self.session.info().traffic,
             orders: &self.session.info().orders,
             telegraph: &self.session.info().telegraph,
             limits: COMMAND_LIMITS,

@@ -304,4 +304,21 @@ impl Simulation {
         state.faults = faults;
         Ok(())
     }
+    /// Lets a vector tug drop out, or come back, from the next step on. While she is out she carries out no orders; when she comes
+    /// back she stands by.
+    ///
+    /// # Errors
+    /// [`SetupError::BadBody`] if there is no such tug.
+    pub fn set_tug_out(&mut self, tug: usize, out: bool) -> Result<(), SetupError> {
+        let state = self.world.tugs.get_mut(tug);
+        state.ok_or(SetupError::BadBody { owner: "fault", body: tug })?.out = out;
+        Ok(())
+    }
+
+    /// Parts a line, as if it broke. Returns whether there is such a line and it is fast.
+    pub fn part_line(&mut self, line: usize) -> bool {
+        let line = self.world.lines.get_mut(line).and_then(|line| line.line.as_mut());
+        let fast = line.filter(|(_, state)| !state.parted);
+        fast.map(|(_, state)| state.parted = true).is_some()
+    }
 }

@@ -5,6 +5,8 @@
 pub struct Faults {
     /// The rudder stays where it is; azimuth units do not turn.
     pub rudder_stuck: bool,
+    /// The rudder does not follow: it runs to its stop on the side of the order, and stays where it is with the order amidships.
+    pub follow_up_lost: bool,
     /// The shaft runs down to a stop; azimuth units give no thrust.
     pub engine_lost: bool,
     /// Tunnel thrusters give no thrust.

@@ -31,6 +31,8 @@ pub struct TugAtWork {
     pub at_m: Vec2,
     /// She could not give the ordered force in the last step.
     pub limited: bool,
+    /// She has dropped out: she carries out no orders, and her force ends.
+    pub out: bool,
 }
 
 impl TugAtWork {
@@ -48,6 +50,7 @@ impl TugAtWork {
             force: Force::default(),
             at_m: setup.tug.push_at_m,
             limited: false,
+            out: false,
         }
     }
 
@@ -77,6 +80,10 @@ impl TugAtWork {
         (t_s, step_s): (f64, f64),
         events: &mut Vec<WorldEvent>,
     ) -> Wrench {
+        if self.out {
+            self.state.waiting.clear();
+            self.state.order = TugOrder::StandBy;
+        }
         let attitude = Rotation::from_angle(state.heading_rad);
         let draught_m = vessel.ship.particulars.draught_m;
         let current = environment.current(state.position_m, t_s, draught_m);

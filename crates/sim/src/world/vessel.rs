@@ -265,8 +265,14 @@ impl VesselState {
     /// limited.
     pub(crate) fn act(&mut self, step_s: f64) -> bool {
         let faults = self.faults;
-        let rudder_rad =
-            if faults.steering_failed() { self.rudder.value } else { self.orders.rudder_rad };
+        let order_rad = self.orders.rudder_rad;
+        let rudder_rad = if faults.steering_failed() || faults.follow_up_lost && order_rad == 0.0 {
+            self.rudder.value
+        } else if faults.follow_up_lost {
+            self.rudder.stop.copysign(order_rad)
+        } else {
+            order_rad
+        };
         let mut clamped = self.rudder.step(rudder_rad, step_s) == Order::Clamped;
         let shaft_rps =
             if faults.engine_failed() { 0.0 } else { self.orders.shaft * self.shaft.stop };
