@@ -26,6 +26,7 @@ import { Docking } from "./views/docking";
 import { Exercise } from "./views/exercise";
 import { Fenders } from "./views/fenders";
 import { Lines } from "./views/lines";
+import { NewExerciseView } from "./views/new_exercise";
 import { Plan } from "./views/plan";
 import { Session } from "./views/session";
 import { Strips } from "./views/strips";
@@ -57,6 +58,7 @@ export class App implements Page {
     () => this.live.hello && this.hints.again(this.live.hello.role.name),
   );
   private built = "";
+  private newExercise: NewExerciseView | null = null;
   private plan: Plan | null = null;
   private trialView: TrialView | null = null;
   private alarms: Alarms | null = null;
@@ -317,6 +319,11 @@ export class App implements Page {
       plan.addTool(
         button("Trial", () => this.show("Trial"), { name: "Trial manoeuvre: try orders (J)" }),
       );
+    }
+    if (hello.library) {
+      // Kept when the gallery changes, so that nobody loses what is filled in.
+      this.newExercise ??= new NewExerciseView(this, hello.library);
+      views.push(["New exercise", null, this.newExercise]);
     }
     this.tabs = views.map(([name, key, view]) => ({
       name,

@@ -83,12 +83,12 @@ export class Live {
   }
 
   /** The bodies at the position of this drawing. */
-  bodies(now_ms: number): BodyNow[] {
+  bodies(now_ms: number): (BodyNow | null)[] {
     const { frame, previous } = this;
     if (!frame) return [];
     if (!previous) return frame.bodies;
     const share = this.share(now_ms);
-    return frame.bodies.map((to, i) => between(previous.bodies[i] ?? to, to, share));
+    return frame.bodies.map((to, i) => to && between(previous.bodies[i] ?? to, to, share));
   }
 
   /** Time without frames while the session runs [ms]; `null` if there is no fault. */

@@ -41,6 +41,8 @@ export interface Palette {
   wind: string;
   current: string;
   label: string;
+  /** What lies beyond the visibility, over the chart. */
+  fog: string;
 }
 
 /** Day is for the sun: black on white, saturated signals. Night keeps eyes dark-adapted: red on black, no white or blue. */
@@ -80,6 +82,7 @@ export const PALETTES: Record<PaletteName, Palette> = {
     wind: "#0b4f8a",
     current: "#00727a",
     label: "#fffffff0",
+    fog: "#8d9aa59c",
   },
   dusk: {
     bg: "#0b1116",
@@ -116,6 +119,7 @@ export const PALETTES: Record<PaletteName, Palette> = {
     wind: "#6fb4e6",
     current: "#4fc4c4",
     label: "#0b1116e6",
+    fog: "#5a666f9c",
   },
   night: {
     bg: "#000000",
@@ -152,6 +156,7 @@ export const PALETTES: Record<PaletteName, Palette> = {
     wind: "#e0601f",
     current: "#b8741f",
     label: "#000000e6",
+    fog: "#3010089c",
   },
 };
 

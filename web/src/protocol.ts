@@ -56,6 +56,58 @@ export interface Hello {
   exercise: ExerciseInfo | null;
   /** For the instructor only: a link for each role, as a path on this server. */
   links?: { role: Role; path: string }[];
+  /** For the instructor only: what a new exercise can be made of. */
+  library?: LibraryInfo;
+}
+
+export interface LibraryInfo {
+  vessels: LibraryVessel[];
+  fenders: {
+    name: string;
+    /** None: a fender is given by height and rated reaction. */
+    sizes: { designation: string; height_m: number; rated_reaction_n: number }[];
+  }[];
+}
+
+export interface LibraryVessel {
+  name: string;
+  title: string;
+  length_m: number;
+  beam_m: number;
+  draught_m: number;
+  is_tug: boolean;
+}
+
+/** The choices of a new exercise. */
+export interface NewExercise {
+  title: string;
+  berth: {
+    length_m: number;
+    depth_m: number;
+    fender: string;
+    size: string | null;
+    height_m: number | null;
+    rated_reaction_n: number | null;
+    fenders: number;
+    fender_spacing_m: number;
+    bollard_spacing_m: number;
+  };
+  ship: {
+    vessel: string;
+    side: "port" | "starboard";
+    off_m: number;
+    astern_m: number;
+    speed_mps: number;
+  };
+  tugs: { vessel: string; number: number };
+  weather: {
+    wind_mps: number;
+    wind_from_rad: number;
+    gusts: boolean;
+    current_mps: number;
+    current_to_rad: number;
+    visibility_m: number | null;
+  };
 }
 
 export type Role =
@@ -132,6 +184,7 @@ export interface CommandLimits {
   tug_power: Pair;
   wind_mps: Pair;
   current_mps: Pair;
+  visibility_m: Pair;
   approach_limit_mps: Pair;
   /** Simulated time over wall time. */
   pace: Pair;
@@ -248,7 +301,8 @@ export interface Frame {
   /** The server's clock when the tick was made [ms since 1970]. */
   at_ms: number;
   run: RunState;
-  bodies: BodyNow[];
+  /** `null`: this page does not see it, as it lies beyond the visibility. */
+  bodies: (BodyNow | null)[];
   vessels: VesselNow[];
   fenders: FenderNow[];
   contacts: ContactNow[];
@@ -261,6 +315,8 @@ export interface Frame {
   /** Current at the pilot's ship: where it flows to, and its speed. */
   current: { speed_mps: number; to_rad: number };
   waves: { height_m: number; period_s: number; from_rad: number } | null;
+  /** How far people see [m]; `null`: clear. */
+  visibility_m: number | null;
   /** The speed limit at the fenders, of docking board and alarms [m/s]. */
   approach_mps: number;
   alarms: Alarm[];
@@ -651,6 +707,11 @@ export type OtherAction =
   | { do: "save"; name: string }
   /** Sends `Past`: to everybody, once a second. */
   | { do: "history" }
+  /**
+   * Saves a new exercise in the gallery's folder, under a name without ending. A name that is taken is refused, unless it
+   * may be replaced. It is acknowledged when it is saved.
+   */
+  | { do: "create"; of: { name: string; exercise: NewExercise; replace: boolean } }
   /** Makes the report of the session up to now. When it is acknowledged, `/report` with the instructor's token has it. */
   | { do: "report" }
   /** Acknowledges an alarm: pilot and instructor any, a tugmaster those of the own tug. Recorded. */
@@ -658,6 +719,8 @@ export type OtherAction =
   /** The instructor's note for the debriefing: one line of at most 300 characters; without a text, a mark. Recorded. */
   | { do: "note"; text?: string }
   /** The speed limit at the fenders, of docking board and alarms: by pilot and instructor. */
+  /** `null`: clear. */
+  | { do: "visibility"; distance_m: number | null }
   | { do: "approach_limit"; speed_mps: number }
   /** At once, or over a time. */
   | { do: "wind"; speed_mps: number; from_rad: number; over_s?: number }

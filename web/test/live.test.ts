@@ -33,6 +33,7 @@ function frame(tick: number, north: number, paused = false): Frame {
     wind: { speed_mps: 5, from_rad: 0 },
     current: { speed_mps: 0, to_rad: 0 },
     waves: null,
+    visibility_m: null,
     approach_mps: 0.15,
     alarms: [],
     verdict: { key: "all_well", text: "All well", gravity: "ok", findings: [] },

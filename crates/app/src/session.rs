@@ -167,6 +167,10 @@ fn words_of(action: &Action, setup: &Setup) -> String {
             let ends = if *on { "" } else { " ends" };
             format!("{vessel}: {}{ends}", fault_words(*fault))
         }
+        Action::Other(OtherAction::Visibility { distance_m }) => match distance_m {
+            Some(distance_m) => format!("visibility {distance_m:.0} m"),
+            None => "visibility clear".to_owned(),
+        },
         Action::Other(OtherAction::ApproachLimit { speed_mps }) => {
             format!("speed limit at the fenders {} m/s", plain(*speed_mps, 3))
         }

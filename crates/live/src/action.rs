@@ -62,6 +62,11 @@ pub enum OtherAction {
     Plan { at_s: f64, event: Box<OtherAction> },
     /// Cancels a planned event, by its number.
     CancelPlanned { id: u64 },
+    /// Sets how far people see; without a distance it is clear. Fog hides ships, and changes nothing in the simulated world.
+    Visibility {
+        #[serde(default)]
+        distance_m: Option<f64>,
+    },
     /// A fault on a vessel begins or ends.
     Fault { vessel: String, fault: Fault, on: bool },
     /// Sets the speed limit at the fenders: a greater closing speed is an alarm.
@@ -108,6 +113,8 @@ pub struct CommandLimits {
     pub wind_mps: Pair,
     /// Speed of a current (m/s).
     pub current_mps: Pair,
+    /// Visibility (m).
+    pub visibility_m: Pair,
     /// Speed limit at the fenders (m/s).
     pub approach_limit_mps: Pair,
     /// Simulated time over wall time.
@@ -123,6 +130,7 @@ pub const COMMAND_LIMITS: CommandLimits = CommandLimits {
     tug_power: [0.0, 1.0],
     wind_mps: [0.0, MeanWind::FASTEST_MPS],
     current_mps: [0.0, Current::FASTEST_MPS],
+    visibility_m: [50.0, 50e3],
     approach_limit_mps: ApproachLimit::LIMITS_MPS,
     pace: [0.1, 20.0],
     over_s: [0.0, 7200.0],

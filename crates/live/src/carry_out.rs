@@ -48,6 +48,13 @@ pub(crate) fn carry_out(action: &Action, cast: &Cast, now: &mut Now) -> Result<b
             let to = Flow { speed_mps: *speed_mps, direction_rad: *to_rad };
             change_current(to, *over_s, cast, now).map(|()| false)
         }
+        Action::Other(OtherAction::Visibility { distance_m }) => {
+            if let Some(distance_m) = distance_m {
+                within("visibility [m]", *distance_m, COMMAND_LIMITS.visibility_m)?;
+            }
+            now.visibility_m = *distance_m;
+            Ok(false)
+        }
         Action::Other(OtherAction::Fault { vessel, fault, on }) => {
             let index = vessel_named(now.simulation.setup(), vessel)?;
             let mut faults = now.simulation.vessels()[index].faults;

@@ -143,6 +143,7 @@ impl Cast {
                 OtherAction::Tug { tug, .. } => Helm::Of(Control::Tug(tug.clone())),
                 OtherAction::Wind { .. }
                 | OtherAction::Current { .. }
+                | OtherAction::Visibility { .. }
                 | OtherAction::Fault { .. }
                 | OtherAction::PartLine { .. }
                 | OtherAction::TugOut { .. }

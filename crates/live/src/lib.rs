@@ -24,6 +24,7 @@ mod checkpoints;
 mod exercise;
 mod frame;
 mod info;
+mod library_info;
 mod limits;
 pub mod message;
 mod named_order;
@@ -48,6 +49,7 @@ pub use approach::{ApproachLimit, Light};
 pub use berth::berth_info;
 pub use cast::{Cast, Helm};
 pub use info::Info;
+pub use library_info::library_info;
 pub use limits::{Full, LARGEST_RECORDING_BYTES, LONGEST_NAME};
 pub use named_order::NamedOrder;
 pub use order_info::order_infos;
@@ -61,7 +63,7 @@ pub use repeat::{
     LoggedAcknowledgement, LoggedAlarm, LoggedCommand, LoggedNote, Repeat, SessionLog,
 };
 pub use replay::{Replay, ReplayError, Replayed};
-pub use request::{Conduct, Control, Request};
+pub use request::{Conduct, Control, Creation, Request};
 pub use session::{Branch, Session, SessionError, StepError};
 pub use source::Source;
 pub use trial::Trial;

@@ -42,6 +42,38 @@ pub struct Hello<'a> {
     pub exercise: Option<ExerciseInfo>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub links: Option<&'a [Link]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub library: Option<&'a LibraryInfo>,
+}
+
+/// What a new exercise can be made of.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LibraryInfo {
+    pub vessels: Vec<LibraryVessel>,
+    pub fenders: Vec<FamilyInfo>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LibraryVessel {
+    pub name: String,
+    pub title: String,
+    pub length_m: f64,
+    pub beam_m: f64,
+    pub draught_m: f64,
+    pub is_tug: bool,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FamilyInfo {
+    pub name: String,
+    pub sizes: Vec<SizeInfo>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SizeInfo {
+    pub designation: String,
+    pub height_m: f64,
+    pub rated_reaction_n: f64,
 }
 
 /// The goal of an exercise and its limits.
@@ -258,7 +290,8 @@ pub struct Frame {
     pub t_s: f64,
     pub at_ms: u64,
     pub run: RunState,
-    pub bodies: Vec<[f64; 6]>,
+    /// `None`: hidden by fog.
+    pub bodies: Vec<Option<[f64; 6]>>,
     pub vessels: Vec<VesselNow>,
     pub fenders: Vec<FenderNow>,
     pub contacts: Vec<ContactNow>,
@@ -268,6 +301,7 @@ pub struct Frame {
     pub wind: WindNow,
     pub current: CurrentNow,
     pub waves: Option<WavesNow>,
+    pub visibility_m: Option<f64>,
     pub approach_mps: f64,
     pub alarms: Vec<AlarmNow>,
     pub verdict: VerdictNow,

@@ -1,5 +1,6 @@
 //! The requests of a page: a command to the simulation, or one to the session itself.
 
+use fenderline_scenario::NewExercise;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -34,6 +35,18 @@ macro_rules! conducts {
             pub const WORDS: &[&str] = &[$($word),*];
         }
     };
+}
+
+/// An exercise to make, and its name in the gallery.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Creation {
+    /// Name of its file, without its ending.
+    pub name: String,
+    /// The choices.
+    pub exercise: NewExercise,
+    /// It may take the place of an exercise of this name.
+    pub replace: bool,
 }
 
 conducts! {
@@ -71,6 +84,8 @@ conducts! {
     Report = "report" {},
     /// Save a copy of the recording under a name.
     Save = "save" { name: String },
+    /// Make a new exercise of choices and add it to the gallery.
+    Create = "create" { of: Box<Creation> },
 }
 
 /// A request of a page.

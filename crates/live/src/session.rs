@@ -56,6 +56,8 @@ pub(crate) struct Now {
     pub(crate) simulation: Simulation,
     pub(crate) manual: ManualControl,
     pub(crate) approach: ApproachLimit,
+    /// How far people see (m); `None`: clear.
+    pub(crate) visibility_m: Option<f64>,
     pub(crate) seen: Seen,
     pub(crate) alarms: AlarmBook,
     /// The exercise, if the scenario has one.
@@ -73,8 +75,9 @@ impl Now {
         let exercise = exercise.map(|setup| Assessment::new(setup, &simulation));
         let seen = Seen::before_the_first_step(&simulation);
         let (manual, approach) = (ManualControl::default(), ApproachLimit::default());
+        let visibility_m = simulation.setup().world.environment.visibility_m;
         let (alarms, script) = (AlarmBook::default(), Script::default());
-        Now { simulation, manual, approach, seen, alarms, exercise, script, tick: 0 }
+        Now { simulation, manual, approach, visibility_m, seen, alarms, exercise, script, tick: 0 }
     }
 
     /// Updates the exercise after a step. Returns the text of its end, if it ends with this step.

@@ -100,6 +100,7 @@ impl Watched {
             chart: &info.chart,
             exercise: self.exercise().map(|of| exercise::info(of, self.simulation().setup())),
             links: None,
+            library: None,
         })
     }
 

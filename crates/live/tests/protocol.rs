@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use fenderline_live::message::{self, Hello, Role, RunState};
 use fenderline_live::{
-    COMMAND_LIMITS, Conduct, Fault, OtherAction, Request, Session, Source, berth_info,
+    COMMAND_LIMITS, Conduct, Fault, OtherAction, Request, Session, Source, berth_info, library_info,
 };
 use fenderline_sim::OrderName;
 use fenderline_sim::chart::{ChartKind, MarkColour, MarkSide};
@@ -128,6 +128,7 @@ fn messages(session: &Session) -> (Value, Value) {
         chart: &info.chart,
         exercise: session.exercise_info(),
         links: Some(&links),
+        library: Some(library_info()),
     };
     let read = |text: &str| serde_json::from_str(text).expect("JSON");
     (read(&frame), read(&message::text(&hello)))
@@ -160,6 +161,8 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
     has_fields(&frame, "Frame", &known);
     has_fields(&hello, "Hello", &known);
     has_fields(&hello["limits"], "CommandLimits", &known);
+    has_fields(&hello["library"], "LibraryInfo", &known);
+    each(&hello["library"], "vessels").for_each(|value| has_fields(value, "LibraryVessel", &known));
     has_fields(&frame["run"], "RunState", &known);
     for (key, name) in [
         ("vessels", "VesselNow"),

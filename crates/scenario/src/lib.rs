@@ -70,6 +70,7 @@ mod keys;
 mod library;
 mod load;
 mod nesting;
+mod new_exercise;
 mod option_value;
 mod order;
 mod origin;
@@ -106,6 +107,10 @@ pub use library::{
     HullPressureLimit, LookUpError, Tolerance,
 };
 pub use load::{LoadError, read_stream, read_text};
+pub use new_exercise::{
+    BerthingSide, NewBerth, NewExercise, NewExerciseError, NewShip, NewTugs, NewWeather,
+    can_be_ship, can_be_tug,
+};
 pub use option_value::{LengthOrShare, force_n, in_unit, length_m, length_or_share, percent};
 pub use order::order;
 pub use origin::Origin;

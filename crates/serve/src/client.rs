@@ -56,11 +56,10 @@ pub(crate) async fn serve(mut socket: WebSocket, hub: Arc<Hub>, role: Role) {
     let client = hub.new_client();
     let (hello, greeted) = watch::channel(None);
     let (out, answers) = mpsc::channel(MOST_ANSWERS);
-    let is_instructor = role == Role::Instructor;
-    if !hub.send_to_engine(ToEngine::Join { client, role, hello, out }) {
+    if !hub.send_to_engine(ToEngine::Join { client, role: role.clone(), hello, out }) {
         return;
     }
-    let ended = exchange(&mut socket, &hub, (client, is_instructor), greeted, answers).await;
+    let ended = exchange(&mut socket, &hub, (client, &role), greeted, answers).await;
     hub.send_to_engine(ToEngine::Leave { client });
     if let Some(reason) = ended {
         hub.log.refused(&format!("closed client {client}: {reason}"));
@@ -72,7 +71,7 @@ pub(crate) async fn serve(mut socket: WebSocket, hub: Arc<Hub>, role: Role) {
 async fn exchange(
     socket: &mut WebSocket,
     hub: &Arc<Hub>,
-    (client, is_instructor): (ClientId, bool),
+    (client, role): (ClientId, &Role),
     mut greeted: watch::Receiver<Option<Text>>,
     mut answers: mpsc::Receiver<Text>,
 ) -> Option<&'static str> {
@@ -110,7 +109,7 @@ async fn exchange(
             changed = async { if is_greeted { frames.changed().await } else { pending().await } } => {
                 changed.ok()?;
                 let published = frames.borrow_and_update().clone();
-                published.map(|published| frame_for(&published, &mut last_event, is_instructor))
+                published.map(|published| frame_for(&published, role, &mut last_event))
             }
             changed = predictions.changed() => {
                 changed.ok()?;
@@ -137,12 +136,12 @@ async fn exchange(
 }
 
 /// A frame with the events that this client does not have yet, and for an instructor with the marks of the exercise.
-fn frame_for(published: &Published, last_event: &mut u64, is_instructor: bool) -> String {
+fn frame_for(published: &Published, role: &Role, last_event: &mut u64) -> String {
     let new = published.events.iter().filter(|(number, _)| *number > *last_event);
     let new: Vec<_> = new.map(|(_, event)| event.clone()).collect();
     *last_event = published.events.last().map_or(*last_event, |(number, _)| *number);
-    let marks = published.marks.as_deref().filter(|_| is_instructor);
-    message::with_events(&published.frame, &new, marks)
+    let marks = published.marks.as_deref().filter(|_| *role == Role::Instructor);
+    message::with_events(published.frame_for(role), &new, marks)
 }
 
 /// What follows from a message of the client.

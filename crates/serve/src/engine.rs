@@ -224,10 +224,19 @@ impl Engine {
             ..RunState::default()
         };
         let frame = self.session.frame(unix_ms(), run);
+        let mut roles: Vec<&Role> = self.clients.values().map(|client| &client.role).collect();
+        roles.sort();
+        roles.dedup();
+        // What fog hides from a role is not sent to it.
+        let in_fog = roles.into_iter().filter_map(|role| {
+            let seen = self.session.in_fog(&frame, role)?;
+            Some((role.clone(), message::text(&seen).into()))
+        });
+        let in_fog = in_fog.collect();
         let frame = message::text(&frame).into();
         let marks = self.session.exercise_marks().map(|marks| message::text(&marks).into());
         let events = self.events.latest();
-        self.hub.frames.send_replace(Some(Published { frame, events, marks }));
+        self.hub.frames.send_replace(Some(Published { frame, in_fog, events, marks }));
         self.published = Instant::now();
         self.tell_planned();
     }

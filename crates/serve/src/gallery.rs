@@ -20,6 +20,8 @@ const LARGEST_SCENARIO: usize = 64 << 20;
 pub(crate) struct Gallery {
     entries: Vec<GalleryEntry>,
     paths: Vec<PathBuf>,
+    /// Where new exercises are saved.
+    folder: PathBuf,
 }
 
 impl Gallery {
@@ -50,6 +52,24 @@ impl Gallery {
         if self.paths.len() < MOST && !self.entries.iter().any(|other| other.file == entry.file) {
             self.entries.push(entry);
             self.paths.push(path.to_owned());
+        }
+    }
+
+    /// Sets the folder of new exercises.
+    pub(crate) fn save_in(&mut self, folder: &Path) {
+        folder.clone_into(&mut self.folder);
+    }
+
+    /// The folder of new exercises.
+    pub(crate) fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// Adds an entry, in place of one of the same file.
+    pub(crate) fn renew(&mut self, path: &Path, entry: GalleryEntry) {
+        match self.entries.iter_mut().find(|other| other.file == entry.file) {
+            Some(other) => *other = entry,
+            None => self.put(path, entry),
         }
     }
 

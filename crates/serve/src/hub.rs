@@ -30,10 +30,20 @@ pub(crate) type Sentences = Option<Arc<[String]>>;
 /// A frame, and the last events with their numbers, so that clients that missed frames still get the events.
 #[derive(Clone, Debug)]
 pub(crate) struct Published {
+    /// The frame of those who see everything.
     pub(crate) frame: Text,
+    /// The frames of roles from which fog hides something.
+    pub(crate) in_fog: Arc<[(Role, Text)]>,
     pub(crate) events: Arc<[(u64, EventNow)]>,
     /// The marks of the exercise, for instructors.
     pub(crate) marks: Option<Text>,
+}
+
+impl Published {
+    /// The frame that a role gets.
+    pub(crate) fn frame_for(&self, role: &Role) -> &Text {
+        self.in_fog.iter().find(|(of, _)| of == role).map_or(&self.frame, |(_, frame)| frame)
+    }
 }
 
 /// A message to the simulation's thread.

@@ -34,6 +34,7 @@ mod hub;
 mod instruments;
 mod known_hosts;
 mod log;
+mod new_file;
 mod opening;
 mod pacer;
 mod page;
@@ -293,7 +294,9 @@ fn gallery(options: &Options) -> Gallery {
     gallery.add(&options.scenario);
     let beside = options.scenario.parent().unwrap_or(Path::new(""));
     let beside = if beside.as_os_str().is_empty() { Path::new(".") } else { beside };
-    gallery.fill(&[options.gallery.as_deref().unwrap_or(beside), &options.sessions]);
+    let folder = options.gallery.as_deref().unwrap_or(beside);
+    gallery.save_in(folder);
+    gallery.fill(&[folder, &options.sessions]);
     gallery
 }
 

@@ -13,6 +13,7 @@ use fenderline_live::message::{GalleryEntry, OpeningNow};
 
 use super::claims::ClientId;
 use super::gallery::{self, Opened};
+use super::new_file::NewFile;
 use super::recorder::{Copy, Recorder, SoFar};
 use super::saved::Progress as ReplayProgress;
 
@@ -39,6 +40,8 @@ pub(crate) enum Outcome {
     Opened(Box<Result<(Opened, Recorder), String>>),
     /// The path of a copy and its entry in the gallery; or why it could not be saved.
     Saved(Result<(PathBuf, Option<GalleryEntry>), String>),
+    /// The path of a new exercise and its entry in the gallery; or why there is none.
+    Created(Result<(PathBuf, GalleryEntry), String>),
     /// The report of the session, as HTML; or why there is none.
     Reported(Result<String, String>),
     /// The thread panicked, which is a bug; the panic is on standard error. The present session goes on.
@@ -68,6 +71,8 @@ pub(crate) enum Task {
     Save,
     /// The report of the session is made.
     Report,
+    /// A new exercise is written.
+    Create,
 }
 
 /// Work on another thread.
@@ -138,6 +143,19 @@ impl Work {
         Work::start(send, requester, Task::Save, Arc::default(), save)
     }
 
+    /// Begins to write a new exercise.
+    ///
+    /// # Errors
+    /// The system gives no thread.
+    pub(crate) fn create(
+        send: impl FnOnce(Outcome) + Send + 'static,
+        requester: Requester,
+        file: NewFile,
+    ) -> io::Result<Work> {
+        let create = move || Outcome::Created(file.write());
+        Work::start(send, requester, Task::Create, Arc::default(), create)
+    }
+
     /// Begins to make the report of a recording.
     ///
     /// # Errors
@@ -184,7 +202,7 @@ impl Work {
     pub(crate) fn file(&self) -> Option<&str> {
         match &self.task {
             Task::Open(file) => Some(file),
-            Task::Save | Task::Report => None,
+            Task::Save | Task::Report | Task::Create => None,
         }
     }
 
@@ -201,9 +219,9 @@ impl Work {
         self.progress.stop.load(Ordering::Relaxed)
     }
 
-    /// Waits until a session is saved, so that no partial copy is left. Nothing else is waited for.
+    /// Waits until a session or an exercise is saved, so that no partial file is left. Nothing else is waited for.
     pub(crate) fn finish(self) {
-        if self.task == Task::Save {
+        if matches!(self.task, Task::Save | Task::Create) {
             let _ = self.thread.join();
         }
     }

@@ -23,7 +23,7 @@ export interface Scene {
   colours: Palette;
   hello: Hello;
   frame: Frame;
-  bodies: BodyNow[];
+  bodies: (BodyNow | null)[];
   live: Live;
   /** Drawn last, so that none lies over another. */
   labels: Label[];
@@ -347,13 +347,13 @@ function farEnd(
   hello: Hello,
   info: LineInfo,
   now: LineNow,
-  bodies: (BodyNow | undefined)[],
+  bodies: (BodyNow | null | undefined)[],
 ): Pair | undefined {
   const end = now.bollard === null ? info.end : hello.bollards[now.bollard];
   if (!end) return undefined;
   if ("place_m" in end) return end.place_m;
   const body = bodies[end.body];
-  return body && onEarth(body, end.at_m);
+  return body ? onEarth(body, end.at_m) : undefined;
 }
 
 /** Bollards to which lines can be sent, with their names where there is room. */
@@ -585,7 +585,7 @@ export function drawBerth({ to, camera, colours, hello, bodies }: Scene): void {
  * Points that the first view includes: the ship, the fenders near her, her tugs and the ends of her lines. Without a vessel:
  * all that floats, and the fenders.
  */
-export function firstLook(hello: Hello, bodies: BodyNow[], live: Live): Pair[] {
+export function firstLook(hello: Hello, bodies: (BodyNow | null)[], live: Live): Pair[] {
   const { frame } = live;
   const info = hello.vessels[live.ship()];
   const now = bodies[info?.body ?? -1];
@@ -616,7 +616,7 @@ export function firstLook(hello: Hello, bodies: BodyNow[], live: Live): Pair[] {
   return [...places, ...near, ...tugs, ...alongside, ...moored, ...hull];
 }
 
-function allAfloat(hello: Hello, bodies: BodyNow[]): Pair[] {
+function allAfloat(hello: Hello, bodies: (BodyNow | null)[]): Pair[] {
   const hulls = hello.bodies.flatMap(({ fixed, outline }, i): Pair[] => {
     const now = bodies[i];
     return fixed || !now ? [] : outline.map((at) => onEarth(now, at));

@@ -1,4 +1,5 @@
 /** The instructor's weather and faults. */
+import { Visibility } from "../controls/visibility";
 import type { Page } from "../page";
 import type { Fault, Frame, Hello, Pair } from "../protocol";
 import { button, h, setAttribute, setText, sureButton } from "../ui/dom";
@@ -92,6 +93,7 @@ class Flow {
 export class Conditions implements View {
   private readonly wind: Flow;
   private readonly current: Flow;
+  private readonly visibility: Visibility;
   private readonly faults: {
     vessel: number;
     fault: Fault;
@@ -170,12 +172,14 @@ export class Conditions implements View {
       h("b", {}, "A line parts"),
       h("div", { class: "row" }, ...lines),
     );
+    this.visibility = new Visibility(page, hello);
     this.root = h(
       "div",
       { class: "conditions" },
       planned.when,
       h("div", { class: "flows" }, this.wind.root, this.current.root),
       h("p", { class: "note" }, "Rings are north up."),
+      this.visibility.root,
       h("h3", {}, "Faults"),
       ...faults,
       ...tugRows,
@@ -186,6 +190,7 @@ export class Conditions implements View {
 
   tick(frame: Frame): void {
     this.frame = frame;
+    this.visibility.tick(frame);
     this.wind.tick(frame.wind.speed_mps, frame.wind.from_rad);
     this.current.tick(frame.current.speed_mps, frame.current.to_rad);
     for (const entry of this.faults) {

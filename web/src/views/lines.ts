@@ -100,7 +100,7 @@ class Row {
   }
 
   /** Lists the bollards by their distance from the fairlead, the nearest first. */
-  private list(bodies: (BodyNow | undefined)[], t_s: number): void {
+  private list(bodies: (BodyNow | null | undefined)[], t_s: number): void {
     const fresh = Math.abs(t_s - this.shown_s) < ANEW_AFTER_S;
     if (fresh || document.activeElement === this.bollards) return;
     this.shown_s = t_s;
@@ -124,7 +124,7 @@ class Row {
     if (near.some(({ bollard }) => bollard.name === chosen)) this.bollards.value = chosen;
   }
 
-  show(now: LineNow, mayWinch: boolean, bodies: (BodyNow | undefined)[], t_s: number): void {
+  show(now: LineNow, mayWinch: boolean, bodies: (BodyNow | null | undefined)[], t_s: number): void {
     const canSend = now.state === "aboard" && this.hello.bollards.length > 0;
     this.sending.hidden = !canSend;
     this.work.hidden = canSend;

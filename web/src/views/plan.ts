@@ -1,5 +1,6 @@
 /** The plan: an electronic chart of the harbour around the ship. */
 import { drawChart, drawChartMarks } from "../draw/chart";
+import { drawFog } from "../draw/fog";
 import * as scene from "../draw/scene";
 import { type Box, type Label, type Placed, Rank, place } from "../draw/labels";
 import { drawTraffic } from "../draw/traffic";
@@ -192,6 +193,7 @@ export class Plan implements View {
     scene.drawGrid(all);
     scene.drawLand(all);
     drawChartMarks(all);
+    drawFog(all);
     scene.drawBerth(all);
     if (this.prediction) {
       scene.drawOtherPaths(all);
@@ -218,6 +220,11 @@ export class Plan implements View {
       this.surface.root,
       "data-view",
       [...centre, pixels_per_m].map((n) => n.toFixed(3)).join(" "),
+    );
+    setAttribute(
+      this.surface.root,
+      "data-hidden",
+      String(bodies.filter((body) => body === null).length),
     );
   }
 
@@ -257,7 +264,7 @@ export class Plan implements View {
     this.surface.root.labelled = { placed, taken: boxes };
   }
 
-  private firstLook(bodies: BodyNow[]): void {
+  private firstLook(bodies: (BodyNow | null)[]): void {
     const { hello } = this.live;
     if (!hello) return;
     const first = !this.looked && this.lastShip === null && this.camera.pixels_per_m === 1;

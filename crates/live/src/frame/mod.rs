@@ -2,6 +2,7 @@
 
 mod alarms;
 mod board;
+mod fog;
 mod sample;
 mod seen;
 mod traffic;
@@ -98,7 +99,7 @@ pub(crate) fn frame(now: &Now, cast: &Cast, info: &Info, at_ms: u64, run: RunSta
     let bodies = states.iter().map(|state| {
         let [position, velocity] = [state.position_m, state.velocity_mps];
         let turn = state.yaw_rate_radps;
-        [position.x, position.y, state.heading_rad, velocity.x, velocity.y, turn]
+        Some([position.x, position.y, state.heading_rad, velocity.x, velocity.y, turn])
     });
     let place = own.map_or((Vec2::ZERO, 0.0), |own| {
         let vessel = &simulation.setup().world.vessels[own];
@@ -119,6 +120,7 @@ pub(crate) fn frame(now: &Now, cast: &Cast, info: &Info, at_ms: u64, run: RunSta
         wind: wind_now(simulation, t_s),
         current: current_now(simulation, t_s, place),
         waves: waves_now(simulation),
+        visibility_m: now.visibility_m,
         approach_mps: now.approach.at_fenders_mps,
         alarms: now.alarms.messages(),
         verdict: verdict(simulation),

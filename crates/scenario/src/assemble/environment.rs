@@ -62,6 +62,7 @@ impl Assembly<'_, '_> {
             tide,
             squat: self.squat(table)?,
             banks: self.banks(table)?,
+            visibility_m: table.item("visibility").map(|item| *item.number()),
             water_density_kgpm3: *table.given("water_density").number(),
             ..Environment::default()
         };

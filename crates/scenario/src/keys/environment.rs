@@ -57,6 +57,14 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
             &[],
         ),
         key(
+            "visibility",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 50.0, high: 50e3 }),
+            Means("clear"),
+            "How far people see in a live session: the pages of pilot and tugmasters do not show ships that are farther \
+             away.",
+            &["\"500 m\""],
+        ),
+        key(
             "bank",
             Kind::List(&BANK),
             Is("[]"),

@@ -5,7 +5,7 @@ use std::sync::{Arc, PoisonError};
 use std::time::Instant;
 
 use fenderline_live::message::{self, Hello, Link, Reply, Role};
-use fenderline_live::{COMMAND_LIMITS, Control, berth_info};
+use fenderline_live::{COMMAND_LIMITS, Control, berth_info, library_info};
 use tokio::sync::{mpsc, watch};
 
 use super::Engine;
@@ -131,6 +131,7 @@ impl Engine {
             chart: &self.session.info().chart,
             exercise: self.session.exercise_info(),
             links: links.as_deref(),
+            library: is_instructor.then(library_info),
         };
         of.hello.send_replace(Some(message::text(&hello).into()));
     }

@@ -220,6 +220,10 @@ impl Engine {
                 return self.trial(&requester, role, (&orders, horizon_s));
             }
             Conduct::Give { orders } => return self.give(&requester, role, orders),
+            Conduct::Create { of } => {
+                self.create(requester, *of)?;
+                return Ok(Done::AnswerFollows);
+            }
             Conduct::Save { name } => {
                 self.save(requester, &name)?;
                 return Ok(Done::AnswerFollows);

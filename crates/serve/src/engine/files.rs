@@ -5,13 +5,14 @@ use std::path::Path;
 use std::sync::{Arc, PoisonError};
 use std::time::Instant;
 
-use fenderline_live::Refusal;
 use fenderline_live::message::{GalleryEntry, Reply};
+use fenderline_live::{Creation, Refusal};
 
 use super::Engine;
 use super::history::KeptHistory;
 use crate::gallery::Opened;
 use crate::hub::ToEngine;
+use crate::new_file::NewFile;
 use crate::opening::{Outcome, Requester, Task, Work};
 use crate::pacer::Pacer;
 use crate::recorder::Recorder;
@@ -39,6 +40,16 @@ impl Engine {
         }
         let copy = self.recorder.copy(name, self.session.end_line()).map_err(Refusal::new)?;
         self.work = Some(Work::save(self.send_outcome(), requester, copy).map_err(Refusal::new)?);
+        Ok(())
+    }
+
+    /// Begins to save a new exercise.
+    pub(super) fn create(&mut self, requester: Requester, of: Creation) -> Result<(), Refusal> {
+        self.check_no_work()?;
+        let Creation { name, exercise, replace } = of;
+        let file = NewFile::new(self.gallery.folder(), &name, exercise, replace);
+        let file = file.map_err(Refusal::new)?;
+        self.work = Some(Work::create(self.send_outcome(), requester, file).map_err(Refusal::new)?);
         Ok(())
     }
 
@@ -74,6 +85,7 @@ impl Engine {
                 Task::Open(file) => format!("{file} is still being opened"),
                 Task::Save => "the session is still being saved".to_owned(),
                 Task::Report => "a report is still being made".to_owned(),
+                Task::Create => "an exercise is still being saved".to_owned(),
             })),
         }
     }
@@ -92,6 +104,9 @@ impl Engine {
             },
             Outcome::Saved(saved) => {
                 saved.map(|(path, entry)| self.saved(&work.requester, &path, entry))
+            }
+            Outcome::Created(created) => {
+                created.map(|(path, entry)| self.created(&work.requester, &path, entry))
             }
             Outcome::Reported(report) => {
                 report.map(|report| self.reported(&work.requester, report))
@@ -117,6 +132,17 @@ impl Engine {
         if let Some(id) = requester.id {
             self.reply(requester.client, &Reply::Ack { id, tick: self.session.tick() });
         }
+    }
+
+    /// Adds a new exercise to the gallery.
+    fn created(&mut self, requester: &Requester, path: &Path, entry: GalleryEntry) {
+        let text = format!("{} has saved the exercise {}", requester.label, entry.title);
+        self.gallery.renew(path, entry);
+        if let Some(id) = requester.id {
+            self.reply(requester.client, &Reply::Ack { id, tick: self.session.tick() });
+        }
+        self.greet_all();
+        self.notify_all(&text);
     }
 
     /// Adds a saved session to the gallery.

@@ -32,6 +32,8 @@ pub struct Environment {
     pub squat: Option<Squat>,
     /// Banks, which attract ships: unvalidated.
     pub banks: Vec<Bank>,
+    /// How far people see (m), which is for the pages of live sessions; `None`: clear. It exerts no force.
+    pub visibility_m: Option<f64>,
 }
 
 impl Default for Environment {
@@ -47,6 +49,7 @@ impl Default for Environment {
             tide: Tide::default(),
             squat: Some(Squat::default()),
             banks: Vec::new(),
+            visibility_m: None,
         }
     }
 }

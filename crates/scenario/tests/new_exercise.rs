@@ -1,0 +1,116 @@
+//! Exercises that are made from choices run, whatever is chosen of the library; choices that make none are refused.
+
+use fenderline_scenario::{
+    BerthingSide, FenderLibrary, NewBerth, NewExercise, NewShip, NewTugs, NewWeather, Scenario,
+    VesselLibrary, can_be_ship, can_be_tug,
+};
+use fenderline_sim::Simulation;
+
+fn choices() -> NewExercise {
+    NewExercise {
+        title: "A \"new\" berth".to_owned(),
+        berth: NewBerth {
+            length_m: 300.0,
+            depth_m: 24.0,
+            fender: "cone SPC".to_owned(),
+            size: None,
+            height_m: Some(1.6),
+            rated_reaction_n: Some(1.5e6),
+            fenders: 5,
+            fender_spacing_m: 30.0,
+            bollard_spacing_m: 25.0,
+        },
+        ship: NewShip {
+            vessel: "bulk-carrier".to_owned(),
+            side: BerthingSide::Starboard,
+            off_m: 60.0,
+            astern_m: 200.0,
+            speed_mps: 0.8,
+        },
+        tugs: NewTugs { vessel: "asd-tug".to_owned(), number: 2 },
+        weather: NewWeather {
+            wind_mps: 6.0,
+            wind_from_rad: 4.5,
+            gusts: true,
+            current_mps: 0.2,
+            current_to_rad: 0.0,
+            visibility_m: Some(500.0),
+        },
+    }
+}
+
+/// Half a minute of an exercise: nobody may touch anybody yet.
+fn runs(choices: &NewExercise) {
+    let text = choices.text().unwrap_or_else(|error| panic!("{choices:?}: {error}"));
+    let scenario = Scenario::parse(&text, "new.toml").expect("it was read before");
+    assert_eq!(scenario.title, choices.title);
+    let tugs = choices.tugs.number;
+    assert_eq!(scenario.setup.bodies.len(), 2 + tugs);
+    assert_eq!(scenario.setup.fenders.len(), choices.berth.fenders + tugs);
+    let mut simulation = Simulation::new(scenario.setup).expect("a good set-up");
+    for _ in 0..300 {
+        let record = simulation.step().expect("a good step");
+        assert_eq!(record.contacts.len(), 0, "{choices:?}");
+    }
+}
+
+#[test]
+fn every_ship_tug_fender_and_side_of_the_library_makes_an_exercise_that_runs() {
+    runs(&choices());
+    let vessels = VesselLibrary::built_in();
+    let (mut ships, mut tugs) = (0, 0);
+    for vessel in vessels.vessels() {
+        if can_be_ship(vessel) {
+            ships += 1;
+            let mut with = choices();
+            with.ship.vessel.clone_from(&vessel.name);
+            with.ship.side = BerthingSide::Port;
+            runs(&with);
+        }
+        if can_be_tug(vessel) {
+            for number in 0..=4 {
+                tugs += 1;
+                let mut with = choices();
+                with.tugs = NewTugs { vessel: vessel.name.clone(), number };
+                runs(&with);
+            }
+        }
+    }
+    assert!(ships >= 4 && tugs >= 5, "{ships} ships, {tugs} tugs");
+    for family in FenderLibrary::built_in().families() {
+        let mut with = choices();
+        with.berth.fender.clone_from(&family.name);
+        with.berth.size = family.sizes.first().map(|size| size.designation.clone());
+        runs(&with);
+    }
+}
+
+#[test]
+fn choices_that_make_no_exercise_are_refused_with_the_reason() {
+    let refused = |change: &dyn Fn(&mut NewExercise)| {
+        let mut choices = choices();
+        change(&mut choices);
+        choices.text().expect_err("it makes none").to_string()
+    };
+    type Change = &'static dyn Fn(&mut NewExercise);
+    let cases: [(Change, &str); 12] = [
+        (&|of| of.ship.vessel = "bulk-carier".to_owned(), "no vessel named \"bulk-carier\""),
+        (&|of| of.ship.vessel = "kvlcc2-model".to_owned(), "not a ship"),
+        (&|of| of.ship.vessel = "asd-tug".to_owned(), "not a ship"),
+        (&|of| of.tugs.vessel = "kcs".to_owned(), "no tug"),
+        (&|of| of.tugs.number = 5, "5 tugs are more than 4"),
+        (&|of| of.berth.fender = "tyre".to_owned(), "tyre"),
+        (&|of| of.berth.size = Some("9".to_owned()), "no size"),
+        (&|of| of.berth.height_m = None, "height and rated reaction"),
+        (&|of| of.berth.fenders = 0, "at least one fender"),
+        (&|of| of.berth.fenders = 30, "longer than the quay"),
+        (&|of| of.berth.length_m = f64::NAN, "length of the quay"),
+        (&|of| of.title = "a\nb".to_owned(), "line break"),
+    ];
+    for (change, reason) in cases {
+        let error = refused(change);
+        assert!(error.contains(reason), "{error}\n{reason}");
+    }
+    assert!(refused(&|of| of.weather.wind_mps = 900.0).contains("environment.wind.speed"));
+    assert!(refused(&|of| of.berth.depth_m = f64::INFINITY).contains("environment.depth"));
+}

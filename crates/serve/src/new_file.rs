@@ -1,0 +1,144 @@
+//! A new exercise becomes a file of the gallery's folder: never another file's end without a question, never outside of it.
+
+use std::fs::{self, OpenOptions};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use fenderline_live::message::GalleryEntry;
+use fenderline_scenario::NewExercise;
+
+use super::gallery;
+
+/// Longest name of an exercise (bytes).
+const LONGEST_NAME: usize = 60;
+
+/// An exercise that is about to be written.
+#[derive(Debug)]
+pub(crate) struct NewFile {
+    to: PathBuf,
+    exercise: NewExercise,
+    replaces: bool,
+}
+
+impl NewFile {
+    /// An exercise of a name, in a folder.
+    ///
+    /// # Errors
+    /// A name that is not safe; one that is taken, unless it may be replaced; one that is a link or no file.
+    pub(crate) fn new(
+        folder: &Path,
+        name: &str,
+        exercise: NewExercise,
+        may_replace: bool,
+    ) -> Result<NewFile, String> {
+        let letter = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+        if name.is_empty() || name.len() > LONGEST_NAME || !name.chars().all(letter) {
+            return Err(format!("a name has 1 to {LONGEST_NAME} letters, digits, - and _"));
+        }
+        let to = folder.join(format!("{name}.toml"));
+        let taken = to.symlink_metadata().ok();
+        match &taken {
+            Some(_) if !may_replace => {
+                return Err(format!(
+                    "there is an exercise named {name} already: it stays as it is"
+                ));
+            }
+            Some(what) if !what.is_file() => {
+                return Err(format!("{name}.toml is a link or no file: it is not replaced"));
+            }
+            _ => {}
+        }
+        Ok(NewFile { to, exercise, replaces: taken.is_some() })
+    }
+
+    /// Writes it and makes its entry.
+    ///
+    /// # Errors
+    /// Choices that make no exercise, or the file system's error. Nothing is changed then.
+    pub(crate) fn write(&self) -> Result<(PathBuf, GalleryEntry), String> {
+        let text = self.exercise.text().map_err(|error| error.to_string())?;
+        let failed = |error: std::io::Error| format!("{}: {error}", self.to.display());
+        if self.replaces {
+            // Another name first, so that a full disk does not cost the old exercise.
+            let beside = self.to.with_extension("toml.new");
+            let written =
+                create(&beside, &text).and_then(|()| fs::rename(&beside, &self.to)).map_err(failed);
+            if written.is_err() {
+                let _ = fs::remove_file(&beside);
+            }
+            written?;
+        } else {
+            // Refused where somebody else has made a file of this name meanwhile.
+            create(&self.to, &text).map_err(failed)?;
+        }
+        let entry = gallery::entry(&self.to);
+        let entry =
+            entry.ok_or_else(|| format!("{}: it cannot be read back", self.to.display()))?;
+        Ok((self.to.clone(), entry))
+    }
+}
+
+/// Writes a file that must not be there yet.
+fn create(path: &Path, text: &str) -> std::io::Result<()> {
+    let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
+    file.write_all(text.as_bytes())?;
+    file.sync_all()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn exercise(title: &str) -> NewExercise {
+        serde_json::from_value(serde_json::json!({
+            "title": title,
+            "berth": {
+                "length_m": 300, "depth_m": 24, "fender": "cone SPC", "size": null, "height_m": 1.6,
+                "rated_reaction_n": 1.5e6, "fenders": 5, "fender_spacing_m": 30, "bollard_spacing_m": 25
+            },
+            "ship": {
+                "vessel": "bulk-carrier", "side": "starboard", "off_m": 60, "astern_m": 200, "speed_mps": 0.8
+            },
+            "tugs": { "vessel": "asd-tug", "number": 1 },
+            "weather": {
+                "wind_mps": 0, "wind_from_rad": 0, "gusts": false, "current_mps": 0, "current_to_rad": 0,
+                "visibility_m": null
+            }
+        }))
+        .expect("choices")
+    }
+
+    #[test]
+    fn an_exercise_is_never_saved_over_another_without_leave_and_never_outside_of_its_folder() {
+        let folder = std::env::temp_dir().join(format!("fenderline-new-{}", std::process::id()));
+        fs::create_dir_all(&folder).expect("a folder");
+        let new = |name: &str, title: &str, may_replace| {
+            NewFile::new(&folder, name, exercise(title), may_replace)?.write()
+        };
+        let (path, entry) = new("mine", "One", false).expect("it is new");
+        assert_eq!((entry.file.as_str(), entry.title.as_str()), ("mine.toml", "One"));
+        let first = fs::read(&path).expect("a file");
+        assert!(new("mine", "Two", false).unwrap_err().contains("already"));
+        assert_eq!(fs::read(&path).expect("a file"), first);
+        // A mistake costs nothing either.
+        let mut bad = exercise("Two");
+        bad.berth.fenders = 0;
+        let refused = NewFile::new(&folder, "mine", bad, true).expect("it may").write();
+        assert!(refused.unwrap_err().contains("at least one fender"));
+        assert_eq!(fs::read(&path).expect("a file"), first);
+        assert_eq!(new("mine", "Two", true).expect("it may").1.title, "Two");
+        for name in
+            ["", "..", "a/b", "../mine", "a.toml", "ü", "a b", "a\\b", "nul\0", &"a".repeat(61)]
+        {
+            assert!(new(name, "x", true).unwrap_err().contains("letters"), "{name}");
+        }
+        #[cfg(unix)]
+        {
+            std::os::unix::fs::symlink(&path, folder.join("link.toml")).expect("a link");
+            assert!(new("link", "x", true).unwrap_err().contains("a link"));
+        }
+        let files = fs::read_dir(&folder).expect("a folder").count();
+        assert_eq!(files, if cfg!(unix) { 2 } else { 1 });
+        fs::remove_dir_all(&folder).expect("it is ours");
+    }
+}
