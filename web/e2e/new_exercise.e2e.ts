@@ -32,7 +32,8 @@ afterAll(async () => {
   await served.close();
 });
 
-const field = (name: string) => instructor.getByLabel(name, { exact: true });
+const form = () => instructor.getByRole("tabpanel", { name: "New exercise" });
+const field = (name: string) => form().getByLabel(name, { exact: true });
 const saved = () => instructor.getByRole("status", { name: "Saved" });
 const save = () => instructor.getByRole("button", { name: "Save exercise" }).click();
 

@@ -47,6 +47,11 @@ impl Prediction {
         Prediction { simulation, tick, vessels }
     }
 
+    /// Leaves out the paths of these vessels.
+    pub(crate) fn leave_out(&mut self, vessels: &[usize]) {
+        self.vessels.retain(|vessel| !vessels.contains(vessel));
+    }
+
     /// The tick from which it begins.
     pub(crate) fn tick(&self) -> u64 {
         self.tick

@@ -103,6 +103,11 @@ impl Trial {
         Reply::Trial { id, tick, horizon_s, complete, paths, findings }
     }
 
+    /// Leaves out the paths of these vessels, as those that fog hides.
+    pub fn leave_out(&mut self, vessels: &[usize]) {
+        self.prediction.leave_out(vessels);
+    }
+
     /// The answer of a run that goes on: paths so far.
     #[must_use]
     pub fn so_far(id: i64, tick: u64, horizon_s: f64, paths: &[ShipPath]) -> Reply {

@@ -25,22 +25,22 @@ fn hidden(session: &Session, role: &Role) -> Vec<String> {
 fn fog_hides_ships_beyond_it_from_pilot_and_tugmasters_but_not_from_the_instructor() {
     let mut session = support::open("scenarios/live/berthing.toml", &[]);
     let master = |tug: &str| Role::Tugmaster { tug: tug.to_owned() };
-    assert_eq!(hidden(&session, &Role::Pilot), [""; 0], "it is clear at first");
+    assert_eq!(hidden(&session, &Role::PILOT), [""; 0], "it is clear at first");
     // The tugs are some 66 m from the ship's centre, her side is some 35 m from the tugs.
     set(&mut session, Some(50.0));
-    assert_eq!(hidden(&session, &Role::Pilot), ["forward_tug", "after_tug"]);
+    assert_eq!(hidden(&session, &Role::PILOT), ["forward_tug", "after_tug"]);
     assert_eq!(hidden(&session, &Role::Observer), ["forward_tug", "after_tug"]);
     assert_eq!(hidden(&session, &master("forward_tug")), ["after_tug"]);
     assert_eq!(hidden(&session, &Role::Instructor), [""; 0]);
     let all = frame(&session);
-    let seen = session.in_fog(&all, &Role::Pilot).expect("something is hidden");
+    let seen = session.in_fog(&all, &Role::PILOT).expect("something is hidden");
     // Own ship, quay and instruments stay.
     assert_eq!((&seen.bodies[0], &seen.fenders), (&all.bodies[0], &all.fenders));
     assert_eq!(seen.vessels[0], all.vessels[0]);
     assert_eq!(seen.vessels[2].berth, None);
     for clear in [Some(100.0), None] {
         set(&mut session, clear);
-        assert_eq!(hidden(&session, &Role::Pilot), [""; 0]);
+        assert_eq!(hidden(&session, &Role::PILOT), [""; 0]);
     }
 }
 

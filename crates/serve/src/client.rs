@@ -113,7 +113,11 @@ async fn exchange(
             }
             changed = predictions.changed() => {
                 changed.ok()?;
-                predictions.borrow_and_update().as_ref().map(|text| text.to_string())
+                let predicted = predictions.borrow_and_update().clone();
+                let latest = frames.borrow().clone();
+                let fog = latest.as_ref().and_then(|published| published.fog_of(role));
+                let hidden = fog.map_or(&[][..], |fog| &fog.hidden);
+                predicted.map(|predicted| predicted.without(hidden))
             }
             _ = ping.tick() => {
                 if listener.last_received.elapsed() > MOST_SILENCE {

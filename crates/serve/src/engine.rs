@@ -31,7 +31,7 @@ use self::predictor::Predictor;
 use self::trials::Trials;
 use super::claims::{Claims, ClientId};
 use super::gallery::{Gallery, Opened};
-use super::hub::{Hub, Published, ToEngine};
+use super::hub::{Hub, InFog, Published, ToEngine};
 use super::opening::{MakeReport, Work};
 use super::pacer::Pacer;
 use super::recorder::Recorder;
@@ -230,7 +230,8 @@ impl Engine {
         // What fog hides from a role is not sent to it.
         let in_fog = roles.into_iter().filter_map(|role| {
             let seen = self.session.in_fog(&frame, role)?;
-            Some((role.clone(), message::text(&seen).into()))
+            let hidden = self.session.hidden_vessels(role);
+            Some(InFog { role: role.clone(), frame: message::text(&seen).into(), hidden })
         });
         let in_fog = in_fog.collect();
         let frame = message::text(&frame).into();

@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, RwLock};
 
-use fenderline_live::message::{EventNow, Role};
+use fenderline_live::message::{self, EventNow, Reply, Role};
 use fenderline_live::{Refusal, Request};
 use tokio::sync::{mpsc, watch};
 
@@ -32,17 +32,56 @@ pub(crate) type Sentences = Option<Arc<[String]>>;
 pub(crate) struct Published {
     /// The frame of those who see everything.
     pub(crate) frame: Text,
-    /// The frames of roles from which fog hides something.
-    pub(crate) in_fog: Arc<[(Role, Text)]>,
+    /// What roles get from which fog hides something.
+    pub(crate) in_fog: Arc<[InFog]>,
     pub(crate) events: Arc<[(u64, EventNow)]>,
     /// The marks of the exercise, for instructors.
     pub(crate) marks: Option<Text>,
 }
 
+/// What a role gets from which fog hides something.
+#[derive(Clone, Debug)]
+pub(crate) struct InFog {
+    pub(crate) role: Role,
+    pub(crate) frame: Text,
+    /// Indices of the vessels that are hidden.
+    pub(crate) hidden: Vec<usize>,
+}
+
 impl Published {
     /// The frame that a role gets.
     pub(crate) fn frame_for(&self, role: &Role) -> &Text {
-        self.in_fog.iter().find(|(of, _)| of == role).map_or(&self.frame, |(_, frame)| frame)
+        self.fog_of(role).map_or(&self.frame, |fog| &fog.frame)
+    }
+
+    /// What fog does to a role; `None` if nothing is hidden from it.
+    pub(crate) fn fog_of(&self, role: &Role) -> Option<&InFog> {
+        self.in_fog.iter().find(|fog| fog.role == *role)
+    }
+}
+
+/// A prediction: for those who see everything as text, and its paths.
+#[derive(Clone, Debug)]
+pub(crate) struct Predicted {
+    text: Text,
+    prediction: Reply,
+}
+
+impl Predicted {
+    pub(crate) fn new(prediction: Reply) -> Predicted {
+        Predicted { text: message::text(&prediction).into(), prediction }
+    }
+
+    /// The text for a client from whom fog hides these vessels.
+    pub(crate) fn without(&self, hidden: &[usize]) -> String {
+        match &self.prediction {
+            Reply::Prediction { tick, paths } if !hidden.is_empty() => {
+                let seen = paths.iter().filter(|path| !hidden.contains(&path.vessel));
+                let paths = seen.cloned().collect();
+                message::text(&Reply::Prediction { tick: *tick, paths })
+            }
+            _ => self.text.to_string(),
+        }
     }
 }
 
@@ -71,7 +110,7 @@ pub(crate) struct Hub {
     waiting: AtomicUsize,
     next_client: AtomicU64,
     pub(crate) frames: watch::Sender<Option<Published>>,
-    pub(crate) predictions: watch::Sender<Option<Text>>,
+    pub(crate) predictions: watch::Sender<Option<Arc<Predicted>>>,
     /// The latest sentences for chart programs.
     pub(crate) sentences: watch::Sender<Sentences>,
     pub(crate) tokens: RwLock<Tokens>,

@@ -12,22 +12,8 @@ impl Session {
     /// chart, structures and the data of instruments and radio: own motion, the berth, orders to tugs, lines.
     #[must_use]
     pub fn in_fog(&self, frame: &Frame, role: &Role) -> Option<Frame> {
-        let visibility_m = frame.visibility_m?;
-        let viewer = self.eye(role)?;
+        let hidden = self.hidden_bodies(role)?;
         let setup = self.simulation().setup();
-        let states = self.simulation().states();
-        let eye_m = states[viewer].position_m;
-        let is_hidden = |body: usize| {
-            let of = &setup.bodies[body];
-            body != viewer
-                && !of.is_fixed()
-                && distance_m(eye_m, of.outline.vertices(), |at| states[body].pose().apply(at))
-                    > visibility_m
-        };
-        let hidden: Vec<bool> = (0..setup.bodies.len()).map(is_hidden).collect();
-        if !hidden.contains(&true) {
-            return None;
-        }
         let mut seen = frame.clone();
         for (body, is_hidden) in seen.bodies.iter_mut().zip(&hidden) {
             if *is_hidden {
@@ -43,16 +29,47 @@ impl Session {
         Some(seen)
     }
 
+    /// Indices of the vessels that fog hides from a person of this role.
+    #[must_use]
+    pub fn hidden_vessels(&self, role: &Role) -> Vec<usize> {
+        let Some(hidden) = self.hidden_bodies(role) else { return Vec::new() };
+        let vessels = self.simulation().setup().world.vessels.iter().enumerate();
+        vessels.filter(|(_, vessel)| hidden[vessel.body]).map(|(index, _)| index).collect()
+    }
+
+    /// For each body, whether fog hides it from a person of this role; `None` if nothing is hidden.
+    fn hidden_bodies(&self, role: &Role) -> Option<Vec<bool>> {
+        let visibility_m = self.now().visibility_m?;
+        let viewer = self.eye(role)?;
+        let setup = self.simulation().setup();
+        let states = self.simulation().states();
+        let eye_m = states[viewer].position_m;
+        let is_hidden = |body: usize| {
+            let of = &setup.bodies[body];
+            body != viewer
+                && !of.is_fixed()
+                && distance_m(eye_m, of.outline.vertices(), |at| states[body].pose().apply(at))
+                    > visibility_m
+        };
+        let hidden: Vec<bool> = (0..setup.bodies.len()).map(is_hidden).collect();
+        hidden.contains(&true).then_some(hidden)
+    }
+
     /// The body from which a person of this role looks; `None` for the instructor.
     fn eye(&self, role: &Role) -> Option<usize> {
         let (cast, world) = (self.cast(), &self.simulation().setup().world);
         let own = || cast.own.map(|own| world.vessels[own].body);
+        let body_of = |name: &str| {
+            let vessel = cast.vessels.iter().position(|of| of == name)?;
+            Some(world.vessels[vessel].body)
+        };
         match role {
             Role::Instructor => None,
-            Role::Pilot | Role::Observer => own(),
+            Role::Observer | Role::Pilot { vessel: None } => own(),
+            Role::Pilot { vessel: Some(name) } => body_of(name),
             Role::Tugmaster { tug } => {
-                if let Some(vessel) = cast.vessels.iter().position(|name| name == tug) {
-                    return Some(world.vessels[vessel].body);
+                if let Some(body) = body_of(tug) {
+                    return Some(body);
                 }
                 // A tug that is a force works at the side of her ship.
                 let tug = world.tugs.iter().find(|of| of.tug.name == *tug)?;

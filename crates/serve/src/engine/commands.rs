@@ -116,7 +116,8 @@ impl Engine {
             return Err(Refusal::new("too many trials: wait a moment"));
         }
         let out = from.out.clone();
-        let trial = self.session.trial(orders, horizon_s)?;
+        let mut trial = self.session.trial(orders, horizon_s)?;
+        trial.leave_out(&self.session.hidden_vessels(role));
         self.trials.start((client, id), trial, out)?;
         Ok(Done::AtTick { tick: self.session.tick(), shows: false })
     }

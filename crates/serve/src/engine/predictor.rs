@@ -4,9 +4,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use fenderline_live::{Session, message};
+use fenderline_live::Session;
 
-use crate::hub::Hub;
+use crate::hub::{Hub, Predicted};
 
 /// Least wall time between the starts of two predictions.
 const INTERVAL: Duration = Duration::from_millis(100);
@@ -50,7 +50,7 @@ impl Predictor {
             let begun = Instant::now();
             let until = begun + LONGEST;
             let path = prediction.run(AHEAD_S, EVERY_S, |_| Instant::now() < until);
-            hub.predictions.send_replace(Some(message::text(&path).into()));
+            hub.predictions.send_replace(Some(Arc::new(Predicted::new(path))));
             // A pause as long as the work: predictions take at most half of a processor.
             std::thread::sleep(begun.elapsed());
             is_running.store(false, Ordering::Release);
