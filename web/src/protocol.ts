@@ -308,8 +308,8 @@ export interface Frame {
   contacts: ContactNow[];
   lines: LineNow[];
   tugs: TugNow[];
-  /** Of each ship in `Hello.traffic`; she is where her track says. */
-  traffic: BodyNow[];
+  /** Of each ship in `Hello.traffic`; she is where her track says. `null`: this page does not see her in the fog. */
+  traffic: (BodyNow | null)[];
   /** Wind at the pilot's ship: where it comes from, and its speed; 0 without wind. */
   wind: { speed_mps: number; from_rad: number };
   /** Current at the pilot's ship: where it flows to, and its speed. */

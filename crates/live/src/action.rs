@@ -91,6 +91,7 @@ impl OtherAction {
         match self {
             OtherAction::Wind { .. }
             | OtherAction::Current { .. }
+            | OtherAction::Visibility { .. }
             | OtherAction::Fault { .. }
             | OtherAction::PartLine { .. }
             | OtherAction::TugOut { .. } => true,

@@ -297,7 +297,8 @@ pub struct Frame {
     pub contacts: Vec<ContactNow>,
     pub lines: Vec<LineNow>,
     pub tugs: Vec<TugNow>,
-    pub traffic: Vec<[f64; 6]>,
+    /// `None`: hidden by fog.
+    pub traffic: Vec<Option<[f64; 6]>>,
     pub wind: WindNow,
     pub current: CurrentNow,
     pub waves: Option<WavesNow>,

@@ -3,14 +3,15 @@
 mod support;
 
 use fenderline_live::Session;
-use fenderline_live::message::RunState;
+use fenderline_live::message::{Role, RunState};
 use support::{go, open};
 
 const FAIRWAY: &str = "scenarios/live/two_pilots_in_a_fairway.toml";
 const KNOT_MPS: f64 = 1852.0 / 3600.0;
 
 fn traffic(session: &Session) -> Vec<[f64; 6]> {
-    session.frame(0, RunState::default()).traffic
+    let seen = session.frame(0, RunState::default()).traffic.into_iter();
+    seen.map(|ship| ship.expect("no fog")).collect()
 }
 
 #[test]
@@ -41,4 +42,15 @@ fn a_ship_that_runs_into_traffic_has_an_alarm() {
     let alarms = session.alarms().messages();
     let hit = alarms.iter().find(|alarm| alarm.key == "collision bulker ferry");
     assert_eq!(hit.map(|alarm| &*alarm.text), Some("bulker collides with ferry"), "{alarms:?}");
+}
+
+#[test]
+fn fog_hides_traffic_from_the_pilot_alone() {
+    let session = open(FAIRWAY, &["environment.visibility=\"300 m\""]);
+    let all = session.frame(0, RunState::default());
+    let seen = session.in_fog(&all, &Role::PILOT).expect("something is hidden");
+    let hidden = seen.traffic.iter().filter(|ship| ship.is_none()).count();
+    assert!(hidden > 0, "{:?}", seen.traffic);
+    assert_eq!(seen.visibility_m, Some(300.0));
+    assert_eq!(session.in_fog(&all, &Role::Instructor), None);
 }

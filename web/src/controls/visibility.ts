@@ -1,12 +1,11 @@
 /** The instructor's choice of how far people see. */
-import type { Page } from "../page";
-import type { Frame, Hello } from "../protocol";
+import type { Frame, Hello, OtherAction } from "../protocol";
 import { button, h, setAttribute, setText } from "../ui/dom";
 
 /** Distances to choose from [m]: from thick fog to haze. */
 const DISTANCES_M = [100, 200, 500, 1000, 2000, 5000];
 
-const words = (distance_m: number | null): string => {
+export const visibilityWords = (distance_m: number | null): string => {
   if (distance_m === null) return "clear";
   return distance_m < 1000 ? `${distance_m} m` : `${distance_m / 1000} km`;
 };
@@ -16,15 +15,20 @@ export class Visibility {
   private readonly buttons: { distance_m: number | null; root: HTMLButtonElement }[];
   readonly root: HTMLElement;
 
-  constructor(page: Page, { limits }: Hello) {
+  /** `happen` gives a command, at once or later. */
+  constructor(happen: (event: OtherAction) => Promise<boolean>, { limits }: Hello) {
     const [least, most] = limits.visibility_m;
     const distances = DISTANCES_M.filter((m) => m >= least && m <= most);
     this.buttons = [...distances, null].map((distance_m) => ({
       distance_m,
-      root: button(words(distance_m), () => void page.order({ do: "visibility", distance_m }), {
-        name: `Visibility ${words(distance_m)}`,
-        "aria-pressed": "false",
-      }),
+      root: button(
+        visibilityWords(distance_m),
+        () => void happen({ do: "visibility", distance_m }),
+        {
+          name: `Visibility ${visibilityWords(distance_m)}`,
+          "aria-pressed": "false",
+        },
+      ),
     }));
     this.root = h(
       "section",
@@ -40,7 +44,7 @@ export class Visibility {
       this.now,
       visibility_m === null
         ? "Clear: everybody sees everything."
-        : `Pilot and tug masters do not see ships beyond ${words(visibility_m)}.`,
+        : `Pilot and tug masters do not see ships beyond ${visibilityWords(visibility_m)}.`,
     );
     for (const { distance_m, root } of this.buttons)
       setAttribute(root, "aria-pressed", String(distance_m === visibility_m));

@@ -172,7 +172,7 @@ export class Conditions implements View {
       h("b", {}, "A line parts"),
       h("div", { class: "row" }, ...lines),
     );
-    this.visibility = new Visibility(page, hello);
+    this.visibility = new Visibility((event) => planned.happen(event), hello);
     this.root = h(
       "div",
       { class: "conditions" },

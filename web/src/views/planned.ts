@@ -1,4 +1,5 @@
 /** When the instructor's changes happen: at once or later, at once or over a time; and the list of what is planned. */
+import { visibilityWords } from "../controls/visibility";
 import type { Page } from "../page";
 import type { Frame, OtherAction, PlannedNow } from "../protocol";
 import { button, h, setText } from "../ui/dom";
@@ -26,6 +27,8 @@ export function eventWords(event: OtherAction): string {
       const over = event.over_s ? ` over ${fixed(event.over_s / 60, 0)} min` : "";
       return `${event.do} ${fixed(toKnots(event.speed_mps), 1)} kn ${way} ${heading(rad, 0)}${over}`;
     }
+    case "visibility":
+      return `visibility ${visibilityWords(event.distance_m)}`;
     case "fault":
       return `${spoken(event.vessel)}: ${event.fault.replaceAll("_", " ")}${event.on ? "" : " ends"}`;
     case "part_line":

@@ -1,7 +1,9 @@
 //! What fog hides: the frame of a person on board, who does not see beyond the visibility.
 
-use fenderline_contact::Vec2;
 use fenderline_contact::number::{bounded, lesser};
+use fenderline_contact::{BodyState, Pose, Vec2};
+
+use fenderline_sim::BodySetup;
 
 use crate::message::{Frame, Role};
 use crate::session::Session;
@@ -12,12 +14,17 @@ impl Session {
     /// chart, structures and the data of instruments and radio: own motion, the berth, orders to tugs, lines.
     #[must_use]
     pub fn in_fog(&self, frame: &Frame, role: &Role) -> Option<Frame> {
-        let hidden = self.hidden_bodies(role)?;
+        let view = self.view(role)?;
+        let (hidden, traffic) = (self.hidden_bodies(&view), self.hidden_traffic(&view));
+        if !hidden.contains(&true) && !traffic.contains(&true) {
+            return None;
+        }
         let setup = self.simulation().setup();
         let mut seen = frame.clone();
-        for (body, is_hidden) in seen.bodies.iter_mut().zip(&hidden) {
+        let bodies = seen.bodies.iter_mut().zip(&hidden);
+        for (ship, is_hidden) in bodies.chain(seen.traffic.iter_mut().zip(&traffic)) {
             if *is_hidden {
-                *body = None;
+                *ship = None;
             }
         }
         seen.contacts.retain(|contact| !contact.bodies.iter().any(|&body| hidden[body]));
@@ -32,27 +39,36 @@ impl Session {
     /// Indices of the vessels that fog hides from a person of this role.
     #[must_use]
     pub fn hidden_vessels(&self, role: &Role) -> Vec<usize> {
-        let Some(hidden) = self.hidden_bodies(role) else { return Vec::new() };
+        let Some(view) = self.view(role) else { return Vec::new() };
+        let hidden = self.hidden_bodies(&view);
         let vessels = self.simulation().setup().world.vessels.iter().enumerate();
         vessels.filter(|(_, vessel)| hidden[vessel.body]).map(|(index, _)| index).collect()
     }
 
-    /// For each body, whether fog hides it from a person of this role; `None` if nothing is hidden.
-    fn hidden_bodies(&self, role: &Role) -> Option<Vec<bool>> {
+    /// What a person of this role sees of the world; `None` if it is clear, or for the instructor.
+    fn view(&self, role: &Role) -> Option<View> {
         let visibility_m = self.now().visibility_m?;
         let viewer = self.eye(role)?;
-        let setup = self.simulation().setup();
-        let states = self.simulation().states();
-        let eye_m = states[viewer].position_m;
-        let is_hidden = |body: usize| {
-            let of = &setup.bodies[body];
-            body != viewer
-                && !of.is_fixed()
-                && distance_m(eye_m, of.outline.vertices(), |at| states[body].pose().apply(at))
-                    > visibility_m
+        let eye_m = self.simulation().states()[viewer].position_m;
+        Some(View { viewer, eye_m, visibility_m })
+    }
+
+    /// For each body, whether fog hides it.
+    fn hidden_bodies(&self, view: &View) -> Vec<bool> {
+        let bodies = self.simulation().setup().bodies.iter().zip(self.simulation().states());
+        let is_hidden = |(index, (body, state)): (usize, (&BodySetup, &BodyState))| {
+            index != view.viewer
+                && !body.is_fixed()
+                && view.hides(body.outline.vertices(), state.pose())
         };
-        let hidden: Vec<bool> = (0..setup.bodies.len()).map(is_hidden).collect();
-        hidden.contains(&true).then_some(hidden)
+        bodies.enumerate().map(is_hidden).collect()
+    }
+
+    /// The same for each passing ship.
+    fn hidden_traffic(&self, view: &View) -> Vec<bool> {
+        let t_s = self.simulation().time_s();
+        let passing = self.simulation().setup().world.flow.passing.iter();
+        passing.map(|ship| view.hides(&ship.outline_m, ship.track.at(t_s).pose)).collect()
     }
 
     /// The body from which a person of this role looks; `None` for the instructor.
@@ -76,6 +92,21 @@ impl Session {
                 Some(world.vessels[tug.vessel].body)
             }
         }
+    }
+}
+
+/// From where, and how far, somebody sees.
+struct View {
+    /// The body on which she stands.
+    viewer: usize,
+    eye_m: Vec2,
+    visibility_m: f64,
+}
+
+impl View {
+    /// True if all of an outline is beyond the visibility.
+    fn hides(&self, outline_m: &[Vec2], pose: Pose) -> bool {
+        distance_m(self.eye_m, outline_m, |at| pose.apply(at)) > self.visibility_m
     }
 }
 

@@ -116,7 +116,7 @@ pub(crate) fn frame(now: &Now, cast: &Cast, info: &Info, at_ms: u64, run: RunSta
         contacts: contacts.to_vec(),
         lines: lines(simulation, info),
         tugs: tugs(simulation),
-        traffic: traffic::now(simulation),
+        traffic: traffic::now(simulation).into_iter().map(Some).collect(),
         wind: wind_now(simulation, t_s),
         current: current_now(simulation, t_s, place),
         waves: waves_now(simulation),
