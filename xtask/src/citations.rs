@@ -13,13 +13,14 @@ use std::path::Path;
 use crate::command::run_quietly;
 
 /// Folders whose names at the start of a code span mark it as a path of the repository.
-const FOLDERS: [&str; 13] = [
+const FOLDERS: [&str; 14] = [
     "benches",
     "crates",
     "docs",
     "examples",
     "fenders",
     "fuzz",
+    "hydrodynamics",
     "include",
     "scenarios",
     "validation",
