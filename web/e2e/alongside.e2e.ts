@@ -237,7 +237,7 @@ test("the exercise ends by itself, and its report opens from the page", async ()
   // The score is the instructor's.
   expect(await pilot.getByLabel("Score").isVisible()).toBe(false);
   await instructor.bringToFront();
-  await instructor.getByRole("tab", { name: "Exercise" }).click();
+  await instructor.getByRole("tab", { name: "Exercise", exact: true }).click();
   await finished(instructor);
   const score = /^(\d+) of 100, (not )?passed$/.exec(
     (await instructor.getByLabel("Score").textContent()) ?? "",

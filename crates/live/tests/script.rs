@@ -31,7 +31,7 @@ fn a_ramp_changes_speed_and_direction_by_a_straight_line_over_the_shorter_turn()
     let turn = 0.5 + std::f64::consts::TAU - 6.0;
     for tick in 1..=250_u32 {
         go(&mut session, 1);
-        let share = (f64::from(tick) * 0.1 / 20.0).min(1.0);
+        let share = f64::from(tick.min(200)) * 0.1 / 20.0;
         let (speed_mps, from_rad) = mean(&session);
         assert!((speed_mps - (4.0 + 8.0 * share)).abs() < 1e-9, "{tick}: {speed_mps}");
         let off = libm_remainder(from_rad - (6.0 + turn * share));
