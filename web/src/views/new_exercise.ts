@@ -88,7 +88,7 @@ export class NewExerciseView implements View {
       "cone SPC",
     );
     this.family.select.addEventListener("change", () => this.sizes());
-    this.root = h(
+    const form = h(
       "form",
       {
         class: "new-exercise",
@@ -120,6 +120,8 @@ export class NewExerciseView implements View {
       ),
       this.note,
     );
+    // A tab's panel must not be a form itself.
+    this.root = h("div", {}, form);
     this.name.addEventListener("input", () => setClass(this.replace, "hidden", true));
     this.sizes();
   }

@@ -9,7 +9,7 @@ use fenderline_live::message::{GalleryEntry, Reply};
 use fenderline_live::{Creation, Refusal};
 
 use super::Engine;
-use super::history::KeptHistory;
+use super::kept_history::KeptHistory;
 use crate::gallery::Opened;
 use crate::hub::ToEngine;
 use crate::new_file::NewFile;
