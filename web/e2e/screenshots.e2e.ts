@@ -65,6 +65,8 @@ for (const [size, viewport] of Object.entries(SIZES)) {
       for (const tab of tabs) {
         await page.getByRole("tab", { name: tab, exact: true }).click();
         await page.waitForTimeout(tab === "Charts" ? 1200 : 200);
+        // Once a second view stood below the chosen one.
+        expect(await page.locator(".view:visible").count()).toBe(1);
         for (const name of size === "desk" || tab === "Docking"
           ? ["day", "dusk", "night"]
           : ["day"]) {
