@@ -36,7 +36,7 @@ const STUDY: &str = "scenario = \"berthing.toml\"\n\
 const SPEEDS: &str = "speed [cm/s]\n4.1\n5.2\n6.0\n6.3\n7.1\n7.4\n8.8\n9.9\n11.5\n15.2\n16.0\n";
 
 /// Commands with their arguments, and files that they must write.
-const COMMANDS: [(&[&str], &[&str]); 20] = [
+const COMMANDS: [(&[&str], &[&str]); 21] = [
     (&["--version"], &[]),
     (&["run", "berthing.toml", "--out", "run"], &["run/report.html", "run/summary.json"]),
     (&["run", "vessels.toml", "--out", "vessels", "--format", "parquet"], &["vessels/report.html"]),
@@ -51,6 +51,7 @@ const COMMANDS: [(&[&str], &[&str]); 20] = [
         &["statistics", "speeds.csv", "--column", "speed", "--per-year", "60", "--out", "speeds"],
         &["speeds/statistics.html", "speeds/statistics.json"],
     ),
+    (&["limit", "berthing.toml", "--key", "time.duration", "--from", "5 s", "--to", "10 s"], &[]),
     (&["manoeuvre", "kvlcc2", "turning"], &[]),
     (&["vessels"], &[]),
     (&["fenders"], &[]),
