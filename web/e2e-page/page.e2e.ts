@@ -69,7 +69,7 @@ test("once loaded it asks no server for anything, and works with the network gon
 test("eight fenders and the paper's case at 4 kn have the summaries of `fenderline run`", async () => {
   for (const [index, file] of [
     [0, CONES],
-    [6, PAPER],
+    [7, PAPER],
   ] as const) {
     const choose = at.page.getByRole("combobox", { name: "Scenario" });
     await reran(at.page, () => choose.selectOption({ index }));
