@@ -178,6 +178,7 @@ mod approach;
 mod chain;
 pub mod chart;
 mod contact_totals;
+pub mod distance;
 mod dolphin;
 mod error;
 mod fender;

@@ -1,9 +1,8 @@
 //! What fog hides: the frame of a person on board, who does not see beyond the visibility.
 
-use fenderline_contact::number::{bounded, lesser};
 use fenderline_contact::{BodyState, Pose, Vec2};
-
 use fenderline_sim::BodySetup;
+use fenderline_sim::distance::to_edge_m;
 
 use crate::message::{Frame, Role};
 use crate::session::Session;
@@ -106,33 +105,6 @@ struct View {
 impl View {
     /// True if all of an outline is beyond the visibility.
     fn hides(&self, outline_m: &[Vec2], pose: Pose) -> bool {
-        distance_m(self.eye_m, outline_m, |at| pose.apply(at)) > self.visibility_m
-    }
-}
-
-/// From a point to the nearest point of a ring (m).
-fn distance_m(from_m: Vec2, ring: &[Vec2], on_earth: impl Fn(Vec2) -> Vec2) -> f64 {
-    let corners: Vec<Vec2> = ring.iter().map(|corner| on_earth(*corner)).collect();
-    let edges = corners.iter().zip(corners.iter().cycle().skip(1));
-    let distances = edges.map(|(a, b)| {
-        let (edge, to) = (*b - *a, from_m - *a);
-        let share = bounded(edge.dot(to) / edge.length_squared(), 0.0, 1.0);
-        (to - edge * share).length()
-    });
-    distances.fold(f64::INFINITY, lesser)
-}
-
-#[cfg(test)]
-mod tests {
-    use fenderline_contact::vec2;
-
-    use super::*;
-
-    #[test]
-    fn the_distance_is_that_to_the_nearest_edge() {
-        let square = [vec2(0.0, 0.0), vec2(10.0, 0.0), vec2(10.0, 10.0), vec2(0.0, 10.0)];
-        let to = |at| distance_m(at, &square, |corner| corner + vec2(100.0, 0.0));
-        assert_eq!(to(vec2(105.0, -7.0)), 7.0);
-        assert_eq!(to(vec2(113.0, 14.0)), 5.0);
+        to_edge_m(pose.apply_inverse(self.eye_m), outline_m) > self.visibility_m
     }
 }

@@ -1,10 +1,11 @@
 //! The forces of passing ships and of other vessels on each vessel, in a step.
 
-use fenderline_contact::number::{bounded, lesser};
+use fenderline_contact::number::bounded;
 use fenderline_contact::{BodyState, Pose, Vec2, vec2};
 
 use super::flow::{PassingShip, force_under_way};
 use super::setup::{FlowHull, FlowSetup};
+use crate::distance::of_segments_m;
 use crate::hydro::Force;
 use crate::world::{Environment, VesselSetup};
 
@@ -113,7 +114,7 @@ fn push(own: &Afloat<'_>, other: &Afloat<'_>, environment: &Environment) -> Opti
 /// How much of the flow between two vessels is taken, by their clear gap.
 fn share_of_gap(own: &Afloat<'_>, other: &Afloat<'_>) -> f64 {
     let mean_beam_m = 0.5 * (own.hull.beam_m + other.hull.beam_m);
-    let apart_m = distance_of_segments_m(own.ends_m(), other.ends_m());
+    let apart_m = of_segments_m(own.ends_m(), other.ends_m());
     smooth(apart_m / mean_beam_m - 1.0, TOO_NEAR)
 }
 
@@ -121,39 +122,4 @@ fn share_of_gap(own: &Afloat<'_>, other: &Afloat<'_>) -> f64 {
 fn smooth(value: f64, [low, high]: [f64; 2]) -> f64 {
     let share = bounded((value - low) / (high - low), 0.0, 1.0);
     share * share * (3.0 - 2.0 * share)
-}
-
-/// The shortest distance between two straight segments (m).
-pub(super) fn distance_of_segments_m(one: [Vec2; 2], other: [Vec2; 2]) -> f64 {
-    let side = |ends: [Vec2; 2], point: Vec2| (ends[1] - ends[0]).cross(point - ends[0]);
-    let splits = |ends: [Vec2; 2], of: [Vec2; 2]| side(ends, of[0]) * side(ends, of[1]) < 0.0;
-    if splits(one, other) && splits(other, one) {
-        return 0.0;
-    }
-    let to = |ends: [Vec2; 2], point: Vec2| {
-        let along = ends[1] - ends[0];
-        let share = bounded((point - ends[0]).dot(along) / along.length_squared(), 0.0, 1.0);
-        (point - ends[0] - along * share).length()
-    };
-    let of_one = lesser(to(one, other[0]), to(one, other[1]));
-    lesser(of_one, lesser(to(other, one[0]), to(other, one[1])))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_distance_of_segments_is_that_of_their_nearest_points() {
-        let along = [vec2(0.0, 0.0), vec2(10.0, 0.0)];
-        for (other, distance_m) in [
-            ([vec2(5.0, 3.0), vec2(5.0, 9.0)], 3.0),
-            ([vec2(5.0, -3.0), vec2(5.0, 9.0)], 0.0),
-            ([vec2(13.0, 4.0), vec2(20.0, 4.0)], 5.0),
-            ([vec2(-5.0, 2.0), vec2(20.0, 2.0)], 2.0),
-        ] {
-            assert!((distance_of_segments_m(along, other) - distance_m).abs() < 1e-12);
-            assert!((distance_of_segments_m(other, along) - distance_m).abs() < 1e-12);
-        }
-    }
 }

@@ -4,6 +4,7 @@ use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{Pose, Vec2};
 
 use super::setup::PassingSetup;
+use crate::distance::of_outlines_m;
 
 /// Most places of the ship that are looked at.
 const MOST_PLACES: f64 = 1e6;
@@ -35,6 +36,12 @@ impl PassingSetup {
         nearest
     }
 
+    /// Whether her outline lies over another one in a pose at a time.
+    #[must_use]
+    pub fn meets(&self, outline_m: &[Vec2], pose: Pose, t_s: f64) -> bool {
+        self.nearer_than_m(f64::MIN_POSITIVE, t_s, outline_m, pose).is_some()
+    }
+
     /// Her clear distance from an outline in a pose at a time, if it is less than `most_m`.
     #[must_use]
     pub fn nearer_than_m(
@@ -60,35 +67,10 @@ impl PassingSetup {
             let relative = pose.to(at);
             let hull: Vec<Vec2> =
                 self.outline_m.iter().map(|point| relative.apply(*point)).collect();
-            distance_m(&hull, outline_m)
+            of_outlines_m(&hull, outline_m)
         };
         (found_m < most_m).then_some(found_m)
     }
-}
-
-/// The clear distance between two outlines (m); 0 where they overlap.
-fn distance_m(one: &[Vec2], other: &[Vec2]) -> f64 {
-    if contains(one, other[0]) || contains(other, one[0]) {
-        return 0.0;
-    }
-    let edges = |of: &[Vec2]| -> Vec<[Vec2; 2]> {
-        of.iter().zip(of.iter().cycle().skip(1)).map(|(from, to)| [*from, *to]).collect()
-    };
-    let (ones, others) = (edges(one), edges(other));
-    let pairs = ones.iter().flat_map(|one| others.iter().map(move |other| (*one, *other)));
-    pairs.fold(f64::INFINITY, |least, (one, other)| {
-        lesser(least, super::act::distance_of_segments_m(one, other))
-    })
-}
-
-/// Whether a point is within an outline.
-fn contains(outline: &[Vec2], point: Vec2) -> bool {
-    let edges = outline.iter().zip(outline.iter().cycle().skip(1));
-    let crossed = edges.filter(|(from, to)| {
-        let cuts = (from.y <= point.y) != (to.y <= point.y);
-        cuts && from.x + (point.y - from.y) / (to.y - from.y) * (to.x - from.x) > point.x
-    });
-    crossed.count() % 2 == 1
 }
 
 #[cfg(test)]
