@@ -1,5 +1,6 @@
 //! The outline of a body: a simple polygon, checked, tidied and cut into convex pieces at load.
 
+use crate::geometry::convex::has_width;
 use crate::number::{greater, lesser};
 
 mod crossing;
@@ -104,17 +105,24 @@ impl Outline {
             tidied[1..].reverse();
             notices.push(OutlineNotice::Turned);
         }
-        Ok((Outline::from_tidied(tidied, 0.5 * doubled_area.abs(), bounds), notices))
+        let outline = Outline::from_tidied(tidied, 0.5 * doubled_area.abs(), bounds);
+        Ok((outline.ok_or(OutlineError::ZeroArea)?, notices))
     }
 
-    fn from_tidied(vertices: Vec<Vec2>, area_m2: f64, bounds: (Vec2, Vec2)) -> Outline {
-        let pieces: Vec<Vec<Vec2>> = pieces::convex_pieces(&vertices)
+    /// None where no piece has a width.
+    fn from_tidied(vertices: Vec<Vec2>, area_m2: f64, bounds: (Vec2, Vec2)) -> Option<Outline> {
+        let mut pieces: Vec<Vec<Vec2>> = pieces::convex_pieces(&vertices)
             .into_iter()
             .map(|piece| piece.into_iter().map(|i| vertices[i]).collect())
             .collect();
+        // A cut from a spike can leave a needle that nothing can touch. The rest is closed without it.
+        pieces.retain(|piece| has_width(piece));
+        if pieces.is_empty() {
+            return None;
+        }
         let centroid_m = centroid(&pieces, vertices[0]);
         let radius_m = vertices.iter().map(|v| v.length()).fold(0.0, greater);
-        Outline { vertices, pieces, area_m2, centroid_m, radius_m, bounds }
+        Some(Outline { vertices, pieces, area_m2, centroid_m, radius_m, bounds })
     }
 
     /// The vertices in the positive sense, tidied (m).
@@ -128,14 +136,15 @@ impl Outline {
     ///
     /// All their vertices are vertices of the outline, bit for bit; an edge of a piece is either
     /// an edge of the outline or a seam, which another piece has in the opposite direction. An
-    /// angle of a piece may be straight. A convex outline has one piece, itself.
+    /// angle of a piece may be straight. A convex outline has one piece, itself. A needle narrower
+    /// than 1e-12 of its length is left out.
     #[must_use]
     #[inline]
     pub fn pieces(&self) -> &[Vec<Vec2>] {
         &self.pieces
     }
 
-    /// True where no angle is reflex.
+    /// True where there is one piece: no angle is reflex, needles left out.
     #[must_use]
     #[inline]
     pub fn is_convex(&self) -> bool {

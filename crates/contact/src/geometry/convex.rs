@@ -35,7 +35,7 @@ impl ConvexPolygon {
     /// From the vertices of a convex polygon in the positive sense; straight vertices are dropped.
     ///
     /// # Panics
-    /// With fewer than three corners: an [`crate::Outline`] never has such a piece.
+    /// With fewer than three corners. An [`Outline`](crate::outline::Outline) has no such piece.
     #[must_use]
     pub fn new(vertices_m: &[Vec2]) -> ConvexPolygon {
         let corners = without_straight_vertices(vertices_m);
@@ -160,6 +160,12 @@ impl ConvexPolygon {
 #[inline]
 pub(crate) fn upper_half(direction: Vec2) -> bool {
     direction.y > 0.0 || (direction.y == 0.0 && direction.x > 0.0)
+}
+
+/// Does a convex polygon of these vertices have three corners left, without the straight ones? A needle whose width
+/// is below 1e-12 of its length has not.
+pub(crate) fn has_width(vertices_m: &[Vec2]) -> bool {
+    without_straight_vertices(vertices_m).len() >= 3
 }
 
 fn without_straight_vertices(vertices: &[Vec2]) -> Vec<Vec2> {

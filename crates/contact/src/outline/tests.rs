@@ -421,3 +421,18 @@ proptest! {
         prop_assert_eq!(super::crossing::meeting_edges(&ring).is_some(), meets_itself(&ring));
     }
 }
+
+/// Found by fuzzing the reader of dumps: a ship's corner that was moved by 2 µm beside another, with a far third.
+#[test]
+fn a_spike_cut_into_a_needle_without_width_is_no_piece() {
+    let ring =
+        [(60.0, -10.0), (60.0, -10.000_001_817_941_666), (60.890_625, 1280.0), (-60.0, 10.0)]
+            .map(|(x, y)| vec2(x, y));
+    let (outline, _) = Outline::new(&ring).expect("a simple polygon");
+    assert!(!outline.pieces().is_empty());
+    let sum: f64 = outline.pieces().iter().map(|piece| fan_area(piece)).sum();
+    assert!((sum - outline.area_m2()).abs() <= 1e-10 * outline.area_m2(), "{sum}");
+    for piece in outline.pieces() {
+        let _ = crate::geometry::convex::ConvexPolygon::new(piece);
+    }
+}
