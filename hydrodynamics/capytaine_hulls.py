@@ -1,21 +1,30 @@
-"""Runs Capytaine for the hulls of this folder, and writes NetCDF that `fenderline.hydrodynamics` converts.
+"""Runs Capytaine for the hulls of this folder, and writes their hydrodynamic data.
 
     python3 hydrodynamics/capytaine_hulls.py CASE FOLDER
 
-CASE is a key of `CASES`. It needs capytaine 3.0 and h5netcdf of PyPI. One thread; the run time is printed.
+CASE is a key of `CASES`, or `all`. It needs capytaine 3.0 and h5netcdf of PyPI. FOLDER gets CASE.nc, Capytaine's results, and
+CASE.hydro, what `fenderline.hydrodynamics` makes of them. One thread; the run time is printed.
 
 A quay wall is a mirror: the hull and her image behind the wall move as mirror images. The generalised forces of both are
-twice those of the hull. The incident wave and its reflection by the wall are in the excitation.
+twice those of the hull. The incident wave and its reflection by the wall are in the excitation. The wall is to starboard, and
+infinitely long, down to the bottom.
+
+Mean drift is by the momentum far away (Kochin functions), of the ship who floats freely with 5 % of the critical damping in roll.
+At a wall the momentum far away is that of hull and wall, so there is none.
 """
 
+import importlib.util
 import sys
 import time
 from pathlib import Path
 
 import capytaine as cpt
 import numpy as np
+import xarray as xr
 
 cpt.set_logging("ERROR")
+
+ROOT = Path(__file__).resolve().parent.parent
 
 DOFS = ["Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw"]
 # The sign of each motion of the image: surge, heave and pitch are as those of the hull, the others opposite.
@@ -82,86 +91,164 @@ def mesh_of(panels, name):
     return cpt.Mesh(vertices=vertices, faces=index.reshape(-1, 4), name=name)
 
 
-BARGE = {"length": 80.0, "beam": 20.0, "draught": 5.0}
+ROLL_DAMPING = 0.05
+GRAVITY_MPS2 = 9.81
+BARGE = {"length": 80.0, "beam": 20.0, "draught": 5.0, "above_keel": 5.0, "gyradii": (7.0, 20.0, 20.0), "name": "A box barge"}
 BARGE_HULL = lambda: box(80.0, 20.0, 5.0, (24, 10, 6))
-# The paper's container ship: vessels/moreno2023.toml.
-SHIP = {"length": 285.0, "beam": 46.0, "draught": 9.0}
-SHIP_HULL = lambda: ship(285.0, 46.0, 9.0, SHIP_BLOCK, SHIP_WATERPLANE, (36, 9))
 SHIP_BLOCK, SHIP_WATERPLANE = 0.7260, 0.8095
+# The paper's container ship: vessels/moreno2023.toml. The height of the centre of gravity gives this hull the metacentric height of
+# the vessel data, 2 m.
+SHIP = {
+    "length": 285.0, "beam": 46.0, "draught": 9.0, "above_keel": 20.8, "gyradii": (18.0, 71.25, 71.25),
+    "name": "A hull from the main particulars of the paper's container ship",
+}
+SHIP_HULL = lambda: ship(285.0, 46.0, 9.0, SHIP_BLOCK, SHIP_WATERPLANE, (36, 9))
 BARGE_OMEGAS = np.concatenate([np.arange(0.1, 0.61, 0.05), np.arange(0.7, 2.41, 0.1)])
 SHIP_OMEGAS = np.concatenate([np.arange(0.15, 1.01, 0.05), np.arange(1.1, 2.01, 0.1)])
 HALF = np.radians(np.arange(0, 181, 30))
-SEAWARD = np.radians(np.arange(0, 181, 30))
+# At a wall the two sides differ.
+ROUND = np.radians(np.arange(-150, 181, 30))
 
+
+def case(depth, wall=None):
+    return {"depth": depth, "wall": wall, "headings": HALF if wall is None else ROUND}
+
+
+def barge(**of):
+    return {"hull": BARGE_HULL, "size": BARGE, "omegas": BARGE_OMEGAS} | of
+
+
+def container_ship(**of):
+    return {"hull": SHIP_HULL, "size": SHIP, "omegas": SHIP_OMEGAS} | of
+
+
+# Depth, and the distance of the wall from the centre line (m).
 CASES = {
-    "barge_20m": dict(hull=BARGE_HULL, size=BARGE, depth=20.0, above_keel=5.0, omegas=BARGE_OMEGAS, headings=HALF, wall=None),
-    "barge_10m": dict(hull=BARGE_HULL, size=BARGE, depth=10.0, above_keel=5.0, omegas=BARGE_OMEGAS, headings=HALF, wall=None),
-    "barge_20m_quay": dict(hull=BARGE_HULL, size=BARGE, depth=20.0, above_keel=5.0, omegas=BARGE_OMEGAS, headings=SEAWARD, wall=16.0),
-    "ship_20m": dict(hull=SHIP_HULL, size=SHIP, depth=20.0, above_keel=None, omegas=SHIP_OMEGAS, headings=HALF, wall=None),
-    "ship_15m": dict(hull=SHIP_HULL, size=SHIP, depth=15.0, above_keel=None, omegas=SHIP_OMEGAS, headings=HALF, wall=None),
-    "ship_15m_quay": dict(hull=SHIP_HULL, size=SHIP, depth=15.0, above_keel=None, omegas=SHIP_OMEGAS, headings=SEAWARD, wall=27.0),
+    "barge_20m": barge(**case(20.0)),
+    "barge_10m": barge(**case(10.0)),
+    "barge_20m_quay": barge(**case(20.0, 16.0)),
+    "barge_10m_quay": barge(**case(10.0, 16.0)),
+    "ship_20m": container_ship(**case(20.0)),
+    "ship_15m": container_ship(**case(15.0)),
+    "ship_20m_quay": container_ship(**case(20.0, 27.0)),
+    "ship_15m_quay": container_ship(**case(15.0, 27.0)),
 }
-# The height of the centre of gravity that gives this hull the metacentric height of the vessel data, 2 m.
-SHIP_ABOVE_KEEL_M = 20.8
+
+
+def at_wall(mesh, lid, centre, y_wall):
+    """Hull and image as one body. Capytaine's y is to port, so the wall is at a negative one."""
+    image, image_lid = (part.mirrored("xOz").translated_y(2 * y_wall) for part in (mesh, lid))
+    dofs = {}
+    for index, dof in enumerate(DOFS):
+        fields = []
+        for part, place, sign in ((mesh, centre, 1), (image, (0, 2 * y_wall, centre[2]), IMAGE[index])):
+            r = part.faces_centers - np.array(place)
+            axis = np.eye(3)[index % 3]
+            field = np.tile(axis, (len(r), 1)) if index < 3 else np.cross(axis, r)
+            fields.append(sign * field)
+        dofs[dof] = np.concatenate(fields)
+    return cpt.FloatingBody(mesh=mesh.join_meshes(image), lid_mesh=lid.join_meshes(image_lid), dofs=dofs)
+
+
+def drift(results, data, size, volume):
+    """Mean drift of the free ship over the square of the amplitude, by Capytaine's far field."""
+    theta = 2 * np.pi * np.arange(-12, 373) / 360  # beyond a turn at both ends, as the derivative needs
+    finite = [result for result in results if np.isfinite(float(result.omega))]
+    omegas = np.array(sorted({result.omega for result in finite}))
+    headings = np.array(sorted({result.wave_direction for result in finite if hasattr(result, "wave_direction")}))
+    place = {omega: index for index, omega in enumerate(omegas)}
+    radiated = np.zeros((len(omegas), len(DOFS), len(theta)), complex)
+    diffracted = np.zeros((len(omegas), len(headings), len(theta)), complex)
+    for result in finite:
+        kochin = cpt.post_pro.kochin.compute_kochin(result, theta)
+        if hasattr(result, "wave_direction"):
+            diffracted[place[result.omega], np.searchsorted(headings, result.wave_direction)] = kochin
+        else:
+            radiated[place[result.omega], DOFS.index(result.radiating_dof)] = kochin
+    mass = WATER_KGPM3 * volume
+    inertia = np.diag([mass] * 3 + [mass * k * k for k in size["gyradii"]])
+    picked = {"influenced_dof": DOFS, "radiating_dof": DOFS, "omega": omegas}
+    order = ("omega", "influenced_dof", "radiating_dof")
+    added = data["added_mass"].sel(picked).transpose(*order).values
+    damping = data["radiation_damping"].sel(picked).transpose(*order).values.copy()
+    stiffness = data["hydrostatic_stiffness"].sel(influenced_dof=DOFS, radiating_dof=DOFS).values
+    damping[:, 3, 3] += ROLL_DAMPING * 2 * np.sqrt(stiffness[3, 3] * (inertia[3, 3] + added[:, 3, 3]))
+    w = omegas[:, None, None]
+    force = data["excitation_force"].sel(omega=omegas, influenced_dof=DOFS, wave_direction=headings)
+    force = force.transpose("omega", "influenced_dof", "wave_direction").values
+    motion = np.linalg.solve(-(w**2) * (inertia + added) - 1j * w * damping + stiffness, force)
+    of_waves = xr.Dataset(
+        {
+            "kochin_radiation": (("omega", "radiating_dof", "theta"), radiated),
+            "kochin_diffraction": (("omega", "wave_direction", "theta"), diffracted),
+            "wavenumber": ("omega", [next(r.wavenumber for r in finite if r.omega == omega) for omega in omegas]),
+            "water_depth": data["water_depth"].values.flat[0], "rho": WATER_KGPM3, "g": GRAVITY_MPS2,
+        },
+        coords={"omega": omegas, "radiating_dof": DOFS, "wave_direction": headings, "theta": theta},
+    )
+    motions = xr.DataArray(motion, coords=[("omega", omegas), ("radiating_dof", DOFS), ("wave_direction", headings)])
+    return cpt.post_pro.far_field_mean_drift_force(motions.transpose("omega", "wave_direction", "radiating_dof"), of_waves).real
+
+
+def converters():
+    """`fenderline.hydrodynamics`, without the compiled part of the package."""
+    path = ROOT / "crates/python/python/fenderline/hydrodynamics.py"
+    spec = importlib.util.spec_from_file_location("hydrodynamics", path)
+    module = importlib.util.module_from_spec(spec)
+    sys.modules["hydrodynamics"] = module
+    spec.loader.exec_module(module)
+    return module
 
 
 def run(name, folder):
-    case = CASES[name]
-    above_keel_m = case["above_keel"] or SHIP_ABOVE_KEEL_M
-    centre = (0.0, 0.0, above_keel_m - case["size"]["draught"])
-    mesh = mesh_of(case["hull"](), name)
+    of = CASES[name]
+    size, wall = of["size"], of["wall"]
+    centre = (0.0, 0.0, size["above_keel"] - size["draught"])
+    mesh = mesh_of(of["hull"](), name)
     lid = mesh.generate_lid()
     body = cpt.FloatingBody(mesh=mesh, lid_mesh=lid, dofs=cpt.rigid_body_dofs(rotation_center=centre), center_of_mass=centre, name=name)
     volume = body.disp_mass(rho=WATER_KGPM3) / WATER_KGPM3
     stiffness = body.compute_hydrostatic_stiffness(rho=WATER_KGPM3)
-    print(name, "panels", mesh.nb_faces, "lid", lid.nb_faces, "volume", volume, "KG", above_keel_m, "GM", float(stiffness.sel(influenced_dof="Roll", radiating_dof="Roll")) / (WATER_KGPM3 * 9.81 * volume))
     factor = 1.0
-    if case["wall"] is not None:
-        # The wall is at y = -wall (Capytaine's y is to port), to starboard of the hull.
-        y_wall = -case["wall"]
-        image = mesh.mirrored("xOz").translated_y(2 * y_wall)
-        image_lid = lid.mirrored("xOz").translated_y(2 * y_wall)
-        own = cpt.rigid_body_dofs(rotation_center=centre)
-        whole = mesh.join_meshes(image) if hasattr(mesh, "join_meshes") else mesh + image
-        whole_lid = lid.join_meshes(image_lid) if hasattr(lid, "join_meshes") else lid + image_lid
-        arm = lambda centres, c: centres - np.array(c)
-        dofs = {}
-        for index, dof in enumerate(DOFS):
-            fields = []
-            for part, place, is_image in ((mesh, centre, False), (image, (0, 2 * y_wall, centre[2]), True)):
-                r = arm(part.faces_centers, place)
-                zero = np.zeros(len(r))
-                field = [
-                    lambda r: np.stack([zero + 1, zero, zero], 1), lambda r: np.stack([zero, zero + 1, zero], 1),
-                    lambda r: np.stack([zero, zero, zero + 1], 1), lambda r: np.stack([zero, -r[:, 2], r[:, 1]], 1),
-                    lambda r: np.stack([r[:, 2], zero, -r[:, 0]], 1), lambda r: np.stack([-r[:, 1], r[:, 0], zero], 1),
-                ][index](r)
-                fields.append(IMAGE[index] * field if is_image else field)
-            dofs[dof] = np.concatenate(fields)
-        body = cpt.FloatingBody(mesh=whole, lid_mesh=whole_lid, dofs=dofs, name=name)
+    if wall is not None:
+        body = at_wall(mesh, lid, centre, -wall)
         factor = 0.5
     began = time.process_time()
     solver = cpt.BEMSolver()
-    problems = [cpt.RadiationProblem(body=body, radiating_dof=dof, omega=omega, water_depth=case["depth"], rho=WATER_KGPM3) for dof in DOFS for omega in [*case["omegas"], np.inf]]
-    problems += [cpt.DiffractionProblem(body=body, wave_direction=heading, omega=omega, water_depth=case["depth"], rho=WATER_KGPM3) for heading in case["headings"] for omega in case["omegas"]]
-    results = solver.solve_all(problems, progress_bar=False)
+    water = {"body": body, "water_depth": of["depth"], "rho": WATER_KGPM3, "g": GRAVITY_MPS2}
+    results = []
+    for omega in [*of["omegas"], np.inf]:
+        problems = [cpt.RadiationProblem(radiating_dof=dof, omega=omega, **water) for dof in DOFS]
+        if np.isfinite(omega):
+            problems += [cpt.DiffractionProblem(wave_direction=heading, omega=omega, **water) for heading in of["headings"]]
+        results += solver.solve_all(problems, progress_bar=False)
     data = cpt.assemble_dataset(results, hydrostatics=False)
-    seconds = time.process_time() - began
-    for key in ["added_mass", "radiation_damping"]:
-        data[key] = factor * data[key]
     # The force of the incident wave and its reflection on the hull alone is the generalised force of both halves in one wave.
     if "excitation_force" not in data:
         data["excitation_force"] = data["Froude_Krylov_force"] + data["diffraction_force"]
     data = data[["added_mass", "radiation_damping", "excitation_force"]]
+    for key in ["added_mass", "radiation_damping"]:
+        data[key] = factor * data[key]
     data["hydrostatic_stiffness"] = stiffness
-    data.attrs.update(
-        volume_m3=volume, centre_above_waterline_m=centre[2], processor_s=round(seconds), panels=mesh.nb_faces,
-        note="hull and image at a wall" if case["wall"] else "open water",
+    if wall is None:
+        data = data.merge(drift(results, data, size, volume), join="outer")
+    seconds = round(time.process_time() - began)
+    water = "open water" if wall is None else f"a quay wall {wall:g} m to starboard of the centre line"
+    source = (
+        f"{size['name']} in {of['depth']:g} m of water, {water}: Capytaine {cpt.__version__}, {mesh.nb_faces} panels\n"
+        f"and a lid, by hydrodynamics/capytaine_hulls.py ({name})."
     )
+    data.attrs.update(source=source, processor_s=seconds)
     path = Path(folder) / f"{name}.nc"
-    cpt.export_dataset(path, data, format="netcdf") if hasattr(cpt, "export_dataset") else data.to_netcdf(path)
-    print(name, "processor time", round(seconds), "s", path, path.stat().st_size)
+    cpt.export_dataset(path, data, format="netcdf")
+    ship = converters().from_capytaine(
+        data, gravity_above_water_m=centre[2], gyradii_m=size["gyradii"], mass_kg=WATER_KGPM3 * volume, fold=wall is None, source=source
+    )
+    ship.write(path.with_suffix(".hydro"))
+    gm = float(stiffness.sel(influenced_dof="Roll", radiating_dof="Roll")) / (WATER_KGPM3 * GRAVITY_MPS2 * volume)
+    print(f"{name}: {mesh.nb_faces} panels, lid {lid.nb_faces}, {volume:.0f} m³, GM {gm:.2f} m, {seconds} s of processor time", flush=True)
 
 
 if __name__ == "__main__":
-    run(*sys.argv[1:3])
+    for case_name in CASES if sys.argv[1] == "all" else [sys.argv[1]]:
+        run(case_name, sys.argv[2])

@@ -26,6 +26,7 @@ Matrix = list[list[float]]
 _DOFS = ("Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw")
 _SIGNS = (1, -1, -1, 1, -1, -1)
 _MIRROR = (1, -1, 1, -1, 1, -1)
+_DRIFTS = ("drift_force_surge", "drift_force_sway", "drift_force_yaw")
 _GRAVITY = 9.80665
 
 
@@ -106,7 +107,11 @@ class Hydrodynamics:
             rows.append([w, heading, *parts])
         lines += _table("excitation", ["omega_radps", "heading_deg", *names], rows)
         if self.drift:
-            rows = [[w, heading, *forces] for (w, heading), forces in sorted(self.drift.items())]
+            most = [max(abs(x[k]) for x in self.drift.values()) for k in range(3)]
+            rows = [
+                [w, heading, *(0.0 if abs(x) < 1e-6 * m else x for x, m in zip(forces, most, strict=True))]
+                for (w, heading), forces in sorted(self.drift.items())
+            ]
             lines += _table("drift", ["omega_radps", "heading_deg", "surge", "sway", "yaw"], rows)
         return "\n".join(lines) + "\n"
 
@@ -181,7 +186,8 @@ def from_capytaine(
     """From a dataset of Capytaine, or the path of its NetCDF file (xarray and h5netcdf or netCDF4 read it).
 
     The dataset needs `added_mass` with infinite frequency, `radiation_damping`, `excitation_force` (or its two parts), and
-    `hydrostatic_stiffness`. `mass_kg` is that of `inertia_matrix` if it is not given. `reference_m` is the rotation centre of its
+    `hydrostatic_stiffness`. Mean drift is taken from what `capytaine.post_pro.far_field_mean_drift_force` gives, if it was merged into the
+    dataset. `mass_kg` is that of `inertia_matrix` if it is not given. `reference_m` is the rotation centre of its
     motions from the centre of gravity: forward, starboard, up. `fold` takes waves from starboard as the mirror image of those from
     port, for a hull that is alike to both sides in open water.
     """
@@ -217,6 +223,17 @@ def from_capytaine(
             excitation[float(w), _heading(float(direction))] = [
                 sign * complex(value).conjugate() for sign, value in zip(_SIGNS, values, strict=True)
             ]
+    drift: dict[tuple[float, float], list[float]] = {}
+    if all(name in dataset for name in _DRIFTS):
+        for w in dataset["omega"].values:
+            for direction in dataset["wave_direction_k"].values:
+                at = {"omega": w, "wave_direction_k": direction, "wave_direction_l": direction}
+                values = [float(force(name).sel(at).values.real) for name in _DRIFTS]
+                if all(math.isfinite(value) for value in values):
+                    signs = (_SIGNS[k] for k in (0, 1, 5))
+                    drift[float(w), _heading(float(direction))] = [
+                        sign * value for sign, value in zip(signs, values, strict=True)
+                    ]
     stiffness = dataset["hydrostatic_stiffness"].sel(influenced_dof=list(_DOFS), radiating_dof=list(_DOFS))
     stiffness = _turned(stiffness.transpose("influenced_dof", "radiating_dof").values)
     if mass_kg is None:
@@ -231,6 +248,7 @@ def from_capytaine(
         added_mass=matrices("added_mass"),
         damping=matrices("radiation_damping"),
         excitation=_folded(excitation) if fold else excitation,
+        drift=_folded(drift) if fold else drift,
         depth_m=depth,
         water_kgpm3=float(dataset["rho"].values.flat[0]),
         reference_m=reference_m,
