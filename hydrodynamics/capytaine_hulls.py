@@ -122,12 +122,14 @@ def container_ship(**of):
     return {"hull": SHIP_HULL, "size": SHIP, "omegas": SHIP_OMEGAS} | of
 
 
+# Capytaine finds no answer at 0.1 rad/s in 10 m of water.
+LONGEST_IN_10M = {"omegas": BARGE_OMEGAS[1:]}
 # Depth, and the distance of the wall from the centre line (m).
 CASES = {
     "barge_20m": barge(**case(20.0)),
-    "barge_10m": barge(**case(10.0)),
+    "barge_10m": barge(**case(10.0)) | LONGEST_IN_10M,
     "barge_20m_quay": barge(**case(20.0, 16.0)),
-    "barge_10m_quay": barge(**case(10.0, 16.0)),
+    "barge_10m_quay": barge(**case(10.0, 16.0)) | LONGEST_IN_10M,
     "ship_20m": container_ship(**case(20.0)),
     "ship_15m": container_ship(**case(15.0)),
     "ship_20m_quay": container_ship(**case(20.0, 27.0)),

@@ -338,7 +338,7 @@ fn full() -> Json {
             "water_density": 1025, "squat": "icorels",
             "wind": { "speed": "12 m/s", "from": "270 deg", "gusts": true, "gust_admittance": false, "seed": 3 },
             "current": { "speed": "1 kn", "towards": "10 deg" },
-            "bank": [{ "from": [-500, 90], "to": [500, 90] }], "visibility": "500 m",
+            "bank": [{ "from": [-500, 90], "to": [500, 90], "method": "image" }], "visibility": "500 m",
             "interaction": { "between_vessels": true, "midship_coefficient": 0.95, "sections": "outline" },
             "waves": {
                 "height": 1, "period": "8 s", "from": 0, "regular": false, "peakedness": 3.3,

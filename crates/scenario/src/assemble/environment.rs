@@ -8,7 +8,7 @@ use fenderline_sim::environment::waves::{Jonswap, Realisation, RegularWave, Sea}
 use fenderline_sim::environment::wind::{
     GustSpectrum, Gusts, MeanWind, Wind, WindProfile, WindSeries,
 };
-use fenderline_sim::environment::{Bank, EnvironmentError, Tide, TideConstituent};
+use fenderline_sim::environment::{Bank, BankMethod, EnvironmentError, Tide, TideConstituent};
 use fenderline_sim::hydro::Squat;
 use fenderline_sim::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
 
@@ -155,7 +155,8 @@ impl Assembly<'_, '_> {
     fn banks(&self, table: &Table) -> Checked<Vec<Bank>> {
         let banks = table.given("bank").list().iter();
         let bank = |of: &Table| {
-            let bank = Bank::new(*of.given("from").vector(), *of.given("to").vector());
+            let [from_m, to_m] = ["from", "to"].map(|end| *of.given(end).vector());
+            let bank = Bank::new(from_m, to_m, of.given("method").choice());
             bank.map_err(|error| self.refused(of, of.given("to"), &error))
         };
         banks.map(bank).collect()
@@ -169,7 +170,8 @@ impl Assembly<'_, '_> {
         kinds: &Kinds,
     ) {
         let surroundings = file.given("environment").table();
-        if let Some(first) = surroundings.given("bank").list().first() {
+        let mut banks = surroundings.given("bank").list().iter().zip(&environment.banks);
+        if let Some((first, _)) = banks.find(|(_, bank)| bank.method() == BankMethod::Norrbin) {
             self.note(
                 first,
                 "bank suction is UNVALIDATED: Norrbin's formulas are from memory, no source was read",

@@ -3,6 +3,7 @@
 use fenderline_contact::number::bounded;
 use fenderline_contact::{Outline, Pose, Vec2, vec2};
 use fenderline_sim::constants::STANDARD_GRAVITY_MPS2;
+use fenderline_sim::environment::{Bank, BankMethod};
 use fenderline_sim::passing::{Berth, DepthFactors, FlowHull, FlowSetup, PassingSetup};
 use fenderline_sim::track::{Pace, Path, Track};
 use fenderline_sim::{BodySetup, Environment, Setup, VesselSetup};
@@ -25,7 +26,7 @@ const SUDDEN: f64 = 1.0;
 const ASKEW_RAD: f64 = 0.35;
 
 impl Assembly<'_, '_> {
-    /// The flow between ships: passing ships and, where they or `between_vessels` need them, the hulls of the vessels.
+    /// The flow between ships: passing ships and, where they, `between_vessels` or banks need them, the hulls of the vessels.
     pub(super) fn flow(
         &mut self,
         file: &Table,
@@ -36,7 +37,9 @@ impl Assembly<'_, '_> {
         let passing = file.given("passing").named();
         let interaction = file.given("environment").table().given("interaction").table();
         let between_vessels = *interaction.given("between_vessels").flag();
-        if passing.is_empty() && !between_vessels {
+        let by_image = |bank: &&Bank| bank.method() == BankMethod::Image;
+        let images = environment.banks.iter().filter(by_image).count();
+        if passing.is_empty() && !between_vessels && images == 0 {
             return Ok(FlowSetup::default());
         }
         if let (Some((_, table)), true) = (passing.first(), vessels.is_empty()) {
@@ -58,6 +61,16 @@ impl Assembly<'_, '_> {
         let hulls = hulls.collect::<Checked<Vec<FlowHull>>>()?;
         if between_vessels {
             self.note_between_vessels(interaction, &hulls, (vessels, bodies), environment);
+        }
+        if images > 0 {
+            let banks = file.given("environment").table().given("bank").list();
+            let first = banks.iter().zip(&environment.banks).find(|(_, bank)| by_image(bank));
+            self.note_images(
+                first.map_or(interaction, |(table, _)| table),
+                images,
+                &hulls,
+                (vessels, bodies),
+            );
         }
         let passing =
             passing.iter().map(|(name, table)| self.passing_ship(name, table, (library, kinds)));
@@ -86,12 +99,27 @@ impl Assembly<'_, '_> {
         if environment.depth_m.is_some() {
             message += ", and the depth is not taken into account";
         }
-        let short = hulls.iter().zip(vessels).filter(|(hull, _)| !hull.is_slender());
-        let short: Vec<String> =
-            short.map(|(_, vessel)| quoted(&bodies[vessel.body].name)).collect();
-        if !short.is_empty() {
-            message += &format!("; none for {}, shorter than 3.5 beams", short.join(", "));
+        message += &none_for_short(hulls, (vessels, bodies));
+        self.note(table, &message);
+    }
+
+    /// Names what the flow of images behind banks leaves out.
+    fn note_images(
+        &mut self,
+        table: &Table,
+        images: usize,
+        hulls: &[FlowHull],
+        ships: (&[VesselSetup], &[BodySetup]),
+    ) {
+        let mut message = String::from(
+            "the pull of a bank by the image of the ship is that of slender ships without waves and lift: 12 to 50 % below that by \
+             panels, without the moment that turns the bow away, not compared with measurements; nearer than an eighth of the beam and \
+             at more than 30 degrees it is left out",
+        );
+        if images > 1 {
+            message += "; between two banks the images of images are left out";
         }
+        message += &none_for_short(hulls, ships);
         self.note(table, &message);
     }
 
@@ -352,4 +380,14 @@ impl Assembly<'_, '_> {
             self.note(table, &parts.join("; "));
         }
     }
+}
+
+/// What is said of vessels that are too short for the flow of slender ships; nothing if there are none.
+fn none_for_short(hulls: &[FlowHull], (vessels, bodies): (&[VesselSetup], &[BodySetup])) -> String {
+    let short = hulls.iter().zip(vessels).filter(|(hull, _)| !hull.is_slender());
+    let short: Vec<String> = short.map(|(_, vessel)| quoted(&bodies[vessel.body].name)).collect();
+    if short.is_empty() {
+        return String::new();
+    }
+    format!("; none for {}, shorter than 3.5 beams", short.join(", "))
 }

@@ -1,5 +1,6 @@
 //! Keys of wind, current, waves, water and banks.
 
+use fenderline_sim::environment::BankMethod;
 use fenderline_sim::hydro::Squat;
 use serde_json::json;
 
@@ -68,9 +69,8 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
             "bank",
             Kind::List(&BANK),
             Is("[]"),
-            "UNVALIDATED. Banks that attract a vessel under way and turn her bow away, by Norrbin's formulas for a \
-             vertical wall, which are written from memory; no source could be read. A bank is not an obstacle: add \
-             a fixed body for it.",
+            "UNVALIDATED. Banks that attract a vessel under way; `method` of each says how. A bank is not an obstacle: add a \
+             fixed body for it.",
             &["[{ from = [-500, 40], to = [500, 40] }]"],
         ),
     ],
@@ -375,9 +375,32 @@ static BANK: TableSpec = TableSpec {
     keys: &[
         key("from", Kind::Vector(POSITION), Refused, "One end: north, east.", &["[-500, 40]"]),
         key("to", Kind::Vector(POSITION), Refused, "The other end: north, east.", &["[500, 40]"]),
+        key(
+            "method",
+            Kind::Choice(&BANK_METHODS),
+            Is("\"norrbin\""),
+            "How it acts. The sectional areas for \"image\" are those of `environment.interaction`.",
+            &["\"image\""],
+        ),
     ],
     rules: None,
 };
+
+static BANK_METHODS: Choices<BankMethod> = Choices(&[
+    Choice {
+        word: "norrbin",
+        value: BankMethod::Norrbin,
+        doc: "Norrbin's formulas for a vertical wall, which draw her to it and turn her bow away. They are written from memory; no source \
+              could be read",
+    },
+    Choice {
+        word: "image",
+        value: BankMethod::Image,
+        doc: "the flow of her image behind the wall, for slender ships in potential flow without waves and lift, with the depth by images in \
+              the bottom: suction alone, and no moment that turns the bow away. By panels it is 12 to 50 % too small. It is off nearer than an \
+              eighth of her beam, at more than 30 degrees, and for vessels shorter than 3.5 beams",
+    },
+]);
 
 /// The description of `wave_response`.
 pub(super) const WAVE_RESPONSE_DOC: &str = "Her first-order motion in waves by a table of response amplitude \

@@ -1,4 +1,5 @@
-//! Bank effect: the force of a vertical bank on a ship under way. Not validated.
+//! Bank effect: the force of a vertical bank on a ship under way, by Norrbin's formulas. Not validated. The other method, her image in
+//! the flow of slender ships, is in [`crate::passing`].
 
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{Rotation, Vec2, vec2};
@@ -11,6 +12,17 @@ use crate::range::within;
 pub struct Bank {
     from_m: Vec2,
     to_m: Vec2,
+    method: BankMethod,
+}
+
+/// How a bank acts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BankMethod {
+    /// By Norrbin's formulas: [`Bank::force`].
+    #[default]
+    Norrbin,
+    /// By the image of the ship behind it: [`crate::passing::force_of_wall`].
+    Image,
 }
 
 /// A ship beside a bank.
@@ -44,12 +56,12 @@ impl Bank {
     ///
     /// # Errors
     /// Points that are not finite, or less than a metre apart.
-    pub fn new(from_m: Vec2, to_m: Vec2) -> Result<Bank, EnvironmentError> {
+    pub fn new(from_m: Vec2, to_m: Vec2, method: BankMethod) -> Result<Bank, EnvironmentError> {
         for value in [from_m.x, from_m.y, to_m.x, to_m.y] {
             within("position of a bank [m]", value, -1e8, 1e8)?;
         }
         within("length of a bank [m]", (to_m - from_m).length(), 1.0, 1e9)?;
-        Ok(Bank { from_m, to_m })
+        Ok(Bank { from_m, to_m, method })
     }
 
     /// The two ends of the bank (m).
@@ -58,7 +70,13 @@ impl Bank {
         [self.from_m, self.to_m]
     }
 
-    /// Force and moment about midship [X, Y, N] in (N, N, N·m): suction towards the bank and, for a ship
+    /// How it acts.
+    #[must_use]
+    pub fn method(&self) -> BankMethod {
+        self.method
+    }
+
+    /// Force and moment by Norrbin's formulas about midship [X, Y, N] in (N, N, N·m): suction towards the bank and, for a ship
     /// going ahead, a moment that turns the bow away from it. NOT VALIDATED.
     ///
     /// Y = ½ρu²BT·(B/y)(0.0925 + 0.372(T/h)²), N = −½ρu²BTL·(B/y)(0.0025 + 0.0755(T/h)²) for a bank to

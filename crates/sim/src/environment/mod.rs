@@ -42,6 +42,6 @@ mod tide;
 pub mod waves;
 pub mod wind;
 
-pub use bank::{Bank, BankWater, ShipAtBank};
+pub use bank::{Bank, BankMethod, BankWater, ShipAtBank};
 pub use error::EnvironmentError;
 pub use tide::{Tide, TideConstituent};

@@ -18,8 +18,8 @@ const FADES: [f64; 2] = [8.0, 10.0];
 const TOO_NEAR: [f64; 2] = [0.25, 0.5];
 
 /// A ship in the flow: her hull, her midship and her velocity through the water (m/s).
-struct Afloat<'s> {
-    hull: &'s FlowHull,
+pub(super) struct Afloat<'s> {
+    pub(super) hull: &'s FlowHull,
     pose: Pose,
     velocity_mps: Vec2,
 }
@@ -35,13 +35,26 @@ impl<'s> Afloat<'s> {
         Afloat { hull, pose, velocity_mps: over_ground_mps - stream_mps }
     }
 
-    fn in_flow(&self) -> PassingShip<'_> {
+    /// A vessel of the set-up, about midship.
+    pub(super) fn of_vessel(
+        hull: &'s FlowHull,
+        setup: &VesselSetup,
+        states: &[BodyState],
+        water: (&Environment, f64),
+    ) -> Afloat<'s> {
+        let state = &states[setup.body];
+        let midship_m = vec2(-setup.ship.particulars.centre_of_gravity_m, 0.0);
+        let pose = Pose { position_m: state.pose().apply(midship_m), ..state.pose() };
+        Afloat::of(hull, pose, state.velocity_at(pose.position_m), water)
+    }
+
+    pub(super) fn in_flow(&self) -> PassingShip<'_> {
         let &Afloat { hull, pose, velocity_mps } = self;
         PassingShip { sections: &hull.sections, pose, velocity_mps }
     }
 
     /// Both ends of her axis (m).
-    fn ends_m(&self) -> [Vec2; 2] {
+    pub(super) fn ends_m(&self) -> [Vec2; 2] {
         let half_m = 0.5 * self.hull.length_m;
         [-half_m, half_m].map(|x_m| self.pose.apply(vec2(x_m, 0.0)))
     }
@@ -56,13 +69,8 @@ pub(crate) fn act(
     into: &mut [Force],
 ) {
     let water = (environment, t_s);
-    let afloat = |vessel: usize| {
-        let (setup, hull) = (&vessels[vessel], &flow.hulls[vessel]);
-        let state = &states[setup.body];
-        let midship_m = vec2(-setup.ship.particulars.centre_of_gravity_m, 0.0);
-        let pose = Pose { position_m: state.pose().apply(midship_m), ..state.pose() };
-        Afloat::of(hull, pose, state.velocity_at(pose.position_m), water)
-    };
+    let afloat =
+        |vessel: usize| Afloat::of_vessel(&flow.hulls[vessel], &vessels[vessel], states, water);
     for (vessel, force) in into.iter_mut().enumerate() {
         *force = Force::default();
         if flow.hulls.is_empty() {
@@ -119,7 +127,7 @@ fn share_of_gap(own: &Afloat<'_>, other: &Afloat<'_>) -> f64 {
 }
 
 /// 0 below the first, 1 above the second, with a continuous slope.
-fn smooth(value: f64, [low, high]: [f64; 2]) -> f64 {
+pub(super) fn smooth(value: f64, [low, high]: [f64; 2]) -> f64 {
     let share = bounded((value - low) / (high - low), 0.0, 1.0);
     share * share * (3.0 - 2.0 * share)
 }

@@ -11,13 +11,14 @@
 //! - yaw N = ρU²η/π ∬ (S₁'x₁+S₁) S₂'/r³,
 //!
 //! for parallel ships in deep water, at a distance ξ along and η across, r² = (x₂−x₁+ξ)²+η². [`force`] has the same flow for ships at any
-//! angle.
+//! angle. A wall beside a ship under way is a mirror: [`force_of_wall`] has the flow of her image.
 //!
 //! The sources make no waves and the flow follows the ships at once, so the formulas are for speeds well below that of long waves in
 //! the depth. The ship at rest does not disturb the flow of the other one. Model tests have forces that grow with U^2.32 (Swiegers,
 //! Calculation of the forces on a moored ship due to a passing container ship, Stellenbosch 2011).
 
 mod act;
+mod bank;
 mod flow;
 mod nearest;
 mod restricted;
@@ -25,6 +26,8 @@ mod sections;
 mod setup;
 
 pub(crate) use act::act;
+pub(crate) use bank::act_of_banks;
+pub use bank::force_of_wall;
 pub use flow::{PassingShip, force, force_under_way};
 pub use nearest::Nearest;
 pub use restricted::{Berth, factors};

@@ -72,7 +72,7 @@ impl PassingSetup {
 /// Flow between ships in a set-up.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FlowSetup {
-    /// The hulls of the vessels, in their order; empty if nothing passes and vessels do not act on each other.
+    /// The hulls of the vessels, in their order; empty if nothing passes, vessels do not act on each other, and no bank acts by an image.
     pub hulls: Vec<FlowHull>,
     /// Ships that pass.
     pub passing: Vec<PassingSetup>,

@@ -1,6 +1,7 @@
 //! Checks of a set-up that concern several of its parts.
 
 use crate::berthing::{ShallowFactor, Study};
+use crate::environment::{Bank, BankMethod};
 use crate::error::SetupError;
 use crate::setup::{Load, Setup};
 use crate::world::LineEnd;
@@ -50,10 +51,12 @@ pub(super) fn check_load(load: &Load, setup: &Setup) -> Result<(), SetupError> {
     Ok(())
 }
 
-/// Checks that the flow between ships knows the hull of every vessel, or none.
+/// Checks that the flow between ships knows the hull of every vessel, or none if nothing needs them.
 pub(super) fn check_flow(setup: &Setup) -> Result<(), SetupError> {
     let hulls = setup.world.flow.hulls.len();
-    if hulls == setup.world.vessels.len() || hulls == 0 {
+    let by_image = |bank: &Bank| bank.method() == BankMethod::Image;
+    let are_needed = setup.world.environment.banks.iter().any(by_image);
+    if hulls == setup.world.vessels.len() || hulls == 0 && !are_needed {
         return Ok(());
     }
     Err(SetupError::OutOfRange { field: "the number of hulls in the flow", value: hulls as f64 })

@@ -60,6 +60,8 @@ pub(crate) struct World {
     pub(crate) water_inertia: Vec<WaterInertia>,
     /// Forces of passing ships and of other vessels on each vessel; found anew in each step.
     passing: Vec<Force>,
+    /// Forces of banks by images, likewise.
+    banks: Vec<Force>,
     /// For each vessel, what is constant of its motion by hydrodynamic data.
     seaways: Vec<Option<Seaway>>,
     /// For each body, how it is afloat; empty without hydrodynamic data.
@@ -102,6 +104,7 @@ impl World {
             forces: vec![VesselForces::default(); setup.vessels.len()],
             water_inertia: vec![WaterInertia::default(); setup.vessels.len()],
             passing: vec![Force::default(); setup.vessels.len()],
+            banks: vec![Force::default(); setup.vessels.len()],
             seaways,
             lines: setup.lines.iter().map(Mooring::new).collect(),
             tugs: setup.tugs.iter().map(TugAtWork::new).collect(),
@@ -166,6 +169,7 @@ impl World {
         self.take_orders(setup, states, t_s, step_s);
         let vessels = (setup.vessels.as_slice(), states);
         passing::act(&setup.flow, vessels, &setup.environment, t_s, &mut self.passing);
+        passing::act_of_banks(&setup.flow, vessels, &setup.environment, t_s, &mut self.banks);
         for (index, vessel) in setup.vessels.iter().enumerate() {
             let (state, own) = (&states[vessel.body], &mut self.vessels[index]);
             let abilities = &self.abilities[index];
@@ -209,6 +213,7 @@ impl World {
             let around = (&setup.environment, self.gusts[index].as_ref());
             let mut forces = vessel.forces(own, here, around, times);
             forces.passing = self.passing[index];
+            forces.banks = forces.banks + self.banks[index];
             let water_inertia =
                 vessel.water_inertia(here, &setup.environment, (velocity_time_s, step_s));
             let wrench = vessel.wrench(&forces, &water_inertia, state);

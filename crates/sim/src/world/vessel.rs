@@ -14,7 +14,7 @@ use crate::environment::waves::{
     DriftHull, FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion, mean_drift,
 };
 use crate::environment::wind::{RelativeWind, ShipGusts, ShipWindage};
-use crate::environment::{BankWater, ShipAtBank, Tide};
+use crate::environment::{BankMethod, BankWater, ShipAtBank, Tide};
 use crate::hydro::actuator::{Lag, Order, RateLimited};
 use crate::hydro::shallow::SHALLOWEST_RATIO;
 use crate::hydro::vessels::Origin;
@@ -386,7 +386,7 @@ impl VesselSetup {
         Force { surge_n, sway_n, yaw_nm }
     }
 
-    /// Force and moment of all banks.
+    /// Force and moment of all banks by Norrbin's formulas.
     fn banks(
         &self,
         state: &BodyState,
@@ -394,7 +394,9 @@ impl VesselSetup {
         environment: &Environment,
         t_s: f64,
     ) -> Force {
-        if environment.banks.is_empty() {
+        let mut banks =
+            environment.banks.iter().filter(|bank| bank.method() == BankMethod::Norrbin).peekable();
+        if banks.peek().is_none() {
             return Force::default();
         }
         let hull = &self.ship.particulars;
@@ -410,7 +412,7 @@ impl VesselSetup {
             density_kgpm3: environment.water_density_kgpm3,
             depth_m: environment.depth_at_m(t_s),
         };
-        environment.banks.iter().fold(Force::default(), |sum, bank| {
+        banks.fold(Force::default(), |sum, bank| {
             let [surge_n, sway_n, yaw_nm] = bank.force(&ship, &water);
             sum + Force { surge_n, sway_n, yaw_nm }
         })

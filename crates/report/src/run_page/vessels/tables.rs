@@ -1,8 +1,8 @@
 //! Tables of vessels, tugs and lines.
 
 use fenderline_sim::constants::KNOT_MPS;
-use fenderline_sim::environment::Tide;
 use fenderline_sim::environment::waves::MotionResponse;
+use fenderline_sim::environment::{BankMethod, Tide};
 use fenderline_sim::hydro::vessels::{Origin, Source, Standing};
 use fenderline_sim::{Environment, VesselSetup};
 use maud::{Markup, html};
@@ -47,7 +47,7 @@ pub(super) fn vessels(outcome: &Outcome<'_>) -> Markup {
         @for (vessel, totals) in setup.world.vessels.iter().zip(&world.vessels).take(ROWS) {
             (under_keel(&setup.bodies[vessel.body].name, totals, &setup.world.environment))
         }
-        @if !setup.world.environment.banks.is_empty() { (banks()) }
+        (banks(&setup.world.environment))
     }
 }
 
@@ -151,12 +151,24 @@ fn under_keel(name: &str, totals: &VesselTotals, environment: &Environment) -> M
     }
 }
 
-fn banks() -> Markup {
+/// How well the methods of the banks are known.
+fn banks(environment: &Environment) -> Markup {
+    let has = |method| environment.banks.iter().any(|bank| bank.method() == method);
     html! {
-        p {
-            span class="verdict over_rated" { "UNVALIDATED" } " "
-            "The suction of banks on vessels is by Norrbin's formulas for a vertical wall, which are recalled: no source "
-            "of them could be read, and no data were found to validate them."
+        @if has(BankMethod::Norrbin) {
+            p {
+                span class="verdict over_rated" { "UNVALIDATED" } " "
+                "The suction of banks on vessels is by Norrbin's formulas for a vertical wall, which are recalled: no source "
+                "of them could be read, and no data were found to validate them."
+            }
+        }
+        @if has(BankMethod::Image) {
+            p {
+                span class="verdict over_rated" { "UNVALIDATED" } " "
+                "The suction of banks on vessels is that of the vessel's image behind the bank, for slender ships in potential flow "
+                "without waves and lift. It was compared with panels in the same flow, which give up to twice as much, and not with "
+                "measurements. The moment that turns the bow away is not in it."
+            }
         }
     }
 }

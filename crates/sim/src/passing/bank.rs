@@ -1,0 +1,116 @@
+//! The pull of a straight wall on a ship who goes along it: the flow of her image behind the wall.
+
+use fenderline_contact::number::greater;
+use fenderline_contact::{BodyState, Pose, Rotation, Vec2, vec2};
+
+use super::act::{Afloat, smooth};
+use super::flow::{PassingShip, force_above_bottom};
+use super::setup::FlowSetup;
+use crate::environment::{Bank, BankMethod};
+use crate::hydro::Force;
+use crate::world::{Environment, VesselSetup};
+
+/// Sines of the angles between ship and wall (15 and 30 degrees) at which the force begins to fade, and at which it has gone; our choice.
+const ASKEW: [f64; 2] = [0.258_8, 0.5];
+/// Clear gap between side and wall over the beam below which the flow of slender ships says nothing, and from which it is taken in
+/// full: half the gaps between two vessels, as the image is twice as far away as the wall; our choice.
+const TOO_NEAR: [f64; 2] = [0.125, 0.25];
+/// Distance between ship and image over her length at which the force begins to fade, and at which it has gone.
+const FADES: [f64; 2] = [8.0, 10.0];
+
+/// Force and moment [X, Y, N] of a wall along a line on a ship who goes ahead or astern beside it, in her axes and about the origin of her
+/// sections (N, N, N·m): that of her image, a ship on the other side of the wall who goes as she goes.
+///
+/// For a ship parallel to the wall Y = (ρu²y/π) ∬ S'S' Σ 1/r³, r² = (x₂−x₁)² + 4y² + 4n²h² with y the distance of her axis from the wall
+/// and n over the images in surface and bottom, h the depth (m; `None`: deep water, n = 0). Derived by this project from the flow of
+/// [`super::force_under_way`]; it is ½u² times the change of her added mass in surge with y. X is zero, and N for a ship who is alike
+/// fore and aft. There is no lift and no wave: the moment that turns the bow away from a bank is not in it.
+#[must_use]
+pub fn force_of_wall(
+    own: &PassingShip<'_>,
+    [from_m, to_m]: [Vec2; 2],
+    density_kgpm3: f64,
+    depth_m: Option<f64>,
+    closest_m: f64,
+) -> [f64; 3] {
+    let along = (to_m - from_m) * (1.0 / (to_m - from_m).length());
+    let mirrored = |v: Vec2| along * (2.0 * along.dot(v)) - v;
+    let Pose { position_m, rotation } = own.pose;
+    let ahead = rotation.apply(vec2(1.0, 0.0));
+    // Her speed across her axis is no part of the flow.
+    let velocity_mps = ahead * own.velocity_mps.dot(ahead);
+    let image_ahead = mirrored(ahead);
+    let image = PassingShip {
+        sections: own.sections,
+        pose: Pose {
+            position_m: from_m + mirrored(position_m - from_m),
+            rotation: Rotation { cos: image_ahead.x, sin: image_ahead.y },
+        },
+        velocity_mps: mirrored(velocity_mps),
+    };
+    let own = PassingShip { velocity_mps, ..*own };
+    force_above_bottom([&own, &image], density_kgpm3, closest_m, depth_m)
+}
+
+/// Sets the force of all banks by image on each vessel about midship.
+pub(crate) fn act_of_banks(
+    flow: &FlowSetup,
+    (vessels, states): (&[VesselSetup], &[BodyState]),
+    environment: &Environment,
+    t_s: f64,
+    into: &mut [Force],
+) {
+    into.fill(Force::default());
+    let by_image = |bank: &&Bank| bank.method() == BankMethod::Image;
+    if flow.hulls.is_empty() || !environment.banks.iter().any(|bank| by_image(&bank)) {
+        return;
+    }
+    for ((hull, setup), into) in flow.hulls.iter().zip(vessels).zip(into) {
+        if !hull.is_slender() {
+            continue;
+        }
+        let own = Afloat::of_vessel(hull, setup, states, (environment, t_s));
+        // Aground, the bottom is at her keel.
+        let depth_m = environment.depth_at_m(t_s).map(|depth_m| greater(depth_m, hull.draught_m));
+        for bank in environment.banks.iter().filter(by_image) {
+            let share = share_of(&own, bank.ends_m());
+            if share == 0.0 {
+                continue;
+            }
+            let [surge_n, sway_n, yaw_nm] = force_of_wall(
+                &own.in_flow(),
+                bank.ends_m(),
+                environment.water_density_kgpm3,
+                depth_m,
+                hull.beam_m,
+            );
+            *into = *into + Force { surge_n, sway_n, yaw_nm } * share;
+        }
+    }
+}
+
+/// How much of the flow of the image is taken: by her angle to the wall, her clear gap, and how much of her is abreast of the wall.
+fn share_of(own: &Afloat<'_>, [from_m, to_m]: [Vec2; 2]) -> f64 {
+    let length_m = (to_m - from_m).length();
+    let along = (to_m - from_m) * (1.0 / length_m);
+    let ends_m = own.ends_m().map(|end_m| end_m - from_m);
+    let [stern_m, bow_m] = ends_m.map(|end_m| along.cross(end_m));
+    if stern_m * bow_m <= 0.0 {
+        return 0.0;
+    }
+    let nearest_m = if stern_m.abs() < bow_m.abs() { stern_m.abs() } else { bow_m.abs() };
+    let gap = (nearest_m - 0.5 * own.hull.beam_m) / own.hull.beam_m;
+    let askew = along.cross(ends_m[1] - ends_m[0]).abs() / own.hull.length_m;
+    if askew >= ASKEW[1] {
+        return 0.0;
+    }
+    let [aft_m, fore_m] = ends_m.map(|end_m| along.dot(end_m));
+    let (low_m, high_m) = if aft_m < fore_m { (aft_m, fore_m) } else { (fore_m, aft_m) };
+    let last_m = if high_m < length_m { high_m } else { length_m };
+    let abreast = greater(last_m - greater(low_m, 0.0), 0.0) / (high_m - low_m);
+    let image_m = (stern_m + bow_m).abs();
+    smooth(gap, TOO_NEAR)
+        * (1.0 - smooth(askew, ASKEW))
+        * (1.0 - smooth(image_m / own.hull.length_m, FADES))
+        * abreast
+}
