@@ -5,9 +5,9 @@
 The kinetic energy of the water is ½ A U² with A her added mass in surge, which depends on the distance of the wall from her centre line.
 By Lagrange's equations the wall pulls with ½ U² |dA/dy| (Lamb, Hydrodynamics, chapter VI). Surface, wall and bottom are mirrors: sources
 on the hull have images in all of them. The hull has vertical sides and parabolic waterlines, so that her sectional areas are the parabola
-of the slender-body integrals, which are printed beside: Y / (ρ U² S² / L²), S the midship area.
+of the slender-body integrals, which are printed beside, as Norrbin's formulas are: Y / (ρ U² S² / L²), S the midship area.
 
-The numbers of validation/banks.toml are from here, by 36 8 6 panels along, across and down. It needs numpy.
+The numbers of validation/banks.toml are from here, by 28 6 5 panels along, across and down. It needs numpy.
 """
 
 import sys
@@ -105,8 +105,13 @@ def slender(wall, depth):
     return wall / np.pi * (w * slope) @ kernel @ (w * slope) / UNIT
 
 
+def norrbin(wall, depth):
+    """The suction of Norrbin's formulas as the engine has them, recalled, over ρ U² S²/L²."""
+    return 0.5 * AREA * BEAM / wall * (0.0925 + 0.372 * (DRAUGHT / depth) ** 2) / UNIT
+
+
 if __name__ == "__main__":
-    panels = Panels(hull(*(int(n) for n in sys.argv[1:4])) if len(sys.argv) > 3 else hull(36, 8, 6))
+    panels = Panels(hull(*(int(n) for n in sys.argv[1:4])) if len(sys.argv) > 3 else hull(28, 6, 5))
     print(f"{len(panels.areas)} panels")
     for depth in (np.inf, 20.0, 13.0):
         for wall in (20.0, 30.0, 45.0, 60.0, 90.0):
@@ -114,4 +119,5 @@ if __name__ == "__main__":
             masses = [surge_added_mass(panels, wall + k * step, depth) for k in (-1, 1)]
             pull = 0.5 * (masses[0] - masses[1]) / (2 * step) / UNIT
             by_slender = slender(wall, depth)
-            print(f"depth {depth:4}, wall {wall}: {pull:.4f} by panels, {by_slender:.4f} slender, ratio {by_slender / pull:.3f}", flush=True)
+            print(f"depth {depth:4}, wall {wall}: {pull:.4f} by panels, {by_slender:.4f} slender, ratio {by_slender / pull:.3f}, "
+                  f"{norrbin(wall, depth):.3f} by Norrbin's formulas", flush=True)
