@@ -136,3 +136,23 @@ def test_the_file_has_all_tables(dataset: Any) -> None:
         "= fenderline hydrodynamic data 1",
         *(f"= {name}" for name in ("ship", "radiation", "infinite", "excitation")),
     ]
+
+
+def test_mean_drift_of_capytaine_is_taken_and_mirrored(dataset: Any) -> None:
+    import xarray
+
+    directions = dataset["wave_direction"].values
+    along = np.arange(len(OMEGAS) * len(directions) ** 2, dtype=float).reshape(len(OMEGAS), len(directions), -1)
+    names = ("drift_force_surge", "drift_force_sway", "drift_force_yaw")
+    coordinates = {"omega": OMEGAS, "wave_direction_k": directions, "wave_direction_l": directions}
+    forces = {
+        name: xarray.DataArray(factor * along + 0j, coords=coordinates, dims=list(coordinates))
+        for name, factor in zip(names, (1.0, 10.0, 100.0), strict=True)
+    }
+    data = converted(dataset.merge(xarray.Dataset(forces), join="outer"))
+    assert len(data.drift) == len(OMEGAS) * len(HEADINGS)
+    # To port there; folded to starboard, where sway and yaw of the mirror image have the signs that Capytaine's axes give them.
+    index = 2
+    value = along[3, index, index]
+    assert data.drift[OMEGAS[3], round(math.degrees(HEADINGS[index]), 6)] == [value, 10 * value, 100 * value]
+    assert "= drift" in data.text()

@@ -162,36 +162,42 @@ fn the_ledger_closes_for_rubber_and_friction_in_a_quick_tide() {
     assert!(residual(&simulation) < 1e-6, "{}", residual(&simulation));
 }
 
-/// Half of her weight on the fender's flank: at rest she heaves by N tan β / C₃₃ and heels by the moments of both parts of the
-/// force. Her side is where the heeled lines have it.
+/// Fenders at three heights: at rest she heaves by N tan β / C₃₃ and heels by the moments of both parts of the force. Her side is where the
+/// heeled lines have it. Force and moment by hand: 1 MN, and its arm. Her lines are cut anew when the fender's height has moved by a
+/// millimetre, which is half of that across and 2 kN at the fender: about that she hovers, 0.2 %, and heave and roll with a quarter of it.
+/// Later she would turn off the fender: pushed on one point without friction she is unstable in yaw.
 #[test]
 fn flare_lifts_and_heels_her_as_by_hand() {
-    let simulation = run(&floating(&[
-        ("200 s", "900 s"),
-        ("above_water = 0", "above_water = 2"),
-        ("-15.6", "-16.4"),
-    ]));
-    let setup = simulation.setup();
-    let float = setup.world.vessels[0].float.expect("stability data");
-    let (heave, roll) = (float.hydrostatics.heave.restoring, float.hydrostatics.roll.restoring);
-    let attitude = simulation.vessels()[0].attitude;
-    let contact = simulation.contacts()[0];
-    let normal_n = contact.normal_force_n;
-    assert!((normal_n - 1e6).abs() < 10.0, "{normal_n}");
-    // With her upright side at y = 10 + 0.5 h, h above the keel, and a heel φ, the fender is at h = 10 + heave + y φ, where
-    // her side is at y + φ (h − KG). So it leans out by (0.5 + φ)/(1 − 0.5 φ). Heights are rounded to a millimetre.
-    let (heave_m, roll_rad) = (attitude.heave.value, attitude.roll.value);
-    let height_m = (10.0 + heave_m + 10.0 * roll_rad) / (1.0 - 0.5 * roll_rad);
-    let (y_m, above_m) = (10.0 + 0.5 * height_m, height_m - 9.0);
-    let up_n = normal_n * (0.5 + roll_rad) / (1.0 - 0.5 * roll_rad);
-    let moment_nm = -normal_n * above_m - up_n * y_m;
-    assert!((heave_m / (-up_n / heave) - 1.0).abs() < 1e-4, "{attitude:?}");
-    assert!((roll_rad / (moment_nm / roll) - 1.0).abs() < 1e-4, "{attitude:?}");
-    assert!(roll_rad < -0.02 && heave_m < -0.018, "{attitude:?}");
-    let offset_m = simulation.states()[0].position_m.y;
-    assert!((offset_m - (-1.5 + 0.25 - y_m - above_m * roll_rad)).abs() < 1e-3, "{offset_m}");
-    let hull = simulation.fender_summaries().next().unwrap().hull.unwrap();
-    assert!(hull.peak_vertical_force_n >= up_n);
+    // Fender over the water, and half of her upright breadth there. Low on her side the fender pushes below the centre of gravity.
+    for (fender_m, half_m) in [(-3.0, 12.5), (2.0, 15.0), (5.0, 16.5)] {
+        let simulation = run(&floating(&[
+            ("200 s", "600 s"),
+            ("above_water = 0", &format!("above_water = {fender_m}")),
+            ("-15.6", &format!("{}", -1.4 - half_m)),
+        ]));
+        let setup = simulation.setup();
+        let float = setup.world.vessels[0].float.expect("stability data");
+        let (heave, roll) = (float.hydrostatics.heave.restoring, float.hydrostatics.roll.restoring);
+        let attitude = simulation.vessels()[0].attitude;
+        let contact = simulation.contacts()[0];
+        let normal_n = contact.normal_force_n;
+        assert!((normal_n - 1e6).abs() < 2e3, "{fender_m}: {normal_n}");
+        // With her upright side at y = 10 + 0.5 h, h above the keel, and a heel φ, the fender is at h = 8 + fender + heave + y φ, where
+        // her side is at y + φ (h − KG). So it leans out by (0.5 + φ)/(1 − 0.5 φ). Heights are rounded to a millimetre.
+        let (heave_m, roll_rad) = (attitude.heave.value, attitude.roll.value);
+        let height_m = (8.0 + fender_m + heave_m + 10.0 * roll_rad) / (1.0 - 0.5 * roll_rad);
+        let (y_m, above_m) = (10.0 + 0.5 * height_m, height_m - 9.0);
+        let up_n = normal_n * (0.5 + roll_rad) / (1.0 - 0.5 * roll_rad);
+        let moment_nm = -normal_n * above_m - up_n * y_m;
+        assert!((heave_m / (-up_n / heave) - 1.0).abs() < 5e-4, "{fender_m}: {attitude:?}");
+        assert!((roll_rad / (moment_nm / roll) - 1.0).abs() < 5e-4, "{fender_m}: {attitude:?}");
+        assert!(roll_rad < -1e-3 && heave_m < -0.015, "{fender_m}: {attitude:?}");
+        let offset_m = simulation.states()[0].position_m.y;
+        let by_lines_m = -1.5 + 0.25 - y_m - above_m * roll_rad;
+        assert!((offset_m - by_lines_m).abs() < 1e-3, "{fender_m}: {offset_m}");
+        let hull = simulation.fender_summaries().next().unwrap().hull.unwrap();
+        assert!(hull.peak_vertical_force_n >= up_n);
+    }
 }
 
 /// She runs on to the fender and swings: what heave, roll and pitch lose to the fender's flank is what the ledger says that

@@ -393,12 +393,13 @@ fn mistakes_in_hydrodynamic_data_are_shown_at_their_line() {
     refused(&format!("{gap}\n"), "", &["no row for omega_radps = 0.6, heading_deg = 120"]);
     refused("8.2e6,", "7.5e6,", &["are for a ship of 7500 t, but the vessel has 8200 t"]);
     refused("8.2e6,", "8200,", &["restoring in heave [N/m]", "are the units kg, m, s, N?"]);
-    let infinite = line("3.7805e5");
+    let text = data_file("barge_20m.hydro");
+    let infinite = text.lines().skip_while(|line| *line != "= infinite").nth(2).expect("a row");
     let in_tonnes: Vec<String> = infinite
         .split(',')
         .map(|cell| format!("{:e}", cell.parse::<f64>().unwrap() / 1e3))
         .collect();
-    refused(&infinite, &in_tonnes.join(","), &["added mass in heave [kg]", "units"]);
+    refused(infinite, &in_tonnes.join(","), &["added mass in heave [kg]", "units"]);
     // Without the frequencies around the peak, and without those beyond it.
     let text = data_file("barge_20m.hydro");
     let without = |rows: std::ops::Range<usize>| {
@@ -488,5 +489,68 @@ fn a_barge_on_linear_moorings_moves_as_the_frequency_domain_says() {
         let off = difference(&found, &expected);
         println!("moored, ω {w}: {off:.5}");
         assert!(off < 0.01, "ω {w}: {off}\n{found:?}\n{expected:?}");
+    }
+}
+
+/// The barge on soft linear springs in surge, sway and yaw, let go out of her place in each: the period between crossings of zero against the
+/// root of C − ω²(M + A(ω)) of the motion, with A by the data at that frequency. 1 %: the damping lengthens a period by less than 0.1 % at these
+/// frequencies, and the file has five digits.
+#[test]
+fn a_moored_barge_has_her_natural_periods() {
+    let scenario = barge("", "0.2 s");
+    let ship = scenario.setup.world.vessels[0].seakeeping.as_ref().expect("data").clone();
+    let data = &ship.data;
+    let springs: [f64; 3] = [4e5, 6e5, 5e8];
+    let arms = [0.5, 0.5, 0.01];
+    let added_at = |index: usize, w: f64| {
+        let rows: Vec<(f64, f64)> =
+            data.radiation().map(|(w, a, _)| (w, a[index][index])).collect();
+        let next = rows.iter().position(|row| row.0 > w).expect("a frequency above").max(1);
+        let ((w0, a0), (w1, a1)) = (rows[next - 1], rows[next]);
+        a0 + (w - w0) / (w1 - w0) * (a1 - a0)
+    };
+    let step_s = 0.2;
+    let motion = Motion::new(&ship, step_s);
+    let plane_mass = data.plane_mass();
+    for (own, index) in [0, 1, 5].into_iter().enumerate() {
+        let mut natural = 0.2;
+        for _ in 0..50 {
+            let mass = data.rigid_mass()[index][index] + added_at(index, natural);
+            natural = (springs[own] / mass).sqrt();
+        }
+        let mut state = motion.start([0.0; 3]);
+        let mut attitude = Attitude::default();
+        let (mut place, mut velocity) = ([0.0; 3], [0.0; 3]);
+        place[own] = arms[own];
+        let mut crossings = Vec::new();
+        for n in 0..3000 {
+            let acts_s = if n == 0 { 0.5 * step_s } else { step_s };
+            let mut force = [0.0; 6];
+            for (k, index) in [0, 1, 5].into_iter().enumerate() {
+                force[index] -= springs[k] * place[k];
+            }
+            let load = motion.predict(&mut state, &attitude, velocity, &StepLoad { force, acts_s });
+            let change =
+                fenderline_sim::seakeeping::matrix::solve(&plane_mass, &load).expect("mass");
+            let before = place[own];
+            for k in 0..3 {
+                velocity[k] += acts_s * change[k];
+                place[k] += step_s * velocity[k];
+            }
+            motion.settle(&mut state, &mut attitude, velocity, &AttitudeLoad::default(), acts_s);
+            if before > 0.0 && place[own] <= 0.0 {
+                crossings.push(step_s * (f64::from(n) + before / (before - place[own])));
+            }
+        }
+        // Without the first swing, in which the water is still at rest.
+        let count = crossings.len() - 2;
+        let period_s = (crossings[count + 1] - crossings[1]) / count as f64;
+        println!(
+            "motion {index}: {period_s:.3} s, natural {:.3} s, {count} periods",
+            TAU / natural
+        );
+        assert!(count >= 5, "motion {index}: {count} periods");
+        let off = period_s * natural / TAU - 1.0;
+        assert!(off.abs() < 0.01, "motion {index}: {period_s} {}", TAU / natural);
     }
 }
