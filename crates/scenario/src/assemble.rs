@@ -1,6 +1,7 @@
 //! From checked tables to a simulation set-up: rules that hold between keys, which the key
 //! table cannot express.
 
+mod anchor;
 mod approach;
 mod azimuth;
 mod berthing;
@@ -135,6 +136,12 @@ pub(crate) fn setup(
     let tugs = assembly.tugs(file.given("tug").named(), &vessels, &names)?;
     let lines =
         assembly.lines(file.given("line").named(), (&bodies, &environment.tide), &decks, &names)?;
+    let anchors = assembly.anchors(
+        file.given("anchor").named(),
+        (&bodies, &vessels),
+        &environment,
+        &names,
+    )?;
     let bollards = assembly.bollards(file.given("bollard").named(), &names)?;
     let line_handling = assembly.line_handling(file.given("line_handling").table())?;
     let providers = assembly.providers(file.given("provider").list(), &bodies, &names)?;
@@ -168,6 +175,7 @@ pub(crate) fn setup(
             orders: vec![],
             tugs,
             lines,
+            anchors,
             bollards,
             line_handling,
             flow,
@@ -187,7 +195,7 @@ pub(crate) fn setup(
     Ok((setup, output, exercise))
 }
 
-/// An order to a vessel, tug or line of a set-up.
+/// An order to a vessel, tug, line or anchor of a set-up.
 pub(crate) fn order(sources: &Sources<'_>, table: &Table, setup: &Setup) -> Checked<Order> {
     let (files, mut notices) = (Files::default(), Vec::new());
     let assembly = Assembly { sources, files: &files, notices: &mut notices };

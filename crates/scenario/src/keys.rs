@@ -3,6 +3,7 @@
 //! The bounds are beyond anything that floats, and keep all computed numbers far from overflow. To add a key, add it
 //! here, then use it in [`crate::assemble`].
 
+pub(crate) mod anchor;
 mod approach;
 mod azimuth;
 mod berthing;
@@ -151,6 +152,7 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             &[],
         ),
         key("line", Kind::Named(&mooring::LINE), Is("{}"), "Mooring lines, by name.", &[]),
+        key("anchor", Kind::Named(&anchor::ANCHOR), Is("{}"), "Anchors of vessels, by name.", &[]),
         key(
             "bollard",
             Kind::Named(&mooring::BOLLARD),

@@ -4,6 +4,7 @@ use std::fmt;
 
 use fenderline_contact::{DisplayNumber, ModelError, StepError};
 
+use crate::anchor::AnchorError;
 use crate::berthing::BerthingError;
 use crate::environment::EnvironmentError;
 use crate::mooring::MooringError;
@@ -43,6 +44,8 @@ pub enum SetupError {
     Environment(EnvironmentError),
     /// A line does not fit between the initial positions of its ends.
     Line(MooringError),
+    /// An anchor is invalid.
+    Anchor(AnchorError),
     /// A number of the handling of lines is out of range.
     LineHandling {
         /// What is wrong.
@@ -97,6 +100,7 @@ impl fmt::Display for SetupError {
             SetupError::Tug { tug, error } => write!(f, "tug `{tug}`: {error}"),
             SetupError::Environment(error) => error.fmt(f),
             SetupError::Line(error) => error.fmt(f),
+            SetupError::Anchor(error) => error.fmt(f),
             SetupError::LineHandling { error } => write!(f, "the handling of lines: {error}"),
             SetupError::Order(error) => error.fmt(f),
             SetupError::VesselByPaperMethod { body } => {

@@ -11,6 +11,7 @@ pub(crate) struct SumOrder {
     pub(crate) vessels: Vec<usize>,
     pub(crate) tugs: Vec<usize>,
     pub(crate) lines: Vec<usize>,
+    pub(crate) anchors: Vec<usize>,
 }
 
 impl SumOrder {
@@ -20,6 +21,7 @@ impl SumOrder {
             vessels: by_name(world.vessels.iter().map(|of| bodies[of.body].name.as_str())),
             tugs: by_name(world.tugs.iter().map(|of| of.tug.name.as_str())),
             lines: by_name(world.lines.iter().map(|of| of.line.name.as_str())),
+            anchors: by_name(world.anchors.iter().map(|of| of.gear.name.as_str())),
         }
     }
 }

@@ -141,6 +141,7 @@
 //! | hull, propeller, rudder and thruster forces; standard manoeuvres | [`hydro`] |
 //! | wind, current, waves, tide and banks | [`environment`] |
 //! | mooring lines and winches | [`mooring`] |
+//! | anchors, chain, windlass and holding ground | [`anchor`] |
 //! | ships that pass, and the flow between ships | [`passing`] |
 //! | where a ship is that follows waypoints at given speeds | [`track`] |
 //! | statistics of motions, and limits on them | [`statistics`] |
@@ -164,6 +165,7 @@
 //! 6. `record`: summaries and the [`StepRecord`].
 #![forbid(unsafe_code)]
 
+pub mod anchor;
 pub mod attitude;
 pub mod berth;
 pub mod berthing;
@@ -219,7 +221,9 @@ pub use error::{SetupError, SimError};
 pub use fender::{FenderSetup, FenderSource, FenderSummary, HullMet, HullPressure, Rated};
 pub use gain::EnergyGain;
 pub use hull::{HullByHeight, HullError, HullTouch, Level, SideMissed};
-pub use order::{Action, LineAction, Order, OrderError, OrderName, Station, VesselAction};
+pub use order::{
+    Action, AnchorAction, LineAction, Order, OrderError, OrderName, Station, VesselAction,
+};
 pub use output_plan::{OutputPlan, OutputTable};
 pub use panel::{ConeSummary, ConeUse, PanelSummary};
 pub use range::OutOfRange;
@@ -233,8 +237,9 @@ pub use start::{BodyStart, Start};
 pub use summary::PairSummary;
 pub use verdict::{Finding, Gravity, Verdict, called};
 pub use world::{
-    Assist, AssistPilot, AzimuthOrder, AzimuthSetup, AzimuthState, BollardSetup, Environment,
-    Faults, Float, Job, LineEnd, LineHandling, Mooring, MooringSetup, NotAtTheSide, Pilots,
-    ProviderSetup, PushJob, Sent, ThrusterSetup, TugAtWork, TugSetup, VesselForces, VesselOrders,
-    VesselSetup, VesselState, WorldEvent, WorldEventKind, WorldSetup, mass_matrix,
+    AnchorAtWork, AnchorSetup, AnchorStart, Assist, AssistPilot, AzimuthOrder, AzimuthSetup,
+    AzimuthState, BollardSetup, Environment, Faults, Float, Job, LineEnd, LineHandling, Mooring,
+    MooringSetup, NotAtTheSide, Pilots, ProviderSetup, PushJob, Sent, ThrusterSetup, TugAtWork,
+    TugSetup, VesselForces, VesselOrders, VesselSetup, VesselState, WorldEvent, WorldEventKind,
+    WorldSetup, mass_matrix,
 };

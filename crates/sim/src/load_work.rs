@@ -8,7 +8,7 @@ use crate::hydro::Force;
 use crate::mean_velocity::MeanVelocity;
 use crate::record::LoadWork;
 use crate::rigid_body::Inertia;
-use crate::world::{Mooring, TugAtWork, VesselForces, WaterInertia, WorldSetup};
+use crate::world::{AnchorAtWork, Mooring, TugAtWork, VesselForces, WaterInertia, WorldSetup};
 
 /// Forces and motion of one step.
 pub(crate) struct LoadedStep<'a> {
@@ -24,6 +24,7 @@ pub(crate) struct LoadedStep<'a> {
     pub(crate) water_inertia: &'a [WaterInertia],
     pub(crate) tugs: &'a [TugAtWork],
     pub(crate) lines: &'a [Mooring],
+    pub(crate) anchors: &'a [AnchorAtWork],
     pub(crate) dolphins: &'a [DolphinMotion],
     pub(crate) order: &'a SumOrder,
     pub(crate) step_s: f64,
@@ -47,6 +48,12 @@ impl LoadedStep<'_> {
             for end in self.world.lines[line].ends_on(&self.lines[line], &self.world.bollards) {
                 works.lines_j += self.of_line_end(end);
             }
+        }
+        for &anchor in &self.order.anchors {
+            let of = &self.world.anchors[anchor];
+            let [north_n, east_n, _] = self.anchors[anchor].load.on_ship_n;
+            let body = self.world.vessels[of.vessel].body;
+            works.anchors_j += self.of_line_end((body, of.hawse_m, vec2(north_n, east_n)));
         }
         works.piles_j += self.dolphins.iter().map(|dolphin| dolphin.pile.work_j).sum::<f64>();
         works
@@ -98,7 +105,7 @@ impl LoadedStep<'_> {
         self.mean[vessel.body].power_w(&wrench) * self.step_s
     }
 
-    /// Work of a line's force on the body at one of its ends.
+    /// Work of the force of a line or a chain on the body at one of its ends.
     fn of_line_end(&self, (body, at_m, force_n): (usize, Vec2, Vec2)) -> f64 {
         if self.inertias[body].fixed {
             return 0.0;

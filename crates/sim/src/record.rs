@@ -5,7 +5,7 @@ use fenderline_contact::{BodyState, Contact, Event, PanelMotion, Wrench};
 use crate::chain::ChainTension;
 use crate::dolphin::DolphinMotion;
 use crate::hull::HullTouch;
-use crate::world::{Mooring, TugAtWork, VesselForces, VesselState, WorldEvent};
+use crate::world::{AnchorAtWork, Mooring, TugAtWork, VesselForces, VesselState, WorldEvent};
 
 /// The record of one step: states before and after it, and the forces that acted in it.
 #[derive(Clone, Copy, Debug)]
@@ -44,9 +44,11 @@ pub struct StepRecord<'a> {
     pub tugs: &'a [TugAtWork],
     /// The lines at the end of the step, in the order of the set-up.
     pub lines: &'a [Mooring],
+    /// The anchors at the end of the step, in the order of the set-up.
+    pub anchors: &'a [AnchorAtWork],
     /// The flexible dolphins, in the order of the set-up.
     pub dolphins: &'a [DolphinMotion],
-    /// Events of vessels, tugs and lines.
+    /// Events of vessels, tugs, lines and anchors.
     pub world_events: &'a [WorldEvent],
 }
 
@@ -126,6 +128,8 @@ pub struct LoadWork {
     pub tugs_j: f64,
     /// Mooring and tow lines, winches included.
     pub lines_j: f64,
+    /// Chains of anchors, windlasses included.
+    pub anchors_j: f64,
     /// Piles of flexible dolphins: less what they store, and less their losses.
     pub piles_j: f64,
     /// Loads of the set-up, and external wrenches.
@@ -135,7 +139,7 @@ pub struct LoadWork {
 impl LoadWork {
     /// Each work with its name in tables.
     #[must_use]
-    pub fn parts(&self) -> [(&'static str, f64); 15] {
+    pub fn parts(&self) -> [(&'static str, f64); 16] {
         [
             ("hull", self.hull_j),
             ("propeller", self.propeller_j),
@@ -150,6 +154,7 @@ impl LoadWork {
             ("current", self.current_j),
             ("tugs", self.tugs_j),
             ("lines", self.lines_j),
+            ("anchors", self.anchors_j),
             ("piles", self.piles_j),
             ("other", self.other_j),
         ]
@@ -175,6 +180,7 @@ impl LoadWork {
         self.current_j += step.current_j;
         self.tugs_j += step.tugs_j;
         self.lines_j += step.lines_j;
+        self.anchors_j += step.anchors_j;
         self.piles_j += step.piles_j;
         self.other_j += step.other_j;
     }

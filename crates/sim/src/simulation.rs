@@ -24,7 +24,9 @@ use fenderline_contact::{
 };
 
 use self::buffers::Buffers;
-use self::check::{berthing_study, check_flow, check_lines, check_load, count_steps};
+use self::check::{
+    berthing_study, check_anchors, check_flow, check_lines, check_load, count_steps,
+};
 use self::model::{Fenders, build_model, inertias};
 use crate::attitude::Attitude;
 use crate::berthing::{Study, StudyStep};
@@ -88,6 +90,7 @@ impl Simulation {
         let states = setup.initial_states();
         setup.world.environment.check().map_err(SetupError::Environment)?;
         check_lines(&setup)?;
+        check_anchors(&setup)?;
         check_flow(&setup)?;
         let mut loads = setup.loads.clone();
         sort_loads(&mut loads);
@@ -166,7 +169,7 @@ impl Simulation {
         }
     }
 
-    /// Sums everything but contact on each body: loads of the set-up and of the host, vessels, tugs, lines.
+    /// Sums everything but contact on each body: loads of the set-up and of the host, vessels, tugs, lines, anchors.
     fn gather_loads(&mut self, t_s: f64) {
         let (step_s, velocity_time_s) = (self.setup.step_s, self.velocity_time_s());
         let Buffers { loads, plain_loads, external, before, .. } = &mut self.buffers;
@@ -254,6 +257,7 @@ impl Simulation {
             vessels: &self.world.vessels,
             vessel_forces: &self.world.forces,
             lines: &self.world.lines,
+            anchors: &self.world.anchors,
             dolphins: &self.dolphins.motions,
             tugs: &self.world.tugs,
             world_events: &self.world.events,

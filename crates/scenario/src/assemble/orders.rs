@@ -19,6 +19,7 @@ pub(super) struct OrderNames<'w> {
     vessels: BTreeMap<usize, usize>,
     tugs: BTreeMap<&'w str, usize>,
     lines: BTreeMap<&'w str, usize>,
+    anchors: BTreeMap<&'w str, usize>,
 }
 
 impl<'w> OrderNames<'w> {
@@ -30,6 +31,7 @@ impl<'w> OrderNames<'w> {
             vessels: places(world.vessels.iter().map(|vessel| vessel.body)),
             tugs: places(world.tugs.iter().map(|tug| tug.tug.name.as_str())),
             lines: places(world.lines.iter().map(|line| line.line.name.as_str())),
+            anchors: places(world.anchors.iter().map(|anchor| anchor.gear.name.as_str())),
         }
     }
 }
@@ -43,7 +45,8 @@ pub(super) fn places<K: Ord>(things: impl Iterator<Item = K>) -> BTreeMap<K, usi
     places
 }
 
-const TARGETS: [TargetKind; 3] = [TargetKind::Vessel, TargetKind::Tug, TargetKind::Line];
+const TARGETS: [TargetKind; 4] =
+    [TargetKind::Vessel, TargetKind::Tug, TargetKind::Line, TargetKind::Anchor];
 
 impl Assembly<'_, '_> {
     pub(super) fn orders(&self, orders: &[Table], of: &OrderNames<'_>) -> Checked<Vec<Order>> {
@@ -62,6 +65,11 @@ impl Assembly<'_, '_> {
                 index.ok_or_else(|| self.unknown("tug", table, item, item.text(), known()))?
             }
             TargetKind::Line => self.line_named(table, item, of)?,
+            TargetKind::Anchor => {
+                let known = || of.setup.world.anchors.iter().map(|own| own.gear.name.as_str());
+                let index = of.anchors.get(item.text()).copied();
+                index.ok_or_else(|| self.unknown("anchor", table, item, item.text(), known()))?
+            }
         };
         let (order, arguments) = self.arguments(table, what, target, of)?;
         let action = order
@@ -77,8 +85,10 @@ impl Assembly<'_, '_> {
         match (named.next(), named.next()) {
             (Some(one), None) => Ok(one),
             _ => {
-                let message =
-                    format!("`{}` must be for one of `vessel`, `tug` and `line`", table.path);
+                let message = format!(
+                    "`{}` must be for one of `vessel`, `tug`, `line` and `anchor`",
+                    table.path
+                );
                 Err(self.sources.error(&table.span, &table.path, message))
             }
         }
@@ -94,7 +104,8 @@ impl Assembly<'_, '_> {
             [what] if known.contains(&what.name) => *what,
             [what, ..] if !known.contains(&what.name) => {
                 let path = table.path_of(what.name);
-                let message = format!("`{path}` is not an order to a {}", target.name);
+                let article = if kind == TargetKind::Anchor { "an" } else { "a" };
+                let message = format!("`{path}` is not an order to {article} {}", target.name);
                 let error = self.sources.error(&what.key_span, &path, message);
                 return Err(error.with_help(format!("there are {}", known.join(", "))));
             }

@@ -22,7 +22,8 @@ pub(crate) const DIRECTION: &str = "direction";
 
 pub(crate) static ORDER: TableSpec = TableSpec {
     what: "an order",
-    doc: "An order to a vessel (`vessel`), a tug (`tug`) or a line (`line`) at a time; each [[order]] has one.",
+    doc: "An order to a vessel (`vessel`), a tug (`tug`), a line (`line`) or an anchor (`anchor`) at a time; each [[order]] \
+          has one.",
     keys: &KEYS,
     rules: Some(rules),
 };
@@ -41,12 +42,31 @@ const HEAD: &[KeySpec] = &[
     key(
         "vessel",
         Kind::BodyName,
-        Means("it is for a tug or a line"),
+        Means("it is for a tug, a line or an anchor"),
         "The body of the vessel.",
         &["\"ship\""],
     ),
-    key("tug", Kind::Text, Means("it is for a vessel or a line"), "The tug.", &["\"bow tug\""]),
-    key("line", Kind::Text, Means("it is for a vessel or a tug"), "The line.", &["\"head line\""]),
+    key(
+        "tug",
+        Kind::Text,
+        Means("it is for a vessel, a line or an anchor"),
+        "The tug.",
+        &["\"bow tug\""],
+    ),
+    key(
+        "line",
+        Kind::Text,
+        Means("it is for a vessel, a tug or an anchor"),
+        "The line.",
+        &["\"head line\""],
+    ),
+    key(
+        "anchor",
+        Kind::Text,
+        Means("it is for a vessel, a tug or a line"),
+        "The anchor.",
+        &["\"port\""],
+    ),
     key(
         TELEGRAPH,
         Kind::Choice(&TELEGRAPH_WORDS),
@@ -199,6 +219,7 @@ const fn measure(of: Unit) -> &'static Measure {
     match of {
         Unit::Share => &unit::PLAIN_NUMBER,
         Unit::Radian => &unit::ANGLE,
+        Unit::Metre => &unit::LENGTH,
         Unit::MetrePerSecond => &unit::SPEED,
         Unit::Newton => &unit::FORCE,
     }
@@ -208,6 +229,7 @@ const fn example(argument: &Argument) -> &'static [&'static str] {
     match argument.kind {
         ArgumentKind::Number { unit: Unit::Share, .. } => &["0.4"],
         ArgumentKind::Number { unit: Unit::Radian, .. } => &["\"-20 deg\""],
+        ArgumentKind::Number { unit: Unit::Metre, .. } => &["\"3 shackles\""],
         ArgumentKind::Number { unit: Unit::MetrePerSecond, .. } => &["\"0.1 m/s\""],
         ArgumentKind::Number { unit: Unit::Newton, .. } => &["\"300 kN\""],
         ArgumentKind::Place { .. } => &["[90, -23]"],
@@ -228,7 +250,7 @@ fn rules() -> Json {
     let flags = OrderName::ALL.iter().filter(|order| form(**order) == Form::Flag);
     let flags: serde_json::Map<String, Json> =
         flags.map(|order| (order.spec().word.to_owned(), json!({ "const": true }))).collect();
-    let kinds = [TargetKind::Vessel, TargetKind::Tug, TargetKind::Line];
+    let kinds = [TargetKind::Vessel, TargetKind::Tug, TargetKind::Line, TargetKind::Anchor];
     let for_kind = |kind: TargetKind| {
         let own: Vec<Json> = words(kind).iter().map(|word| json!({ "required": [word] })).collect();
         let others = kinds.iter().filter(|other| **other != kind);

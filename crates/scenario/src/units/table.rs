@@ -42,7 +42,8 @@ const fn ten(n: i32) -> (u128, u128, i32, i32) {
 }
 
 /// Every unit. Sources of the factors: SI brochure, 9th edition; international nautical mile
-/// 1852 m; international foot 0.3048 m and pound 0.45359237 kg (1959), a long ton of 2240 and a short ton of 2000
+/// 1852 m; a shackle of anchor chain 27.5 m;
+/// international foot 0.3048 m and pound 0.45359237 kg (1959), a long ton of 2240 and a short ton of 2000
 /// pounds; standard gravity 9.80665 m/s² for forces in tonnes, in which bollard pull is quoted, and pounds.
 pub(super) static UNITS: &[NamedUnit] = &[
     unit("1", Dimension::NONE, ten(0), &[]),
@@ -52,6 +53,8 @@ pub(super) static UNITS: &[NamedUnit] = &[
     unit("cm", LENGTH, ten(-2), &[]),
     unit("mm", LENGTH, ten(-3), &[]),
     unit("nmi", LENGTH, (1852, 1, 0, 0), &["NM", "nm", "sm", "mile", "miles"]),
+    unit("shackle", LENGTH, (275, 1, -1, 0), &["shot"]),
+    unit("shackles", LENGTH, (275, 1, -1, 0), &["shots"]),
     unit("in", LENGTH, (254, 1, -4, 0), &["inch", "inches"]),
     unit("ft", LENGTH, (3048, 1, -4, 0), &["foot", "feet"]),
     unit("kg", MASS, ten(0), &["kilo", "kilogram", "kilograms"]),

@@ -30,6 +30,8 @@ pub enum Action {
     Tug(usize, TugOrder),
     /// To a line, by its index in [`crate::WorldSetup::lines`].
     Line(usize, LineAction),
+    /// To an anchor, by its index in [`crate::WorldSetup::anchors`].
+    Anchor(usize, AnchorAction),
 }
 
 /// An order to a vessel. A manual order to a control disengages the pilot that uses it.
@@ -76,6 +78,30 @@ pub enum LineAction {
     LetGo,
 }
 
+/// An order to an anchor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum AnchorAction {
+    /// Let it go, and put the brake on when this much chain is out.
+    LetGo {
+        /// Chain out (m).
+        chain_m: f64,
+    },
+    /// Pay chain out under power until this much is out.
+    Veer {
+        /// Chain out (m).
+        chain_m: f64,
+    },
+    /// Heave chain in until this much is out; 0: until the anchor is home.
+    Heave {
+        /// Chain out (m).
+        chain_m: f64,
+    },
+    /// Brake on.
+    Hold,
+    /// Slip the chain: it and the anchor are gone.
+    Slip,
+}
+
 /// The position and heading that a ship shall keep, and her greatest speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station {
@@ -96,6 +122,8 @@ pub enum Target {
     Tug(usize),
     /// A line.
     Line(usize),
+    /// An anchor.
+    Anchor(usize),
 }
 
 impl Target {
@@ -106,6 +134,7 @@ impl Target {
             Target::Vessel(_) => TargetKind::Vessel,
             Target::Tug(_) => TargetKind::Tug,
             Target::Line(_) => TargetKind::Line,
+            Target::Anchor(_) => TargetKind::Anchor,
         }
     }
 }
@@ -118,6 +147,7 @@ impl Action {
             Action::Vessel(index, _) => Target::Vessel(index),
             Action::Tug(index, _) => Target::Tug(index),
             Action::Line(index, _) => Target::Line(index),
+            Action::Anchor(index, _) => Target::Anchor(index),
         }
     }
 
@@ -148,6 +178,11 @@ impl Action {
             Action::Line(_, LineAction::Winch(WinchOrder::PayOut(_))) => OrderName::PayOut,
             Action::Line(_, LineAction::Send { .. }) => OrderName::Send,
             Action::Line(_, LineAction::LetGo) => OrderName::LetGo,
+            Action::Anchor(_, AnchorAction::LetGo { .. }) => OrderName::LetGoAnchor,
+            Action::Anchor(_, AnchorAction::Veer { .. }) => OrderName::Veer,
+            Action::Anchor(_, AnchorAction::Heave { .. }) => OrderName::HeaveIn,
+            Action::Anchor(_, AnchorAction::Hold) => OrderName::HoldChain,
+            Action::Anchor(_, AnchorAction::Slip) => OrderName::Slip,
         }
     }
 }
@@ -231,6 +266,17 @@ impl OrderName {
                 Action::Line(target, LineAction::Send { bollard: given.index("bollard")? })
             }
             OrderName::LetGo => Action::Line(target, LineAction::LetGo),
+            OrderName::LetGoAnchor => {
+                Action::Anchor(target, AnchorAction::LetGo { chain_m: given.number("chain")? })
+            }
+            OrderName::Veer => {
+                Action::Anchor(target, AnchorAction::Veer { chain_m: given.number("chain")? })
+            }
+            OrderName::HeaveIn => {
+                Action::Anchor(target, AnchorAction::Heave { chain_m: given.number("chain")? })
+            }
+            OrderName::HoldChain => Action::Anchor(target, AnchorAction::Hold),
+            OrderName::Slip => Action::Anchor(target, AnchorAction::Slip),
         };
         check(&action, setup)?;
         Ok(action)
@@ -257,6 +303,13 @@ impl Action {
                 all.with("bollard", Value::Index(*bollard))
             }
             Action::Line(_, LineAction::Winch(WinchOrder::Hold) | LineAction::LetGo) => all,
+            Action::Anchor(
+                _,
+                AnchorAction::LetGo { chain_m }
+                | AnchorAction::Veer { chain_m }
+                | AnchorAction::Heave { chain_m },
+            ) => all.number("chain", *chain_m),
+            Action::Anchor(_, AnchorAction::Hold | AnchorAction::Slip) => all,
         }
     }
 }

@@ -1,12 +1,12 @@
 //! Checks that an order can be carried out in a set-up: one check for scenarios, sessions, Python and FMUs.
 
-use super::action::{Action, LineAction, Order, Target, VesselAction};
+use super::action::{Action, AnchorAction, LineAction, Order, Target, VesselAction};
 use super::arguments::Value;
 use super::error::OrderError;
 use super::table::{Argument, ArgumentKind, Named};
 use crate::error::SetupError;
 use crate::setup::Setup;
-use crate::world::{Assist, Job, LineEnd};
+use crate::world::{AnchorSetup, Assist, Environment, Job, LineEnd};
 
 /// Checks target, limits, names and gear of an order.
 ///
@@ -18,6 +18,7 @@ pub fn check(action: &Action, setup: &Setup) -> Result<(), OrderError> {
         Target::Vessel(index) => (index, world.vessels.len()),
         Target::Tug(index) => (index, world.tugs.len()),
         Target::Line(index) => (index, world.lines.len()),
+        Target::Anchor(index) => (index, world.anchors.len()),
     };
     let spec = action.name().spec();
     if index >= count {
@@ -37,6 +38,9 @@ pub fn check(action: &Action, setup: &Setup) -> Result<(), OrderError> {
     match action {
         Action::Vessel(_, VesselAction::Azimuth { power: None, direction_rad: None, .. }) => {
             Err(OrderError::Nothing)
+        }
+        Action::Anchor(anchor, action) => {
+            check_anchor(&world.anchors[*anchor], *action, &world.environment)
         }
         Action::Vessel(tug, VesselAction::Assist(assist)) => check_assist(assist, *tug, setup),
         Action::Line(line, LineAction::Send { bollard }) => {
@@ -68,6 +72,7 @@ fn name_of(target: Target, setup: &Setup) -> String {
         Target::Vessel(index) => setup.bodies[world.vessels[index].body].name.clone(),
         Target::Tug(index) => world.tugs[index].tug.name.clone(),
         Target::Line(index) => world.lines[index].line.name.clone(),
+        Target::Anchor(index) => world.anchors[index].gear.name.clone(),
     }
 }
 
@@ -103,6 +108,34 @@ fn check_value(
         }
         _ => Err(OrderError::WrongKind { argument }),
     }
+}
+
+/// An order to an anchor needs as much chain as it asks for, and an anchor that is let go needs a bottom that the chain reaches.
+fn check_anchor(
+    of: &AnchorSetup,
+    action: AnchorAction,
+    environment: &Environment,
+) -> Result<(), OrderError> {
+    let anchor = || of.gear.name.clone();
+    let length_m = of.gear.chain_length_m;
+    match action {
+        AnchorAction::LetGo { chain_m }
+        | AnchorAction::Veer { chain_m }
+        | AnchorAction::Heave { chain_m }
+            if chain_m > length_m =>
+        {
+            return Err(OrderError::ChainTooShort { anchor: anchor(), chain_m, length_m });
+        }
+        AnchorAction::LetGo { .. } => {}
+        _ => return Ok(()),
+    }
+    let Some(reach_m) = of.most_above_bottom_m(environment) else {
+        return Err(OrderError::NoBottom { anchor: anchor() });
+    };
+    if reach_m > length_m {
+        return Err(OrderError::TooDeep { anchor: anchor(), reach_m, length_m });
+    }
+    Ok(())
 }
 
 /// A tug may assist only another body that she may touch or has a line to, with at most her bollard pull.

@@ -4,6 +4,8 @@ use core::fmt;
 
 use fenderline_contact::DisplayNumber;
 
+use crate::anchor::{LostBy, SHACKLE_M};
+
 use super::table::{Argument, Gear, OrderName, TargetKind};
 use crate::world::NotAtTheSide;
 
@@ -11,7 +13,7 @@ use crate::world::NotAtTheSide;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum OrderError {
-    /// There is no vessel, tug or line of this index.
+    /// There is no vessel, tug, line or anchor of this index.
     NoTarget {
         /// Which of them.
         kind: TargetKind,
@@ -147,6 +149,60 @@ pub enum OrderError {
         /// What reaches no farther.
         by: &'static str,
     },
+    /// More chain than the anchor has.
+    ChainTooShort {
+        /// The anchor.
+        anchor: String,
+        /// The chain that the order asks for (m).
+        chain_m: f64,
+        /// Length of its chain (m).
+        length_m: f64,
+    },
+    /// An anchor is let go in deep water: the scenario gives no depth.
+    NoBottom {
+        /// The anchor.
+        anchor: String,
+    },
+    /// An anchor is let go in water that is deeper than its chain is long.
+    TooDeep {
+        /// The anchor.
+        anchor: String,
+        /// Height of the hawse pipe above the bottom (m).
+        reach_m: f64,
+        /// Length of its chain (m).
+        length_m: f64,
+    },
+    /// The anchor is gone.
+    AnchorLost {
+        /// The anchor.
+        anchor: String,
+        /// How it was lost.
+        by: LostBy,
+    },
+    /// The anchor is home: there is nothing to heave, to hold or to slip.
+    AnchorHome {
+        /// The anchor.
+        anchor: String,
+    },
+    /// The anchor is on the bottom already.
+    AnchorDown {
+        /// The anchor.
+        anchor: String,
+    },
+    /// There is no chain to move: as much is out as the order asks for, or more, or less.
+    NoChainToMove {
+        /// The anchor.
+        anchor: String,
+        /// Chain out (m).
+        out_m: f64,
+        /// The order asks for more chain out than there is.
+        more: bool,
+    },
+    /// The windlass has no power.
+    WindlassFailed {
+        /// The anchor.
+        anchor: String,
+    },
     /// A station pilot of the ship uses the tug.
     TugOfStation {
         /// The ship.
@@ -169,6 +225,7 @@ impl OrderError {
                 Some("ship")
             }
             OrderError::LineElsewhere { .. } => Some("line"),
+            OrderError::ChainTooShort { .. } => Some("chain"),
             OrderError::OwnBollard { .. }
             | OrderError::BollardTaken { .. }
             | OrderError::OutOfReach { .. } => Some("bollard"),
@@ -181,6 +238,13 @@ impl OrderError {
             | OrderError::LineAboard { .. }
             | OrderError::LineUnderWay { .. }
             | OrderError::LineParted { .. }
+            | OrderError::NoBottom { .. }
+            | OrderError::TooDeep { .. }
+            | OrderError::AnchorLost { .. }
+            | OrderError::AnchorHome { .. }
+            | OrderError::AnchorDown { .. }
+            | OrderError::NoChainToMove { .. }
+            | OrderError::WindlassFailed { .. }
             | OrderError::LineInUse { .. }
             | OrderError::TugOfStation { .. } => None,
         }
@@ -263,12 +327,56 @@ impl fmt::Display for OrderError {
                 f,
                 "bollard `{bollard}` is {distance_m:.0} m from the fairlead of line `{line}`, but {by} reaches {reach_m:.0} m"
             ),
+            OrderError::ChainTooShort { anchor, chain_m, length_m } => write!(
+                f,
+                "the chain of anchor `{anchor}` is {length_m:.1} m long ({}), less than {chain_m:.1} m",
+                shackles(*length_m)
+            ),
+            OrderError::NoBottom { anchor } => write!(
+                f,
+                "anchor `{anchor}` finds no bottom: the water is deep, as the scenario gives no depth"
+            ),
+            OrderError::TooDeep { anchor, reach_m, length_m } => write!(
+                f,
+                "the water is too deep for anchor `{anchor}`: its hawse pipe is {reach_m:.1} m above the bottom, and its \
+                 chain is {length_m:.1} m long ({})",
+                shackles(*length_m)
+            ),
+            OrderError::AnchorLost { anchor, by } => {
+                let how = match by {
+                    LostBy::Slipped => "its chain was slipped",
+                    LostBy::Parted => "its chain parted",
+                    LostBy::RanOut => "its chain ran out",
+                };
+                write!(f, "anchor `{anchor}` is gone: {how}")
+            }
+            OrderError::AnchorHome { anchor } => {
+                write!(f, "anchor `{anchor}` is home in its hawse pipe")
+            }
+            OrderError::AnchorDown { anchor } => {
+                write!(f, "anchor `{anchor}` is on the bottom already: veer chain instead")
+            }
+            OrderError::NoChainToMove { anchor, out_m, more } => write!(
+                f,
+                "anchor `{anchor}` has {out_m:.1} m of chain out ({}) already: ask for {} than that",
+                shackles(*out_m),
+                if *more { "more" } else { "less" }
+            ),
+            OrderError::WindlassFailed { anchor } => write!(
+                f,
+                "the windlass of anchor `{anchor}` has no power: the anchor can only be let go, held or slipped"
+            ),
             OrderError::TugOfStation { ship } => write!(
                 f,
                 "the pilot that keeps `{ship}` on her station uses her tugs: steer her by hand first"
             ),
         }
     }
+}
+
+/// A length of chain in shackles.
+fn shackles(length_m: f64) -> String {
+    format!("{:.1} shackles", length_m / SHACKLE_M)
 }
 
 impl std::error::Error for OrderError {}

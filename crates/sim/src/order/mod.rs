@@ -1,4 +1,4 @@
-//! Orders from a person, a file or another program to a vessel, a tug or a line.
+//! Orders from a person, a file or another program to a vessel, a tug, a line or an anchor.
 //!
 //! [`OrderName`] is the table of all orders: word, target, arguments with units, limits and defaults, and the gear that
 //! each needs. Scenario files, live sessions, Python and FMUs only translate their own names into
@@ -12,7 +12,7 @@ mod error;
 mod table;
 mod tug_words;
 
-pub use action::{Action, LineAction, Order, Station, Target, VesselAction};
+pub use action::{Action, AnchorAction, LineAction, Order, Station, Target, VesselAction};
 pub use arguments::{Arguments, Value};
 pub use check::check;
 pub(crate) use check::check_order;

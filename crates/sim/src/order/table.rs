@@ -15,6 +15,8 @@ pub enum TargetKind {
     Tug,
     /// A mooring line or towline.
     Line,
+    /// An anchor.
+    Anchor,
 }
 
 /// What the target of an order must have to carry it out.
@@ -41,6 +43,8 @@ pub enum Unit {
     Share,
     /// Radians.
     Radian,
+    /// Metres.
+    Metre,
     /// Metres per second.
     MetrePerSecond,
     /// Newtons.
@@ -226,6 +230,16 @@ orders! {
     Send = "send" to Line with None: &[name("bollard", Named::Bollard, "bollard")];
     /// Let the line go. It is then hauled in.
     LetGo = "let_go" to Line with None: &[];
+    /// Let the anchor go, and hold on the brake when so much chain is out.
+    LetGoAnchor = "let_go_anchor" to Anchor with None: CHAIN_OUT;
+    /// Veer: pay chain out under power until so much is out.
+    Veer = "veer" to Anchor with None: CHAIN_OUT;
+    /// Heave chain in until so much is out; 0 brings the anchor home.
+    HeaveIn = "heave_in" to Anchor with None: CHAIN_OUT;
+    /// Hold the chain on the windlass's brake.
+    HoldChain = "hold_chain" to Anchor with None: &[];
+    /// Slip the chain: anchor and chain are lost.
+    Slip = "slip" to Anchor with None: &[];
 }
 
 /// Largest distance of a position from a ship's centre of gravity, along and across (m).
@@ -240,6 +254,8 @@ const TUG_FORCE: &[Argument] = &[
         ..angle("direction", "direction of the force from the ship's bow")
     },
 ];
+/// Chain out, from the hawse pipe.
+const CHAIN_OUT: &[Argument] = &[number("chain", Unit::Metre, 0.0, 5000.0, "chain out")];
 const WINCH_RATE: &[Argument] = &[number("rate", Unit::MetrePerSecond, 0.0, 20.0, "winch's rate")];
 
 const fn number(
@@ -362,6 +378,7 @@ impl TargetKind {
             TargetKind::Vessel => "vessel",
             TargetKind::Tug => "tug",
             TargetKind::Line => "line",
+            TargetKind::Anchor => "anchor",
         }
     }
 }
@@ -373,6 +390,7 @@ impl Unit {
         match self {
             Unit::Share => "",
             Unit::Radian => "_rad",
+            Unit::Metre => "_m",
             Unit::MetrePerSecond => "_mps",
             Unit::Newton => "_n",
         }
@@ -384,6 +402,7 @@ impl Unit {
         match self {
             Unit::Share => "",
             Unit::Radian => "rad",
+            Unit::Metre => "m",
             Unit::MetrePerSecond => "m/s",
             Unit::Newton => "N",
         }

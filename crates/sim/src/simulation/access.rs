@@ -4,6 +4,7 @@ use fenderline_contact::{BodyState, Contact, Memory, Model, Wrench};
 
 use super::Simulation;
 use super::check::whole_steps;
+use crate::anchor::{AnchorFaults, AnchorState};
 use crate::berthing::{BerthingError, BerthingOutcome};
 use crate::dolphin::DolphinSummary;
 use crate::environment::current::Current;
@@ -17,7 +18,7 @@ use crate::setup::{Integrator, Method, Setup};
 use crate::statistics::Statistics;
 use crate::summary::PairSummary;
 use crate::verdict::{Finding, Verdict};
-use crate::world::{Assist, Faults, Job, Mooring, TugAtWork, VesselState};
+use crate::world::{AnchorAtWork, Assist, Faults, Job, Mooring, TugAtWork, VesselState};
 
 impl Simulation {
     /// The set-up of the run.
@@ -187,6 +188,12 @@ impl Simulation {
         &self.world.lines
     }
 
+    /// The current state of the anchors, in the order of the set-up.
+    #[must_use]
+    pub fn anchors(&self) -> &[AnchorAtWork] {
+        &self.world.anchors
+    }
+
     /// Contact wrenches of the last step, one per body; zero before the first step.
     #[must_use]
     pub fn wrenches(&self) -> &[Wrench] {
@@ -233,7 +240,7 @@ impl Simulation {
     }
 
     /// Checks that an order can be carried out in the present state: not if its line is on board or has parted, if the bollard is
-    /// taken or out of reach, or if a station pilot uses the tug. This check does not apply to orders for a later time.
+    /// taken or out of reach, if the anchor is home, down or lost, or if a station pilot uses the tug. This check does not apply to orders for a later time.
     ///
     /// # Errors
     /// Why the order cannot be carried out.
@@ -253,6 +260,9 @@ impl Simulation {
             Ok(())
         };
         match action {
+            Action::Anchor(anchor, action) if *anchor < self.world.anchors.len() => {
+                self.world.may_anchor(&self.setup.world, (*anchor, *action))
+            }
             Action::Line(line, LineAction::Winch(_)) => of_line(*line, false),
             Action::Line(line, LineAction::LetGo) => of_line(*line, true),
             Action::Line(line, LineAction::Send { bollard }) => self.world.may_send(
@@ -272,7 +282,7 @@ impl Simulation {
                 let ship = self.setup.world.vessels[tug.vessel].body;
                 Err(OrderError::TugOfStation { ship: self.setup.bodies[ship].name.clone() })
             }
-            Action::Vessel(..) => Ok(()),
+            Action::Vessel(..) | Action::Anchor(..) => Ok(()),
         }
     }
 
@@ -312,6 +322,21 @@ impl Simulation {
     pub fn set_tug_out(&mut self, tug: usize, out: bool) -> Result<(), SetupError> {
         let state = self.world.tugs.get_mut(tug);
         state.ok_or(SetupError::BadBody { owner: "fault", body: tug })?.out = out;
+        Ok(())
+    }
+
+    /// Sets the faults of an anchor and its windlass, from the next step on.
+    ///
+    /// # Errors
+    /// [`SetupError::BadBody`] if there is no such anchor.
+    pub fn set_anchor_faults(
+        &mut self,
+        anchor: usize,
+        faults: AnchorFaults,
+    ) -> Result<(), SetupError> {
+        let own = self.world.anchors.get_mut(anchor);
+        let own = own.ok_or(SetupError::BadBody { owner: "fault", body: anchor })?;
+        own.state = AnchorState { faults, ..own.state };
         Ok(())
     }
 

@@ -27,6 +27,7 @@ impl Simulation {
             water_inertia: &self.world.water_inertia,
             tugs: &self.world.tugs,
             lines: &self.world.lines,
+            anchors: &self.world.anchors,
             dolphins: &self.dolphins.motions,
             order: &self.world.order,
             step_s: self.setup.step_s,

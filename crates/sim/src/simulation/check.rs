@@ -92,6 +92,18 @@ pub(super) fn check_lines(setup: &Setup) -> Result<(), SetupError> {
     Ok(())
 }
 
+/// Checks the anchors and the vessels that carry them.
+pub(super) fn check_anchors(setup: &Setup) -> Result<(), SetupError> {
+    let world = &setup.world;
+    for anchor in &world.anchors {
+        let vessel = world.vessels.get(anchor.vessel);
+        let vessel = vessel.ok_or(SetupError::BadBody { owner: "anchor", body: anchor.vessel })?;
+        let body = &setup.bodies[vessel.body];
+        anchor.check(body, &world.environment).map_err(SetupError::Anchor)?;
+    }
+    Ok(())
+}
+
 /// The comparison of a berthing with the berthing formulas, if the set-up asks for one.
 pub(super) fn berthing_study(setup: &Setup) -> Result<Option<Study>, SetupError> {
     let Some(berthing) = setup.berthing else { return Ok(None) };

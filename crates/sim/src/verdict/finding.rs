@@ -1,6 +1,7 @@
 //! What can be found in a run.
 
 use super::Verdict;
+use crate::anchor::LostBy;
 use crate::chain::ChainKind;
 use crate::setup::Setup;
 
@@ -59,6 +60,26 @@ pub enum Finding {
         at_s: f64,
         /// The tension at which it parted (N).
         tension_n: f64,
+    },
+    /// An anchor was lost with its chain.
+    AnchorLost {
+        /// The anchor.
+        anchor: usize,
+        /// When (s).
+        at_s: f64,
+        /// How.
+        by: LostBy,
+        /// Tension of the chain (N).
+        tension_n: f64,
+    },
+    /// An anchor dragged.
+    AnchorDragged {
+        /// The anchor.
+        anchor: usize,
+        /// Start of the first step of it (s).
+        first_s: f64,
+        /// How far (m).
+        dragged_m: f64,
     },
     /// Two bodies started inside each other, or a fender started beyond its rated deflection (without a rating, beyond
     /// half its projection).
@@ -189,6 +210,8 @@ impl Finding {
             Finding::FenderFailed { .. } | Finding::ChainParted { .. } => Verdict::FenderFailed,
             Finding::PileYielded { .. } => Verdict::PileYielded,
             Finding::LineParted { .. } => Verdict::LineParted,
+            Finding::AnchorLost { .. } => Verdict::AnchorLost,
+            Finding::AnchorDragged { .. } => Verdict::AnchorDragged,
             Finding::StartInside { .. } => Verdict::StartInside,
             Finding::Aground { .. } => Verdict::Aground,
             Finding::FenderOverRated { .. } => Verdict::FenderOverRated,
@@ -206,7 +229,7 @@ impl Finding {
         }
     }
 
-    /// Names of the bodies, fenders, lines or vessels that it is about.
+    /// Names of the bodies, fenders, lines, anchors or vessels that it is about.
     #[must_use]
     pub fn names<'a>(&self, setup: &'a Setup) -> Vec<&'a str> {
         let body = |index: usize| setup.bodies[index].name.as_str();
@@ -234,6 +257,9 @@ impl Finding {
             | Finding::LineNotMadeFast { line, .. }
             | Finding::LineRendered { line, .. } => {
                 vec![setup.world.lines[line].line.name.as_str()]
+            }
+            Finding::AnchorLost { anchor, .. } | Finding::AnchorDragged { anchor, .. } => {
+                vec![setup.world.anchors[anchor].gear.name.as_str()]
             }
             Finding::LimitExceeded { limit, .. } => {
                 vec![setup.world.statistics.limits[limit].name.as_str()]
@@ -286,6 +312,21 @@ impl Finding {
                     force(tension_n)
                 )
             }
+            Finding::AnchorLost { at_s, by, tension_n, .. } => format!(
+                "{} was lost at {at_s:.1} s: its chain {} under {}",
+                called("Anchor", names[0]),
+                match by {
+                    LostBy::Parted => "parted",
+                    LostBy::RanOut => "ran out and the bitter end gave way",
+                    LostBy::Slipped => "was slipped",
+                },
+                force(tension_n)
+            ),
+            Finding::AnchorDragged { first_s, dragged_m, .. } => format!(
+                "{} dragged {}, first at {first_s:.1} s",
+                called("Anchor", names[0]),
+                length(dragged_m)
+            ),
             Finding::StartInside { fender: None, depth_m, .. } => format!(
                 "{} starts {} inside {}; forces of the first contact are not physical: correct the start position",
                 names[0],

@@ -32,6 +32,8 @@ pub enum Verdict {
     AboveCatalogue,
     /// The brake of a line's winch rendered.
     LineRendered,
+    /// An anchor dragged.
+    AnchorDragged,
     /// The coupled solve of a contact did not converge within its iteration limit.
     NotConverged,
     /// The paper's method returned more energy than the contacts absorbed.
@@ -54,6 +56,8 @@ pub enum Verdict {
     StartInside,
     /// A line parted.
     LineParted,
+    /// An anchor was lost with its chain: the chain parted or ran out.
+    AnchorLost,
     /// The pile of a flexible dolphin yielded.
     PileYielded,
     /// A fender was compressed to its stop, or to its whole projection.
@@ -77,12 +81,13 @@ pub enum Gravity {
 
 impl Verdict {
     /// All verdicts, from best to worst.
-    pub const ALL: [Verdict; 19] = [
+    pub const ALL: [Verdict; 21] = [
         Verdict::AllWell,
         Verdict::NoFenderTouched,
         Verdict::NotRated,
         Verdict::AboveCatalogue,
         Verdict::LineRendered,
+        Verdict::AnchorDragged,
         Verdict::NotConverged,
         Verdict::EnergyGained,
         Verdict::HullPressure,
@@ -94,6 +99,7 @@ impl Verdict {
         Verdict::Aground,
         Verdict::StartInside,
         Verdict::LineParted,
+        Verdict::AnchorLost,
         Verdict::PileYielded,
         Verdict::FenderFailed,
         Verdict::StructureStruck,
@@ -114,6 +120,7 @@ impl Verdict {
             Verdict::NotRated => "No rating to compare with",
             Verdict::AboveCatalogue => "Fender above its catalogue rating",
             Verdict::LineRendered => "A winch rendered",
+            Verdict::AnchorDragged => "An anchor dragged",
             Verdict::NotConverged => "The contact solve did not converge",
             Verdict::EnergyGained => "The method created energy",
             Verdict::HullPressure => "Permissible hull pressure exceeded",
@@ -125,6 +132,7 @@ impl Verdict {
             Verdict::Aground => "Aground",
             Verdict::StartInside => "Bodies start inside each other",
             Verdict::LineParted => "Line parted",
+            Verdict::AnchorLost => "Anchor lost",
             Verdict::PileYielded => "Pile yielded",
             Verdict::FenderFailed => "Fender failed",
             Verdict::StructureStruck => "Structure struck",
@@ -140,6 +148,7 @@ impl Verdict {
             Verdict::NotRated => "not_rated",
             Verdict::AboveCatalogue => "fender_above_catalogue",
             Verdict::LineRendered => "line_rendered",
+            Verdict::AnchorDragged => "anchor_dragged",
             Verdict::NotConverged => "not_converged",
             Verdict::EnergyGained => "energy_gained",
             Verdict::HullPressure => "hull_pressure_exceeded",
@@ -151,6 +160,7 @@ impl Verdict {
             Verdict::Aground => "aground",
             Verdict::StartInside => "start_inside",
             Verdict::LineParted => "line_parted",
+            Verdict::AnchorLost => "anchor_lost",
             Verdict::PileYielded => "pile_yielded",
             Verdict::FenderFailed => "fender_failed",
             Verdict::StructureStruck => "structure_struck",
@@ -165,7 +175,8 @@ impl Verdict {
             Verdict::NoFenderTouched
             | Verdict::NotRated
             | Verdict::AboveCatalogue
-            | Verdict::LineRendered => Gravity::Note,
+            | Verdict::LineRendered
+            | Verdict::AnchorDragged => Gravity::Note,
             Verdict::NotConverged
             | Verdict::EnergyGained
             | Verdict::HullPressure
@@ -177,6 +188,7 @@ impl Verdict {
             | Verdict::Aground
             | Verdict::StartInside => Gravity::Attention,
             Verdict::LineParted
+            | Verdict::AnchorLost
             | Verdict::PileYielded
             | Verdict::FenderFailed
             | Verdict::StructureStruck => Gravity::Failed,

@@ -5,12 +5,13 @@ use fenderline_contact::number::greater;
 
 use super::fender::above_catalogue;
 use super::finding::Finding;
+use crate::anchor::{AnchorPosition, LostBy};
 use crate::dolphin::DolphinSummary;
 use crate::fender::FenderSummary;
 use crate::hull::SideMissed;
 use crate::record::StepRecord;
 use crate::setup::Setup;
-use crate::world::{Mooring, WorldEventKind};
+use crate::world::{AnchorAtWork, Mooring, WorldEventKind};
 
 /// The first time of a condition, and the number of steps in which it held.
 #[derive(Clone, Copy, Debug, Default)]
@@ -51,6 +52,15 @@ struct LineWatch {
     not_made_fast_s: Option<f64>,
 }
 
+#[derive(Clone, Debug, Default)]
+struct AnchorWatch {
+    /// When it dragged first (s), and how far in all (m).
+    first_s: Option<f64>,
+    dragged_m: f64,
+    /// When (s), how, and under what tension (N).
+    lost: Option<(f64, LostBy, f64)>,
+}
+
 /// The totals.
 #[derive(Clone, Debug)]
 pub(crate) struct Watch {
@@ -60,6 +70,7 @@ pub(crate) struct Watch {
     touches: Vec<Touch>,
     aground: Vec<Lasting>,
     lines: Vec<LineWatch>,
+    anchors: Vec<AnchorWatch>,
     not_converged: Lasting,
 }
 
@@ -89,6 +100,7 @@ impl Watch {
             touches: Vec::new(),
             aground: vec![Lasting::default(); setup.world.vessels.len()],
             lines: vec![LineWatch::default(); setup.world.lines.len()],
+            anchors: vec![AnchorWatch::default(); setup.world.anchors.len()],
             not_converged: Lasting::default(),
             protected,
         }
@@ -99,11 +111,12 @@ impl Watch {
         &mut self,
         starts_inside: impl FnOnce(&dyn Fn([usize; 2]) -> bool) -> Vec<Finding>,
     ) {
-        let Watch { protected, starts, touches, aground, lines, not_converged } = self;
+        let Watch { protected, starts, touches, aground, lines, anchors, not_converged } = self;
         *starts = starts_inside(&|bodies: [usize; 2]| bodies.iter().any(|&b| protected[b]));
         touches.clear();
         aground.fill(Lasting::default());
         lines.fill(LineWatch::default());
+        anchors.fill(AnchorWatch::default());
         *not_converged = Lasting::default();
     }
 
@@ -127,6 +140,9 @@ impl Watch {
         }
         for ((own, line), now) in self.lines.iter_mut().zip(&setup.world.lines).zip(step.lines) {
             own.add(line.line.kind.working_load_n(), now, step.t_s);
+        }
+        for (own, now) in self.anchors.iter_mut().zip(step.anchors) {
+            own.add(now, step.t_s);
         }
         for event in step.world_events {
             if event.kind == WorldEventKind::LineNotMadeFast {
@@ -204,6 +220,9 @@ impl Watch {
             let working_n = setup.world.lines[line].line.kind.working_load_n();
             all.extend(own.finding(line, working_n, step_s));
         }
+        for (anchor, own) in self.anchors.iter().enumerate() {
+            all.extend(own.finding(anchor));
+        }
         all.extend(gain);
         if let Some(first_s) = self.not_converged.first_s {
             all.push(Finding::NotConverged { first_s, steps: self.not_converged.steps });
@@ -221,6 +240,29 @@ impl Watch {
             }
             _ => Finding::ContactNotRated { bodies },
         }
+    }
+}
+
+impl AnchorWatch {
+    fn add(&mut self, now: &AnchorAtWork, t_s: f64) {
+        let moved_m = now.load.moved_m;
+        if moved_m > 0.0 {
+            self.first_s.get_or_insert(t_s);
+            self.dragged_m += moved_m;
+        }
+        if let (AnchorPosition::Lost(by), Some(tension_n)) =
+            (now.state.position, now.load.lost_at_n)
+        {
+            self.lost.get_or_insert((t_s, by, tension_n));
+        }
+    }
+
+    fn finding(&self, anchor: usize) -> Option<Finding> {
+        if let Some((at_s, by, tension_n)) = self.lost {
+            return Some(Finding::AnchorLost { anchor, at_s, by, tension_n });
+        }
+        let dragged_m = self.dragged_m;
+        self.first_s.map(|first_s| Finding::AnchorDragged { anchor, first_s, dragged_m })
     }
 }
 

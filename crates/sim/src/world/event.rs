@@ -1,9 +1,11 @@
 //! Events of the world that are reported to the user.
 
+use crate::anchor::AnchorEvent;
+
 /// An event in a step. States that last are reported once, when they begin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorldEvent {
-    /// Index of the vessel, line or tug concerned.
+    /// Index of the vessel, line, tug or anchor concerned.
     pub who: usize,
     /// The kind of event.
     pub kind: WorldEventKind,
@@ -32,4 +34,6 @@ pub enum WorldEventKind {
     LineParted,
     /// The brake of the winch of a line renders.
     LineRenders,
+    /// An event of an anchor.
+    Anchor(AnchorEvent),
 }

@@ -5,6 +5,7 @@
 //! vessel's body. After contact, `World::settle` moves the vessels in heave, roll and pitch by all horizontal forces and their
 //! heights.
 
+mod anchor;
 mod assist;
 mod azimuth;
 mod azimuth_pilot;
@@ -29,16 +30,18 @@ pub(crate) use self::backup::WorldBackup;
 use self::pilot::{Abilities, PilotWork};
 use self::seaway::{Afloat, Seaway};
 pub(crate) use self::shore::Shore;
+use crate::anchor::AnchorEvent;
 use crate::attitude::AttitudeLoad;
 use crate::environment::wind::{ShipGusts, Wind};
 use crate::fender::FenderSetup;
 use crate::fixed_order::SumOrder;
 use crate::hull::{Heights, HullTouch, place_m};
 use crate::hydro::Force;
-use crate::order::{Action, LineAction, Order, OrderError};
+use crate::order::{Action, AnchorAction, LineAction, Order, OrderError};
 use crate::passing;
 use crate::setup::BodySetup;
 
+pub use anchor::{AnchorAtWork, AnchorSetup, AnchorStart};
 pub use assist::{Assist, AssistPilot, Job, NotAtTheSide, PushJob};
 pub use azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
 pub use bollard::{BollardSetup, LineHandling};
@@ -67,6 +70,7 @@ pub(crate) struct World {
     /// For each body, how it is afloat; empty without hydrodynamic data.
     afloat: Vec<Option<Afloat>>,
     pub(crate) lines: Vec<Mooring>,
+    pub(crate) anchors: Vec<AnchorAtWork>,
     pub(crate) tugs: Vec<TugAtWork>,
     pub(crate) events: Vec<WorldEvent>,
     abilities: Vec<Abilities>,
@@ -107,6 +111,7 @@ impl World {
             banks: vec![Force::default(); setup.vessels.len()],
             seaways,
             lines: setup.lines.iter().map(Mooring::new).collect(),
+            anchors: setup.anchors.iter().map(AnchorAtWork::new).collect(),
             tugs: setup.tugs.iter().map(TugAtWork::new).collect(),
             events: Vec::new(),
             abilities: setup.vessels.iter().map(|v| Abilities::of(v, water)).collect(),
@@ -129,6 +134,9 @@ impl World {
         self.water_inertia.fill(WaterInertia::default());
         for (own, setup) in self.lines.iter_mut().zip(&setup.lines) {
             *own = Mooring::new(setup);
+        }
+        for (own, setup) in self.anchors.iter_mut().zip(&setup.anchors) {
+            *own = AnchorAtWork::new(setup);
         }
         for (own, setup) in self.tugs.iter_mut().zip(&setup.tugs) {
             *own = TugAtWork::new(setup);
@@ -240,6 +248,11 @@ impl World {
             let of = (line, setup.bollards.as_slice());
             mooring.step(index, of, (states, shore), times, loads, events);
         }
+        for &index in &self.order.anchors {
+            let (own, of) = (&mut self.anchors[index], &setup.anchors[index]);
+            let water = (&setup.environment, t_s, step_s);
+            own.step(index, (of, setup), (states, shore), water, loads, &mut self.events);
+        }
         self.load_seaways(setup, states, (t_s, acts_s), loads);
     }
 
@@ -279,6 +292,15 @@ impl World {
                     }
                 }
             }
+            for &anchor in &self.order.anchors {
+                let of = &setup.anchors[anchor];
+                if of.vessel == index {
+                    let above_gravity_m = of.hawse_above_water_m - float.gravity_above_water_m;
+                    let force_n = self.anchors[anchor].load.on_ship_n;
+                    let place = (of.hawse_m, above_gravity_m);
+                    seaway::add_line(&mut upright, body.heading_rad, place, force_n);
+                }
+            }
             let stream_mps = self.water_inertia[index].current_mps;
             let load = &mut loads[vessel.body];
             let given = (&*load, &upright, stream_mps);
@@ -297,6 +319,15 @@ impl World {
         let level_m = setup.environment.tide.level_m(t_s);
         let shore = Shore { fixed: &self.fixed, level_m, afloat: &self.afloat };
         line_work::may_send(&self.lines, setup, (states, shore), line, bollard)
+    }
+
+    /// Checks that an order to an anchor can be carried out in the present state.
+    pub(crate) fn may_anchor(
+        &self,
+        setup: &WorldSetup,
+        (anchor, action): (usize, AnchorAction),
+    ) -> Result<(), OrderError> {
+        self.anchors[anchor].may(&setup.anchors[anchor], action)
     }
 
     /// Adds an order. Orders that have been carried out are dropped, so that memory does not grow in a run of hours.
@@ -334,6 +365,14 @@ impl World {
                     if of.order(&mut self.tugs[*tug].state, order.at_s, *what).is_err() {
                         let kind = WorldEventKind::TugOrderRefused;
                         self.events.push(WorldEvent { who: *tug, kind });
+                    }
+                }
+                Action::Anchor(anchor, action) => {
+                    if self.may_anchor(setup, (*anchor, *action)).is_ok() {
+                        self.anchors[*anchor].take(*action);
+                    } else {
+                        let kind = WorldEventKind::Anchor(AnchorEvent::OrderRefused);
+                        self.events.push(WorldEvent { who: *anchor, kind });
                     }
                 }
                 Action::Line(line, LineAction::Winch(winch)) => self.lines[*line].order = *winch,

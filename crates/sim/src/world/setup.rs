@@ -1,5 +1,6 @@
 //! The constant part of a world.
 
+use super::anchor::AnchorSetup;
 use super::bollard::{BollardSetup, LineHandling};
 use super::environment::Environment;
 use super::line::MooringSetup;
@@ -23,6 +24,8 @@ pub struct WorldSetup {
     pub tugs: Vec<TugSetup>,
     /// Mooring lines.
     pub lines: Vec<MooringSetup>,
+    /// Anchors.
+    pub anchors: Vec<AnchorSetup>,
     /// Bollards to which orders send lines.
     pub bollards: Vec<BollardSetup>,
     /// How lines come to a bollard.

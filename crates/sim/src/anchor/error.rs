@@ -1,0 +1,50 @@
+//! Errors of anchors.
+
+use std::fmt;
+
+use crate::range::OutOfRange;
+
+/// An anchor that cannot be simulated.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum AnchorError {
+    /// A number outside its range.
+    OutOfRange {
+        /// The anchor.
+        anchor: String,
+        /// The number.
+        error: OutOfRange,
+    },
+    /// It is on the bottom at the start, but the water has no depth.
+    NoBottom {
+        /// The anchor.
+        anchor: String,
+    },
+    /// It is on the bottom at the start, but its chain does not reach it.
+    ChainTooShort {
+        /// The anchor.
+        anchor: String,
+        /// Chain out (m).
+        chain_m: f64,
+        /// What it has to span (m).
+        reach_m: f64,
+    },
+}
+
+impl fmt::Display for AnchorError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            AnchorError::OutOfRange { anchor, error } => write!(f, "anchor `{anchor}`: {error}"),
+            AnchorError::NoBottom { anchor } => write!(
+                f,
+                "anchor `{anchor}` is on the bottom at the start, but the water is deep: give the environment a depth"
+            ),
+            AnchorError::ChainTooShort { anchor, chain_m, reach_m } => write!(
+                f,
+                "anchor `{anchor}` has {chain_m:.1} m of chain out at the start, but is {reach_m:.1} m from the hawse pipe"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for AnchorError {}

@@ -1,0 +1,251 @@
+//! The state of an anchor, its orders, and what happens to it.
+
+use fenderline_contact::Vec2;
+
+/// Where an anchor is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum AnchorPosition {
+    /// In the hawse pipe.
+    Housed,
+    /// Hangs on its chain, in the water or above it.
+    Hanging,
+    /// On the bottom: north and east (m).
+    OnBottom(Vec2),
+    /// Gone, with its chain.
+    Lost(LostBy),
+}
+
+/// How an anchor was lost.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LostBy {
+    /// The chain was slipped by order.
+    Slipped,
+    /// The chain parted.
+    Parted,
+    /// All chain ran out, and the bitter end gave way.
+    RanOut,
+}
+
+/// The order to a windlass.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum WindlassOrder {
+    /// Brake on.
+    #[default]
+    Hold,
+    /// Chain runs out until this much is out (m); then the brake is put on.
+    LetGo(f64),
+    /// Chain is paid out under power until this much is out (m); then the brake is put on.
+    Veer(f64),
+    /// Chain is hove in until this much is out (m); 0: until the anchor is home. Then the brake is put on.
+    Heave(f64),
+}
+
+/// Faults of anchor and windlass.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct AnchorFaults {
+    /// The windlass has no power: it neither heaves nor veers. The anchor can still be let go, and the brake holds.
+    pub windlass_failed: bool,
+    /// The anchor does not bite: it holds as a dragging anchor does.
+    pub does_not_bite: bool,
+}
+
+/// The state of an anchor: plain data.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AnchorState {
+    /// Where it is.
+    pub position: AnchorPosition,
+    /// Chain out, from the hawse pipe (m).
+    pub chain_m: f64,
+    /// The order to the windlass.
+    pub order: WindlassOrder,
+    /// It drags: it moved in the last step.
+    pub dragging: bool,
+    /// The brake rendered in the last step.
+    pub rendering: bool,
+    /// How far it has dragged since it came to the bottom (m).
+    pub dragged_m: f64,
+    /// Energy that the bottom has taken from it by dragging in the run (J).
+    pub dragged_j: f64,
+    /// Faults.
+    pub faults: AnchorFaults,
+}
+
+impl AnchorState {
+    /// In the hawse pipe.
+    #[must_use]
+    pub fn housed() -> AnchorState {
+        AnchorState {
+            position: AnchorPosition::Housed,
+            chain_m: 0.0,
+            order: WindlassOrder::Hold,
+            dragging: false,
+            rendering: false,
+            dragged_m: 0.0,
+            dragged_j: 0.0,
+            faults: AnchorFaults::default(),
+        }
+    }
+
+    /// On the bottom with chain out (m).
+    #[must_use]
+    pub fn on_bottom(at_m: Vec2, chain_m: f64) -> AnchorState {
+        AnchorState { position: AnchorPosition::OnBottom(at_m), chain_m, ..AnchorState::housed() }
+    }
+
+    /// True if it is gone.
+    #[must_use]
+    pub fn is_lost(&self) -> bool {
+        matches!(self.position, AnchorPosition::Lost(_))
+    }
+
+    /// Loses the anchor with its chain.
+    pub fn lose(&mut self, by: LostBy) {
+        let AnchorState { dragged_m, dragged_j, faults, .. } = *self;
+        let position = AnchorPosition::Lost(by);
+        *self = AnchorState { position, dragged_m, dragged_j, faults, ..AnchorState::housed() };
+    }
+}
+
+/// Where the hawse pipe is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hawse {
+    /// North and east (m).
+    pub at_m: Vec2,
+    /// Height above the bottom (m); `None` in deep water.
+    pub above_bottom_m: Option<f64>,
+}
+
+/// What chain and anchor do in a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AnchorLoad {
+    /// Tension of the chain at the hawse pipe (N).
+    pub tension_n: f64,
+    /// Force on the ship at the hawse pipe: north, east, up (N).
+    pub on_ship_n: [f64; 3],
+    /// What anchor and chain hold against a horizontal pull (N): the dragging resistance while it drags; 0 if the anchor is not on
+    /// the bottom.
+    pub holding_n: f64,
+    /// Chain on the bottom (m).
+    pub on_bottom_m: f64,
+    /// How far the anchor dragged (m).
+    pub moved_m: f64,
+    /// Chain that the brake rendered (m).
+    pub rendered_m: f64,
+    /// The windlass stalls: it heaves no more against the tension.
+    pub stalled: bool,
+    /// The tension at which the chain was lost in this step (N).
+    pub lost_at_n: Option<f64>,
+}
+
+/// How the chain leads, from nearly vertical to nearly level.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stay {
+    /// Within 10° of the vertical.
+    UpAndDown,
+    /// Steeper than 60° below the horizontal.
+    Short,
+    /// Steeper than 30°.
+    Medium,
+    /// Flatter.
+    Long,
+}
+
+impl Stay {
+    /// Its words.
+    #[must_use]
+    pub fn words(self) -> &'static str {
+        match self {
+            Stay::UpAndDown => "up and down",
+            Stay::Short => "short stay",
+            Stay::Medium => "medium stay",
+            Stay::Long => "long stay",
+        }
+    }
+}
+
+impl AnchorLoad {
+    /// How the chain leads below the horizontal; the limits between are our choice. `None` without a pull.
+    #[must_use]
+    pub fn stay(&self) -> Option<Stay> {
+        let [north_n, east_n, up_n] = self.on_ship_n;
+        let horizontal_n = libm::hypot(north_n, east_n);
+        if self.tension_n <= 0.0 {
+            return None;
+        }
+        let steep_rad = libm::atan2(-up_n, horizontal_n);
+        Some(match steep_rad.to_degrees() {
+            angle if angle >= 80.0 => Stay::UpAndDown,
+            angle if angle >= 60.0 => Stay::Short,
+            angle if angle >= 30.0 => Stay::Medium,
+            _ => Stay::Long,
+        })
+    }
+
+    /// Direction of the chain from the bow of a ship with a heading, positive to starboard, −π to π (rad). `None` where it leads
+    /// straight down.
+    #[must_use]
+    pub fn lead_rad(&self, heading_rad: f64) -> Option<f64> {
+        let [north_n, east_n, _] = self.on_ship_n;
+        // A chain up and down leads nowhere.
+        let leads = libm::hypot(north_n, east_n) > 1e-3 * self.tension_n;
+        let direction_rad = libm::atan2(east_n, north_n) - heading_rad;
+        leads.then(|| libm::remainder(direction_rad, core::f64::consts::TAU))
+    }
+}
+
+/// What happens to an anchor. States that last are reported once, when they begin.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AnchorEvent {
+    /// It came to the bottom.
+    OnBottom,
+    /// It was hove off the bottom.
+    Aweigh,
+    /// It is home in the hawse pipe.
+    Home,
+    /// It drags.
+    Drags,
+    /// It stopped dragging, and holds.
+    Holds,
+    /// The brake renders.
+    Renders,
+    /// The chain parted.
+    Parted,
+    /// All chain ran out, and the bitter end gave way.
+    RanOut,
+    /// An order could not be carried out.
+    OrderRefused,
+}
+
+impl AnchorEvent {
+    /// Its key in results.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            AnchorEvent::OnBottom => "anchor_on_bottom",
+            AnchorEvent::Aweigh => "anchor_aweigh",
+            AnchorEvent::Home => "anchor_home",
+            AnchorEvent::Drags => "anchor_drags",
+            AnchorEvent::Holds => "anchor_holds",
+            AnchorEvent::Renders => "windlass_renders",
+            AnchorEvent::Parted => "anchor_chain_parted",
+            AnchorEvent::RanOut => "anchor_chain_ran_out",
+            AnchorEvent::OrderRefused => "anchor_order_refused",
+        }
+    }
+
+    /// What happened, for a sentence that begins with the anchor.
+    #[must_use]
+    pub fn text(self) -> &'static str {
+        match self {
+            AnchorEvent::OnBottom => "on the bottom",
+            AnchorEvent::Aweigh => "aweigh: off the bottom",
+            AnchorEvent::Home => "home in the hawse pipe",
+            AnchorEvent::Drags => "DRAGS",
+            AnchorEvent::Holds => "holds again",
+            AnchorEvent::Renders => "the brake of the windlass renders",
+            AnchorEvent::Parted => "its chain PARTED",
+            AnchorEvent::RanOut => "all chain RAN OUT, and the bitter end gave way",
+            AnchorEvent::OrderRefused => "an order could not be carried out",
+        }
+    }
+}
