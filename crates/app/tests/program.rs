@@ -97,7 +97,7 @@ fn the_columns_are_those_that_others_rely_on() {
         header("energy"),
         "t_s,kinetic_j,load_work_j,hull_work_j,propeller_work_j,rudder_work_j,thrusters_work_j,\
          wind_work_j,waves_work_j,radiation_work_j,banks_work_j,passing_work_j,bottom_work_j,current_work_j,\
-         tugs_work_j,lines_work_j,piles_work_j,other_work_j,stored_j,shear_stored_j,hysteresis_j,damping_j,restitution_j,\
+         tugs_work_j,lines_work_j,anchors_work_j,piles_work_j,other_work_j,stored_j,shear_stored_j,hysteresis_j,damping_j,restitution_j,\
          friction_j,contact_residual_j,residual_j"
     );
 }

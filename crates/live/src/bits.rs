@@ -3,7 +3,7 @@
 use fenderline_contact::hash::Fnv1a;
 use fenderline_sim::Simulation;
 
-/// FNV-1a of the states of all bodies, the vessels' machinery, the lines and the tugs. A replay that differs anywhere differs
+/// FNV-1a of the states of all bodies, the vessels' machinery, the lines, the anchors and the tugs. A replay that differs anywhere differs
 /// here within a step or two. No protection against malice.
 pub(crate) fn fingerprint(simulation: &Simulation) -> u64 {
     let mut hash = Fnv1a::default();
@@ -28,6 +28,11 @@ pub(crate) fn fingerprint(simulation: &Simulation) -> u64 {
     }
     for line in simulation.lines() {
         add(line.load.tension_n);
+    }
+    for anchor in simulation.anchors() {
+        add(anchor.state.chain_m);
+        add(anchor.load.tension_n);
+        add(anchor.state.dragged_m);
     }
     for tug in simulation.tugs() {
         add(tug.state.force_n);

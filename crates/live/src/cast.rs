@@ -27,6 +27,8 @@ pub struct Cast {
     pub tug_serves: Vec<usize>,
     /// Name of each line, and the vessels at its ends.
     lines: Vec<(String, Vec<usize>)>,
+    /// Name of each anchor, and the vessel that carries it.
+    anchors: Vec<(String, usize)>,
 }
 
 /// The helm that a command belongs to.
@@ -34,7 +36,7 @@ pub struct Cast {
 pub enum Helm {
     /// A vessel or a vector tug.
     Of(Control),
-    /// A line, with the vessels at its ends.
+    /// A line, with the vessels at its ends; an anchor, with the vessel that carries it.
     Line(Vec<String>),
     /// Weather and faults.
     World,
@@ -66,6 +68,8 @@ impl Cast {
             };
             (line.line.name.clone(), on(line.ship).into_iter().chain(far).collect())
         });
+        let anchors = setup.world.anchors.iter();
+        let anchors = anchors.map(|anchor| (anchor.gear.name.clone(), anchor.vessel));
         Cast {
             own,
             vessels: vessels.iter().map(name).collect(),
@@ -73,6 +77,7 @@ impl Cast {
             tugs: setup.world.tugs.iter().map(|tug| tug.tug.name.clone()).collect(),
             tug_serves: setup.world.tugs.iter().map(|tug| tug.vessel).collect(),
             lines: lines.collect(),
+            anchors: anchors.collect(),
         }
     }
 
@@ -134,6 +139,10 @@ impl Cast {
                     let ends = self.lines.iter().find(|(name, _)| name == to);
                     let ends = ends.map(|(_, ends)| ends.as_slice()).unwrap_or_default();
                     Helm::Line(ends.iter().map(|&vessel| self.vessels[vessel].clone()).collect())
+                }
+                TargetKind::Anchor => {
+                    let own = self.anchors.iter().filter(|(name, _)| name == to);
+                    Helm::Line(own.map(|&(_, vessel)| self.vessels[vessel].clone()).collect())
                 }
             },
             Action::Other(other) => match other {

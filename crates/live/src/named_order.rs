@@ -15,7 +15,7 @@ use crate::refusal::Refusal;
 pub struct NamedOrder {
     /// The order.
     pub order: OrderName,
-    /// Name of the vessel, tug or line that it is for.
+    /// Name of the vessel, tug, line or anchor that it is for.
     pub to: String,
     /// The arguments that are given.
     given: Vec<(&'static Argument, Given)>,
@@ -146,6 +146,7 @@ impl NamedOrder {
             }
             TargetKind::Tug => world.tugs.iter().position(|tug| tug.tug.name == name),
             TargetKind::Line => world.lines.iter().position(|line| line.line.name == name),
+            TargetKind::Anchor => world.anchors.iter().position(|own| own.gear.name == name),
         };
         let target = target
             .ok_or_else(|| Refusal::new(format_args!("there is no {} `{name}`", kind.word())))?;

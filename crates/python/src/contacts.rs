@@ -158,8 +158,11 @@ pub(crate) fn contact_event(event: &Event, bodies: &[String], fenders: &[String]
     }
 }
 
-/// An event of a vessel, tug or line, by name.
-pub(crate) fn world_event(event: &WorldEvent, [vessels, tugs, lines]: [&[String]; 3]) -> StepEvent {
+/// An event of a vessel, tug, line or anchor, by name.
+pub(crate) fn world_event(
+    event: &WorldEvent,
+    [vessels, tugs, lines, anchors]: [&[String]; 4],
+) -> StepEvent {
     let names = match event.kind {
         WorldEventKind::OrderClamped | WorldEventKind::Aground | WorldEventKind::ShallowHeld => {
             vessels
@@ -169,6 +172,7 @@ pub(crate) fn world_event(event: &WorldEvent, [vessels, tugs, lines]: [&[String]
         | WorldEventKind::LineMadeFast
         | WorldEventKind::LineParted
         | WorldEventKind::LineRenders => lines,
+        WorldEventKind::Anchor(_) => anchors,
     };
     let kind = world_event_key(event.kind);
     StepEvent { kind: kind.into(), subjects: vec![names[event.who].clone()], fender: None }

@@ -79,6 +79,7 @@ struct Names {
     vessels: Vec<String>,
     tugs: Vec<String>,
     lines: Vec<String>,
+    anchors: Vec<String>,
 }
 
 #[pymethods]
@@ -101,6 +102,7 @@ impl Simulation {
             vessels: setup.world.vessels.iter().map(|vessel| body(vessel.body)).collect(),
             tugs: setup.world.tugs.iter().map(|tug| tug.tug.name.clone()).collect(),
             lines: setup.world.lines.iter().map(|line| line.line.name.clone()).collect(),
+            anchors: setup.world.anchors.iter().map(|anchor| anchor.gear.name.clone()).collect(),
         };
         let tables = match record {
             true => {
@@ -294,7 +296,7 @@ impl Simulation {
     }
 
     /// The summary of the run so far as a tree of dictionaries and lists: that of `summary.json`, with verdict and findings, fenders,
-    /// berthing energy, energy ledger, vessels, tugs, lines and events. Quantities that are not known have no key.
+    /// berthing energy, energy ledger, vessels, tugs, lines, anchors and events. Quantities that are not known have no key.
     fn summary_tree<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.totals.tree(py, self.title(), &self.notices, &self.run.simulation)
     }
@@ -604,10 +606,10 @@ impl Simulation {
         for _ in 0..count {
             let record = self.run.step().map_err(Stopped::Step)?;
             self.totals.add(&record);
-            let Names { bodies, fenders, vessels, tugs, lines } = &*self.names;
+            let Names { bodies, fenders, vessels, tugs, lines, anchors } = &*self.names;
             let contact = record.events.iter().map(|event| contact_event(event, bodies, fenders));
             self.events.extend(contact);
-            let of = [vessels.as_slice(), tugs, lines];
+            let of = [vessels.as_slice(), tugs, lines, anchors];
             self.events.extend(record.world_events.iter().map(|event| world_event(event, of)));
             if let Some(tables) = &mut self.tables {
                 tables.write(&record).map_err(Stopped::NotFinite)?;

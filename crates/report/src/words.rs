@@ -47,7 +47,7 @@ pub fn event_text(kind: EventKind) -> &'static str {
     }
 }
 
-/// A kind of event of vessels, tugs and lines, for readers of the report.
+/// A kind of event of vessels, tugs, lines and anchors, for readers of the report.
 pub fn world_event_text(kind: WorldEventKind) -> &'static str {
     match kind {
         WorldEventKind::OrderClamped => "an order was beyond its limit and was set to the limit",
@@ -63,6 +63,7 @@ pub fn world_event_text(kind: WorldEventKind) -> &'static str {
         WorldEventKind::LineMadeFast => "fast at the bollard to which it was sent",
         WorldEventKind::LineParted => "PARTED",
         WorldEventKind::LineRenders => "the brake of the winch rendered",
+        WorldEventKind::Anchor(event) => event.text(),
     }
 }
 

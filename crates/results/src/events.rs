@@ -22,7 +22,7 @@ pub fn event_key(kind: EventKind) -> &'static str {
     }
 }
 
-/// The name of an event of a vessel, tug or line.
+/// The name of an event of a vessel, tug, line or anchor.
 #[must_use]
 pub fn world_event_key(kind: WorldEventKind) -> &'static str {
     match kind {
@@ -35,5 +35,6 @@ pub fn world_event_key(kind: WorldEventKind) -> &'static str {
         WorldEventKind::LineMadeFast => "line_made_fast",
         WorldEventKind::LineParted => "line_parted",
         WorldEventKind::LineRenders => "line_renders",
+        WorldEventKind::Anchor(event) => event.key(),
     }
 }

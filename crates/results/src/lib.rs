@@ -52,6 +52,6 @@ pub use tables::Tables;
 pub use touched::{TouchedFender, add_parts, touched};
 pub use verdict::{FenderVerdict, worst_first};
 pub use world_totals::{
-    LineTotals, LineVerdict, PassingTotals, Peak, TugTotals, VesselTotals, Who, WorldEvents,
-    WorldTotals,
+    AnchorTotals, AnchorVerdict, LineTotals, LineVerdict, PassingTotals, Peak, TugTotals,
+    VesselTotals, Who, WorldEvents, WorldTotals,
 };

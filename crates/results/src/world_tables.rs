@@ -1,10 +1,11 @@
-//! The tables of vessels, thrusters, azimuth units, tugs and lines, if the set-up has any.
+//! The tables of vessels, thrusters, azimuth units, tugs, lines and anchors, if the set-up has any.
 
 use fenderline_sim::{OutputPlan, OutputTable, StepRecord, WorldSetup};
 
 use crate::columns::{
-    AzimuthRow, Layout, LineRow, Names, PassingRow, ThrusterRow, TugRow, VesselRow, azimuths_table,
-    lines_table, passing_table, thrusters_table, tugs_table, vessels_table,
+    AnchorRow, AzimuthRow, Layout, LineRow, Names, PassingRow, ThrusterRow, TugRow, VesselRow,
+    anchors_table, azimuths_table, lines_table, passing_table, thrusters_table, tugs_table,
+    vessels_table,
 };
 use crate::interval::{Interval, Rows};
 use crate::medium::Medium;
@@ -18,6 +19,7 @@ pub(crate) struct WorldTables<M: Medium> {
     azimuths: Option<Rows<M, AzimuthRow>>,
     tugs: Option<Rows<M, TugRow>>,
     lines: Option<Rows<M, LineRow>>,
+    anchors: Option<Rows<M, AnchorRow>>,
     passing: Option<Rows<M, PassingRow>>,
 }
 
@@ -35,6 +37,7 @@ impl<M: Medium> WorldTables<M> {
         let has_vessels = plan.has(OutputTable::Vessels) && !setup.vessels.is_empty();
         let has_tugs = plan.has(OutputTable::Tugs) && !setup.tugs.is_empty();
         let has_lines = plan.has(OutputTable::Lines) && !setup.lines.is_empty();
+        let has_anchors = plan.has(OutputTable::Anchors) && !setup.anchors.is_empty();
         let has_passing = plan.has(OutputTable::Passing) && !setup.flow.passing.is_empty();
         let of = (medium, names);
         Ok(WorldTables {
@@ -43,6 +46,7 @@ impl<M: Medium> WorldTables<M> {
             azimuths: table(has_azimuths, of, azimuths_table)?,
             tugs: table(has_tugs, of, tugs_table)?,
             lines: table(has_lines, of, lines_table)?,
+            anchors: table(has_anchors, of, anchors_table)?,
             passing: table(has_passing, of, passing_table)?,
             setup: setup.clone(),
         })
@@ -98,6 +102,13 @@ impl<M: Medium> WorldTables<M> {
                 }
             }
         }
+        if let Some(table) = &mut self.anchors {
+            for (index, (of, now)) in self.setup.anchors.iter().zip(step.anchors).enumerate() {
+                let body = self.setup.vessels[of.vessel].body;
+                let heading_rad = step.states[body].heading_rad;
+                table.push(interval, AnchorRow::new(t_s, index, heading_rad, now))?;
+            }
+        }
         if let Some(table) = &mut self.passing {
             for (index, ship) in self.setup.flow.passing.iter().enumerate() {
                 table.push(interval, PassingRow::new(t_s, index, ship))?;
@@ -113,6 +124,7 @@ impl<M: Medium> WorldTables<M> {
         self.azimuths.as_mut().map_or(Ok(()), |table| table.close(interval))?;
         self.tugs.as_mut().map_or(Ok(()), |table| table.close(interval))?;
         self.lines.as_mut().map_or(Ok(()), |table| table.close(interval))?;
+        self.anchors.as_mut().map_or(Ok(()), |table| table.close(interval))?;
         self.passing.as_mut().map_or(Ok(()), |table| table.close(interval))
     }
 
@@ -124,6 +136,7 @@ impl<M: Medium> WorldTables<M> {
             self.azimuths.as_ref().map(Rows::rows),
             self.tugs.as_ref().map(Rows::rows),
             self.lines.as_ref().map(Rows::rows),
+            self.anchors.as_ref().map(Rows::rows),
             self.passing.as_ref().map(Rows::rows),
         ];
         rows.into_iter().flatten().collect()
@@ -137,6 +150,7 @@ impl<M: Medium> WorldTables<M> {
             self.azimuths.map(Rows::finish),
             self.tugs.map(Rows::finish),
             self.lines.map(Rows::finish),
+            self.anchors.map(Rows::finish),
             self.passing.map(Rows::finish),
         ];
         done.into_iter().flatten().collect()

@@ -26,6 +26,8 @@ pub enum OutputTable {
     Tugs,
     /// Mooring lines.
     Lines,
+    /// Anchors.
+    Anchors,
     /// Passing ships.
     Passing,
     /// Flexible dolphins.
@@ -36,7 +38,7 @@ pub enum OutputTable {
 
 impl OutputTable {
     /// All tables, in the order of the reference.
-    pub const ALL: [OutputTable; 13] = [
+    pub const ALL: [OutputTable; 14] = [
         OutputTable::Bodies,
         OutputTable::Contacts,
         OutputTable::Fenders,
@@ -47,6 +49,7 @@ impl OutputTable {
         OutputTable::Azimuths,
         OutputTable::Tugs,
         OutputTable::Lines,
+        OutputTable::Anchors,
         OutputTable::Passing,
         OutputTable::Dolphins,
         OutputTable::Energy,
@@ -66,6 +69,7 @@ impl OutputTable {
             OutputTable::Azimuths => "azimuths",
             OutputTable::Tugs => "tugs",
             OutputTable::Lines => "lines",
+            OutputTable::Anchors => "anchors",
             OutputTable::Passing => "passing",
             OutputTable::Dolphins => "dolphins",
             OutputTable::Energy => "energy",

@@ -51,6 +51,7 @@ fn is_empty(table: OutputTable, setup: &Setup) -> bool {
         OutputTable::Azimuths => world.vessels.iter().all(|vessel| vessel.azimuths.is_empty()),
         OutputTable::Tugs => world.tugs.is_empty(),
         OutputTable::Lines => world.lines.is_empty(),
+        OutputTable::Anchors => world.anchors.is_empty(),
         OutputTable::Passing => world.flow.passing.is_empty(),
         OutputTable::Dolphins => setup.bodies.iter().all(|body| body.dolphin.is_none()),
     }

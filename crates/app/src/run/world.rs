@@ -1,11 +1,11 @@
-//! Vessels, tugs, lines and providers in the summary that `run` prints. Findings that need attention are in capitals.
+//! Vessels, tugs, lines, anchors and providers in the summary that `run` prints. Findings that need attention are in capitals.
 
 use core::fmt::Write as _;
 
 use super::printed::{NAME_WIDTH, decimal, one_line};
 use fenderline_report::plot::{shortened, times};
 use fenderline_results::Outcome;
-use fenderline_results::{LineTotals, LineVerdict};
+use fenderline_results::{AnchorVerdict, LineTotals, LineVerdict};
 
 /// Most lines of text per kind.
 const ROWS: usize = 12;
@@ -14,6 +14,7 @@ const ROWS: usize = 12;
 pub(super) fn lines(outcome: &Outcome<'_>) -> String {
     let mut text = String::new();
     moorings(outcome, &mut text);
+    anchors(outcome, &mut text);
     warnings(outcome, &mut text);
     if text.is_empty() { text } else { format!("\n{text}") }
 }
@@ -54,6 +55,24 @@ fn moorings(outcome: &Outcome<'_>, text: &mut String) {
     }
     if lines.len() > shown.len() {
         let _ = writeln!(text, "and {} more lines, in summary.json", lines.len() - shown.len());
+    }
+}
+
+/// One line of text per anchor that was used.
+fn anchors(outcome: &Outcome<'_>, text: &mut String) {
+    let used = outcome.setup.world.anchors.iter().zip(&outcome.world.anchors);
+    let used = used.filter(|(_, totals)| totals.verdict() != AnchorVerdict::NotUsed);
+    for (anchor, totals) in used.take(ROWS) {
+        let _ = writeln!(
+            text,
+            "anchor {}: {}; most chain out {} m, peak tension {} kN at {} s, dragged {} m",
+            shortened(&one_line(&anchor.gear.name), NAME_WIDTH),
+            totals.verdict().text(),
+            decimal(totals.chain_m.value, 1),
+            decimal(totals.tension_n.value / 1e3, 1),
+            decimal(totals.tension_n.at_s, 1),
+            decimal(totals.dragged_m, 1),
+        );
     }
 }
 

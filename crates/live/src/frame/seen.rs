@@ -142,5 +142,8 @@ fn world_text(event: &WorldEvent, setup: &Setup) -> String {
         WorldEventKind::LineNotMadeFast => format!("line {} could not be made fast", line()),
         WorldEventKind::LineParted => format!("LINE {} HAS PARTED", line()),
         WorldEventKind::LineRenders => format!("line {}: the brake of the winch renders", line()),
+        WorldEventKind::Anchor(what) => {
+            format!("{}: {}", called("anchor", &world.anchors[event.who].gear.name), what.text())
+        }
     }
 }

@@ -151,6 +151,7 @@ fn load(name: &str) -> &'static str {
         "current" => "accelerating current, and current past a turning ship",
         "tugs" => "vector tugs",
         "lines" => "lines",
+        "anchors" => "chains of anchors",
         "piles" => "piles of dolphins",
         _ => "external loads",
     }

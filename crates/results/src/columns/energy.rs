@@ -69,6 +69,9 @@ pub(crate) fn energy_table() -> Layout<EnergyRow> {
         ),
         float("tugs_work_j", "J", "work of vector tugs", |r| r.energy.loads.tugs_j),
         float("lines_work_j", "J", "work of mooring and tow lines", |r| r.energy.loads.lines_j),
+        float("anchors_work_j", "J", "work of the chains of anchors, windlasses included", |r| {
+            r.energy.loads.anchors_j
+        }),
         float(
             "piles_work_j",
             "J",

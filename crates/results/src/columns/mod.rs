@@ -29,6 +29,7 @@ macro_rules! force_columns {
     };
 }
 
+mod anchors;
 mod azimuths;
 mod bodies;
 mod chains;
@@ -45,6 +46,7 @@ mod vessels;
 
 use fenderline_sim::Setup;
 
+pub(crate) use anchors::{AnchorRow, anchors_table};
 pub(crate) use azimuths::{AzimuthRow, azimuths_table};
 pub(crate) use bodies::{BodyRow, bodies_table};
 pub(crate) use chains::{ChainRow, chains_table};
@@ -104,6 +106,7 @@ pub fn reference() -> Vec<TableReference> {
         refer(azimuths_table()),
         refer(tugs_table()),
         refer(lines_table()),
+        refer(anchors_table()),
         refer(passing_table()),
         refer(dolphins_table()),
         refer(energy_table()),
@@ -171,6 +174,8 @@ pub enum List {
     Tugs,
     /// Mooring lines.
     Lines,
+    /// Anchors.
+    Anchors,
     /// Passing ships.
     Passing,
     /// All vessels' thrusters, one after the other.
@@ -188,6 +193,7 @@ pub struct Names {
     vessels: Vec<String>,
     tugs: Vec<String>,
     lines: Vec<String>,
+    anchors: Vec<String>,
     passing: Vec<String>,
     thrusters: Vec<String>,
     azimuths: Vec<String>,
@@ -205,6 +211,7 @@ impl Names {
             vessels: world.vessels.iter().map(|vessel| body(vessel.body)).collect(),
             tugs: world.tugs.iter().map(|tug| tug.tug.name.clone()).collect(),
             lines: world.lines.iter().map(|line| line.line.name.clone()).collect(),
+            anchors: world.anchors.iter().map(|anchor| anchor.gear.name.clone()).collect(),
             passing: world.flow.passing.iter().map(|ship| ship.name.clone()).collect(),
             thrusters: world
                 .vessels
@@ -234,6 +241,7 @@ impl Names {
             List::Vessels => &self.vessels,
             List::Tugs => &self.tugs,
             List::Lines => &self.lines,
+            List::Anchors => &self.anchors,
             List::Passing => &self.passing,
             List::Thrusters => &self.thrusters,
             List::Azimuths => &self.azimuths,
@@ -266,6 +274,14 @@ const fn name<R>(
     value: fn(&R) -> Option<usize>,
 ) -> Column<R> {
     Column { name, unit: "-", meaning, value: Value::Name(list, value) }
+}
+
+const fn word<R>(
+    name: &'static str,
+    meaning: &'static str,
+    value: fn(&R) -> &'static str,
+) -> Column<R> {
+    Column { name, unit: "-", meaning, value: Value::Word(value) }
 }
 
 const fn flag<R>(name: &'static str, meaning: &'static str, value: fn(&R) -> bool) -> Column<R> {

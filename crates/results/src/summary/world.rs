@@ -1,4 +1,4 @@
-//! Vessels, tugs, lines and their events in `summary.json`.
+//! Vessels, tugs, lines, anchors and their events in `summary.json`.
 
 use crate::events::world_event_key;
 use fenderline_sim::Setup;
@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 use crate::accuracy::{accuracy_json, source_json};
 use crate::outcome::Outcome;
 use crate::provider_notices::provider_event_key;
-use crate::world_totals::{LineTotals, PassingTotals, TugTotals, VesselTotals, Who};
+use crate::world_totals::{AnchorTotals, LineTotals, PassingTotals, TugTotals, VesselTotals, Who};
 
 /// Adds a section each for vessels, tugs and lines, if the set-up has any.
 pub(super) fn put_world(whole: &mut Value, outcome: &Outcome<'_>) {
@@ -34,6 +34,11 @@ pub(super) fn put_world(whole: &mut Value, outcome: &Outcome<'_>) {
     if !world.lines.is_empty() {
         let lines = setup.world.lines.iter().zip(&world.lines);
         whole["lines"] = lines.map(|(line, totals)| line_json(&line.line.name, totals)).collect();
+    }
+    if !world.anchors.is_empty() {
+        let anchors = setup.world.anchors.iter().zip(&world.anchors);
+        whole["anchors"] =
+            anchors.map(|(anchor, totals)| anchor_json(&anchor.gear.name, totals)).collect();
     }
     if !world.passing.is_empty() {
         let ships = setup.world.flow.passing.iter().zip(&world.passing);
@@ -140,6 +145,34 @@ fn line_json(name: &str, totals: &LineTotals) -> Value {
         if let Some(value) = value {
             object[key] = json!(value);
         }
+    }
+    object
+}
+
+/// Missing values (where it lies, when it was lost) have no key.
+fn anchor_json(name: &str, totals: &AnchorTotals) -> Value {
+    let mut object = json!({
+        "name": name,
+        "verdict": totals.verdict().key(),
+        "break_load_n": totals.break_load_n,
+        "peak_tension_n": totals.tension_n.value,
+        "peak_tension_at_s": totals.tension_n.at_s,
+        "most_chain_out_m": totals.chain_m.value,
+        "on_bottom_s": totals.on_bottom.s(),
+        "dragged_m": totals.dragged_m,
+        "dragging_s": totals.dragging.s(),
+        "dragged_j": totals.dragged_j,
+        "rendered_m": totals.rendered_m,
+        "state_at_end": totals.position.word(),
+        "last_chain_out_m": totals.last_chain_m,
+        "last_tension_n": totals.last_tension_n,
+    });
+    if let Some(at_m) = totals.place_m() {
+        object["last_place_m"] = json!([at_m.x, at_m.y]);
+    }
+    if let Some((at_s, by)) = totals.lost {
+        object["lost_at_s"] = json!(at_s);
+        object["lost_by"] = json!(by.word());
     }
     object
 }

@@ -37,10 +37,10 @@ impl WorldEvents {
     }
 }
 
-/// The vessel, tug or line that an event is about.
+/// The vessel, tug, line or anchor that an event is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Who<'a> {
-    /// `vessel`, `tug` or `line`.
+    /// `vessel`, `tug`, `line` or `anchor`.
     pub kind: &'static str,
     /// Its name in the scenario.
     pub name: &'a str,
@@ -65,6 +65,9 @@ impl<'a> Who<'a> {
             | WorldEventKind::LineParted
             | WorldEventKind::LineRenders => {
                 Who { kind: "line", name: &world.lines[event.who].line.name }
+            }
+            WorldEventKind::Anchor(_) => {
+                Who { kind: "anchor", name: &world.anchors[event.who].gear.name }
             }
         }
     }

@@ -1,5 +1,6 @@
-//! Totals of vessels, tugs and lines over a run. Their size does not grow with the run.
+//! Totals of vessels, tugs, lines and anchors over a run. Their size does not grow with the run.
 
+mod anchor;
 mod events;
 mod line;
 mod passing;
@@ -9,6 +10,7 @@ mod vessel;
 use fenderline_contact::{Pose, Vec2};
 use fenderline_sim::{Setup, StepRecord, WorldSetup};
 
+pub use anchor::{AnchorTotals, AnchorVerdict};
 pub use events::{Who, WorldEvents};
 pub use line::{LineTotals, LineVerdict};
 pub use passing::PassingTotals;
@@ -26,6 +28,8 @@ pub struct WorldTotals {
     pub tugs: Vec<TugTotals>,
     /// Mooring lines, in the order of the set-up.
     pub lines: Vec<LineTotals>,
+    /// Anchors, in the order of the set-up.
+    pub anchors: Vec<AnchorTotals>,
     /// Passing ships, in the order of the set-up.
     pub passing: Vec<PassingTotals>,
     /// Their events.
@@ -42,6 +46,7 @@ impl WorldTotals {
             vessels: vec![VesselTotals::default(); world.vessels.len()],
             tugs: vec![TugTotals::default(); world.tugs.len()],
             lines: vec![LineTotals::default(); world.lines.len()],
+            anchors: world.anchors.iter().map(AnchorTotals::new).collect(),
             passing: vec![PassingTotals::default(); world.flow.passing.len()],
             events: WorldEvents::default(),
             hulls: passing::outlines(setup)
@@ -55,7 +60,8 @@ impl WorldTotals {
 
     /// Adds one step.
     pub fn add(&mut self, step: &StepRecord<'_>) {
-        let WorldTotals { setup, step_s, vessels, tugs, lines, passing, events, hulls } = self;
+        let WorldTotals { setup, step_s, vessels, tugs, lines, anchors, passing, events, hulls } =
+            self;
         let forces = step.vessel_forces;
         for (((totals, vessel), now), forces) in
             vessels.iter_mut().zip(&setup.vessels).zip(step.vessels).zip(forces)
@@ -70,6 +76,9 @@ impl WorldTotals {
         }
         for ((totals, line), now) in lines.iter_mut().zip(&setup.lines).zip(step.lines) {
             totals.add((step.t_s, *step_s), (line, setup.bollards.as_slice()), now);
+        }
+        for (totals, now) in anchors.iter_mut().zip(step.anchors) {
+            totals.add((step.t_s, *step_s), now);
         }
         for ((_, pose), vessel) in hulls.iter_mut().zip(&setup.vessels) {
             *pose = step.states[vessel.body].pose();

@@ -15,6 +15,19 @@ pub enum AnchorPosition {
     Lost(LostBy),
 }
 
+impl AnchorPosition {
+    /// Its word in results and messages.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            AnchorPosition::Housed => "housed",
+            AnchorPosition::Hanging => "hanging",
+            AnchorPosition::OnBottom(_) => "on_bottom",
+            AnchorPosition::Lost(_) => "lost",
+        }
+    }
+}
+
 /// How an anchor was lost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LostBy {
@@ -190,6 +203,18 @@ impl AnchorLoad {
         let leads = libm::hypot(north_n, east_n) > 1e-3 * self.tension_n;
         let direction_rad = libm::atan2(east_n, north_n) - heading_rad;
         leads.then(|| libm::remainder(direction_rad, core::f64::consts::TAU))
+    }
+}
+
+impl LostBy {
+    /// Its word in results.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            LostBy::Slipped => "slipped",
+            LostBy::Parted => "parted",
+            LostBy::RanOut => "ran_out",
+        }
     }
 }
 

@@ -16,6 +16,7 @@ pub(in crate::run_page) struct WorldTrace {
     pub(in crate::run_page) tugs: Vec<TugTrace>,
     /// Tension of each line (N); 0 while it is not fast.
     pub(in crate::run_page) lines: Vec<Decimator>,
+    pub(in crate::run_page) anchors: Vec<AnchorTrace>,
     step_s: f64,
 }
 
@@ -61,6 +62,13 @@ pub(in crate::run_page) struct AzimuthTrace {
 pub(in crate::run_page) struct TugTrace {
     pub(in crate::run_page) ordered_n: Decimator,
     pub(in crate::run_page) force_n: Decimator,
+}
+
+/// Tension of a chain, and what anchor and chain hold (N).
+#[derive(Default)]
+pub(in crate::run_page) struct AnchorTrace {
+    pub(in crate::run_page) tension_n: Decimator,
+    pub(in crate::run_page) holding_n: Decimator,
 }
 
 /// A tug at one time, for a plan view.
@@ -127,6 +135,7 @@ impl WorldTrace {
             vessels: vessels.collect(),
             tugs: world.tugs.iter().take(FOLLOWED).map(|_| TugTrace::default()).collect(),
             lines: world.lines.iter().take(FOLLOWED).map(|_| Decimator::new()).collect(),
+            anchors: world.anchors.iter().take(FOLLOWED).map(|_| AnchorTrace::default()).collect(),
             step_s: setup.step_s,
         }
     }
@@ -150,6 +159,10 @@ impl WorldTrace {
         }
         for (trace, now) in self.lines.iter_mut().zip(step.lines) {
             trace.push(step.t_s, now.load.tension_n);
+        }
+        for (trace, now) in self.anchors.iter_mut().zip(step.anchors) {
+            trace.tension_n.push(step.t_s, now.load.tension_n);
+            trace.holding_n.push(step.t_s, now.load.holding_n);
         }
     }
 }

@@ -197,6 +197,28 @@ pub(super) fn lines(page: &Charts<'_>, recorder: &Recorder) -> Markup {
     chart.render()
 }
 
+/// Tensions of the chains, and what anchors and chains hold.
+pub(super) fn anchors(page: &Charts<'_>, recorder: &Recorder) -> Markup {
+    let setup = page.outcome.setup;
+    let traces = setup.world.anchors.iter().zip(&recorder.world.anchors).take(STYLES / 2);
+    let series = traces.enumerate().flat_map(|(index, (anchor, trace))| {
+        let name = &anchor.gear.name;
+        [
+            line(name, &trace.tension_n, 1.0).styled(2 * index),
+            line(&format!("{name}, holds"), &trace.holding_n, 1.0).styled(2 * index + 1),
+        ]
+    });
+    let series = series.filter(|series| series.largest() > 0.0);
+    let (unit, series) = scaled(series.collect(), "N");
+    let mut chart = page.chart(
+        "Anchors: tension of the chain",
+        Axis::new("tension", &unit).including(0.0),
+        series,
+    );
+    chart.note = "Tension at the hawse pipe; what anchor and chain hold is a horizontal force at the bottom.".to_owned();
+    chart.render()
+}
+
 /// The factor from newtons to a unit of force.
 fn series_factor(unit: &str) -> f64 {
     match unit {

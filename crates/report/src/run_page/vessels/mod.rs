@@ -1,5 +1,6 @@
-//! The sections of vessels, tugs and lines, if the scenario has any.
+//! The sections of vessels, tugs, lines and anchors, if the scenario has any.
 
+mod anchors;
 mod charts;
 mod headline;
 mod motions;
@@ -57,6 +58,11 @@ pub(super) fn sections(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
             h2 { "Mooring lines" }
             (tables::lines(outcome))
             (charts::lines(&page, recorder))
+        }
+        @if !world.anchors.is_empty() {
+            h2 { "Anchors" }
+            (anchors::table(outcome))
+            (charts::anchors(&page, recorder))
         }
         @if !world.orders.is_empty() {
             h2 { "Orders" }

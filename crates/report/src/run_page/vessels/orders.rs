@@ -1,5 +1,6 @@
 //! The orders of a run, in time.
 
+use fenderline_sim::anchor::SHACKLE_M;
 use fenderline_sim::order::{Argument, ArgumentKind, Named, Target, Unit, Value};
 use fenderline_sim::{Action, Order, Setup};
 use maud::{Markup, html};
@@ -37,7 +38,7 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
     }
 }
 
-/// The name of the vessel, tug or line that an order is for.
+/// The name of the vessel, tug, line or anchor that an order is for.
 #[must_use]
 pub fn addressee(order: &Action, setup: &Setup) -> String {
     let world = &setup.world;
@@ -45,6 +46,7 @@ pub fn addressee(order: &Action, setup: &Setup) -> String {
         Target::Vessel(vessel) => setup.bodies[world.vessels[vessel].body].name.clone(),
         Target::Tug(tug) => format!("tug {}", world.tugs[tug].tug.name),
         Target::Line(line) => format!("line {}", world.lines[line].line.name),
+        Target::Anchor(anchor) => format!("anchor {}", world.anchors[anchor].gear.name),
     }
 }
 
@@ -72,6 +74,10 @@ fn number_text(argument: &Argument, value: f64) -> String {
         Unit::Radian if value == 0.0 => "0°".to_owned(),
         Unit::Radian => sided(libm::remainder(value.to_degrees(), 360.0), "°"),
         Unit::Share => format!("{} %", fixed(100.0 * value, 0)),
+        Unit::Metre if argument.name == "chain" => {
+            format!("{} m ({} shackles)", plain(value, 4), fixed(value / SHACKLE_M, 1))
+        }
+        Unit::Metre => format!("{} m", plain(value, 4)),
         Unit::MetrePerSecond => format!("{} m/s", plain(value, 3)),
         Unit::Newton => format!("{} kN", plain(value / 1e3, 3)),
     }
@@ -81,7 +87,7 @@ fn name_of(argument: &Argument, index: usize, order: &Action, setup: &Setup) -> 
     let world = &setup.world;
     let vessel = match order.target() {
         Target::Vessel(vessel) => world.vessels.get(vessel),
-        Target::Tug(_) | Target::Line(_) => None,
+        Target::Tug(_) | Target::Line(_) | Target::Anchor(_) => None,
     };
     let ArgumentKind::Name(named) = argument.kind else { return String::new() };
     match named {

@@ -1,0 +1,134 @@
+//! Totals of an anchor over a run.
+
+use fenderline_contact::Vec2;
+use fenderline_contact::number::greater;
+use fenderline_sim::anchor::{AnchorPosition, LostBy};
+use fenderline_sim::{AnchorAtWork, AnchorSetup};
+
+use super::{Lasting, Peak};
+
+/// Totals of one anchor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AnchorTotals {
+    /// Break load of the chain (N).
+    pub break_load_n: f64,
+    /// Peak tension of the chain at the hawse pipe (N); of a chain that was lost, that at which it was.
+    pub tension_n: Peak,
+    /// Most chain out (m).
+    pub chain_m: Peak,
+    /// How long it was on the bottom.
+    pub on_bottom: Lasting,
+    /// How far it dragged (m), and how long.
+    pub dragged_m: f64,
+    /// How long it dragged.
+    pub dragging: Lasting,
+    /// Energy that the bottom took from it (J).
+    pub dragged_j: f64,
+    /// Chain that the brake rendered (m).
+    pub rendered_m: f64,
+    /// When it was lost (s), and how.
+    pub lost: Option<(f64, LostBy)>,
+    /// Where it is at the end of the run.
+    pub position: AnchorPosition,
+    /// Chain out at the end of the run (m).
+    pub last_chain_m: f64,
+    /// Tension at the end of the run (N).
+    pub last_tension_n: f64,
+}
+
+impl AnchorTotals {
+    pub(super) fn new(setup: &AnchorSetup) -> AnchorTotals {
+        AnchorTotals {
+            break_load_n: setup.gear.chain().break_load_n(),
+            tension_n: Peak::default(),
+            chain_m: Peak::default(),
+            on_bottom: Lasting::default(),
+            dragged_m: 0.0,
+            dragging: Lasting::default(),
+            dragged_j: 0.0,
+            rendered_m: 0.0,
+            lost: None,
+            position: AnchorPosition::Housed,
+            last_chain_m: 0.0,
+            last_tension_n: 0.0,
+        }
+    }
+
+    pub(super) fn add(&mut self, (t_s, step_s): (f64, f64), now: &AnchorAtWork) {
+        let AnchorAtWork { state, load } = now;
+        self.tension_n.raise(greater(load.tension_n, load.lost_at_n.unwrap_or(0.0)), t_s);
+        self.chain_m.raise(state.chain_m, t_s);
+        self.on_bottom.count(matches!(state.position, AnchorPosition::OnBottom(_)), step_s);
+        self.dragging.count(state.dragging, step_s);
+        self.dragged_m += load.moved_m;
+        self.dragged_j = state.dragged_j;
+        self.rendered_m += load.rendered_m;
+        if let AnchorPosition::Lost(by) = state.position {
+            self.lost.get_or_insert((t_s, by));
+        }
+        (self.position, self.last_chain_m) = (state.position, state.chain_m);
+        self.last_tension_n = load.tension_n;
+    }
+
+    /// Where it lies on the bottom at the end of the run: north and east (m).
+    #[must_use]
+    pub fn place_m(&self) -> Option<Vec2> {
+        match self.position {
+            AnchorPosition::OnBottom(at_m) => Some(at_m),
+            _ => None,
+        }
+    }
+
+    /// The verdict on it.
+    #[must_use]
+    pub fn verdict(&self) -> AnchorVerdict {
+        match self.lost {
+            Some((_, LostBy::Slipped)) => AnchorVerdict::Slipped,
+            Some(_) => AnchorVerdict::Lost,
+            None if self.dragged_m > 0.0 => AnchorVerdict::Dragged,
+            None if self.on_bottom.s() > 0.0 => AnchorVerdict::Held,
+            None => AnchorVerdict::NotUsed,
+        }
+    }
+}
+
+/// The verdict on an anchor, from best to worst.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum AnchorVerdict {
+    /// It was never on the bottom.
+    NotUsed,
+    /// It held.
+    Held,
+    /// It dragged.
+    Dragged,
+    /// It was slipped by order.
+    Slipped,
+    /// Its chain parted or ran out.
+    Lost,
+}
+
+impl AnchorVerdict {
+    /// The verdict in words.
+    #[must_use]
+    pub fn text(self) -> &'static str {
+        match self {
+            AnchorVerdict::NotUsed => "not used",
+            AnchorVerdict::Held => "held",
+            AnchorVerdict::Dragged => "dragged",
+            AnchorVerdict::Slipped => "slipped",
+            AnchorVerdict::Lost => "LOST",
+        }
+    }
+
+    /// The verdict in `summary.json`.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            AnchorVerdict::NotUsed => "not_used",
+            AnchorVerdict::Held => "held",
+            AnchorVerdict::Dragged => "dragged",
+            AnchorVerdict::Slipped => "slipped",
+            AnchorVerdict::Lost => "lost",
+        }
+    }
+}
