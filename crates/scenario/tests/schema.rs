@@ -414,6 +414,18 @@ fn full() -> Json {
                 "speeds": [[0, "8 kn"], [5, "5 kn"]], "depth_factors": "none"
             }
         },
+        "anchor": {
+            "port": {
+                "on": "d", "side": "port", "hawse": [60, -3], "hawse_height": "8 m", "mass": "8.3 t",
+                "type": "high_holding_power", "chain_diameter": "76 mm", "grade": "u3",
+                "chain_length": "11 shackles", "holding_factor": 7, "dragging_factor": 2, "chain_friction": 0.6,
+                "brake": "2 MN", "placed": [650, 0], "chain_out": "8 shackles"
+            },
+            "starboard": {
+                "on": "d", "side": "starboard", "hawse_height": 8, "mass": "8.3 t", "chain_diameter": "76 mm",
+                "chain_length": "11 shackles"
+            }
+        },
         "bollard": { "first": { "on": "b", "at": [0, 0], "height": 3, "lines": 2 } },
         "line_handling": {
             "gangs": 1, "heaving_line": 25, "time": 70, "boat": true, "boat_speed": "2 kn"
@@ -444,7 +456,12 @@ fn full() -> Json {
             { "tug": "one", "pull": "300 kN" },
             { "tug": "one", "stand_by": true },
             { "line": "spring", "let_go": true },
-            { "line": "on board", "send": { "bollard": "first" } }
+            { "line": "on board", "send": { "bollard": "first" } },
+            { "anchor": "starboard", "let_go_anchor": "3 shackles" },
+            { "anchor": "starboard", "at": 60, "veer": "137.5 m" },
+            { "anchor": "starboard", "hold_chain": true },
+            { "anchor": "starboard", "heave_in": 0 },
+            { "anchor": "port", "slip": true }
         ],
         "fender": {
             "of a type": {
@@ -621,6 +638,11 @@ fn absent_agrees(document: &Json, pointer: &str) {
         "/vessel",
         "/tug",
         "/line",
+        "/anchor",
+        // An anchor needs a bottom, and its chain reaches it from her place.
+        "/body/d/position",
+        "/environment",
+        "/environment/depth",
         "/bollard",
         "/vessel/box ship/thruster",
         // Not every vessel has an outline.
@@ -737,6 +759,10 @@ fn examples_are_accepted() {
                 "/order/5/push_ship",
                 "/body/a/outline",
                 "/bollard",
+                "/anchor",
+                "/environment",
+                // The depth of a sea may be more than a chain is long.
+                "/environment/depth",
                 "/order/16/send/bollard",
                 // A berth has fenders.
                 "/exercise/vessel",

@@ -84,6 +84,7 @@ fn a_warm_step_allocates_nothing() {
         ("berth/chains_hold_a_panel_that_turns.toml", 40.0, 60.0),
         ("environment/rolling_in_a_beam_sea.toml", 10.0, 60.0),
         ("environment/across_a_tidal_stream.toml", 10.0, 60.0),
+        ("environment/dredged_anchor.toml", 100.0, 200.0),
     ] {
         assert_eq!(allocations(scenario, from_s, until_s), 0, "allocations in {scenario}");
     }

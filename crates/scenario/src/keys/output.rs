@@ -25,7 +25,7 @@ pub(super) static OUTPUT: TableSpec = TableSpec {
             Means(
                 "all that the scenario has something for; `contacts` only where a row is one step",
             ),
-            "Names of the tables to write: bodies, contacts, fenders, panels, chains, vessels, thrusters, azimuths, tugs, lines, \
+            "Names of the tables to write: bodies, contacts, fenders, panels, chains, vessels, thrusters, azimuths, tugs, lines, anchors, \
              energy. An empty list writes none.",
             &["[\"fenders\", \"lines\"]"],
         ),

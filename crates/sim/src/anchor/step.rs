@@ -13,8 +13,8 @@ impl AnchorGear {
     /// One step: the windlass carries out its order for `step_s`, then chain and anchor give the force on the ship. `last_n` is the
     /// tension in the last step, against which the windlass heaves. Events go to `tell`.
     ///
-    /// The brake renders where the tension is above its limit. Then the anchor drags towards the hawse pipe until the pull is no
-    /// more than it holds.
+    /// The anchor drags towards the hawse pipe until the pull is no more than it holds. Where the tension is still above the brake's
+    /// limit, the brake renders.
     pub fn step(
         &self,
         state: &mut AnchorState,
@@ -184,29 +184,32 @@ impl AnchorGear {
         }
     }
 
-    /// Chain and anchor at a distance of the hawse pipe, after the brake has rendered and the anchor has dragged.
+    /// Chain and anchor at a distance of the hawse pipe, after the anchor has dragged and the brake has rendered.
     fn held(&self, state: &AnchorState, span_m: f64, ground: &Ground<'_>) -> Held {
-        let mut chain_m = state.chain_m;
+        let (chain_m, faults) = (state.chain_m, state.faults);
+        let bites = !state.dragging && !faults.does_not_bite;
+        let factor = if bites { self.holding_factor } else { self.dragging_factor };
         let mut pull = ground.pull(chain_m, span_m);
-        if pull.tension_n() > self.windlass.brake_n {
-            chain_m = ground.rendered_m(chain_m, span_m, self.windlass.brake_n);
+        let drags = ground.excess_n(&pull, factor) > 0.0;
+        let span_m = match drags {
+            true => ground.holding_span_m(chain_m, span_m, self.dragging_factor),
+            false => span_m,
+        };
+        if drags {
             pull = ground.pull(chain_m, span_m);
         }
-        let bites = !state.dragging && !state.faults.does_not_bite;
-        let factor = if bites { self.holding_factor } else { self.dragging_factor };
-        let rendered_m = chain_m - state.chain_m;
-        if ground.excess_n(&pull, factor) <= 0.0 {
-            // An anchor that stops holds again.
-            let holding_n = match state.faults.does_not_bite {
-                true => ground.holding_n(&pull, self.dragging_factor),
-                false => ground.holding_n(&pull, self.holding_factor),
-            };
-            return Held { pull, span_m, rendered_m, holding_n };
+        let mut rendered_m = 0.0;
+        if pull.tension_n() > self.windlass.brake_n {
+            let longer_m = ground.rendered_m(chain_m, span_m, self.windlass.brake_n);
+            rendered_m = longer_m - chain_m;
+            pull = ground.pull(longer_m, span_m);
         }
-        let span_m = ground.holding_span_m(chain_m, span_m, self.dragging_factor);
-        let pull = ground.pull(chain_m, span_m);
-        let holding_n = ground.holding_n(&pull, self.dragging_factor);
-        Held { pull, span_m, rendered_m, holding_n }
+        // An anchor that stops holds again.
+        let factor = match drags || faults.does_not_bite {
+            true => self.dragging_factor,
+            false => self.holding_factor,
+        };
+        Held { holding_n: ground.holding_n(&pull, factor), pull, span_m, rendered_m }
     }
 }
 

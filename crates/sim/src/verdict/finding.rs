@@ -72,7 +72,7 @@ pub enum Finding {
         /// Tension of the chain (N).
         tension_n: f64,
     },
-    /// An anchor dragged.
+    /// An anchor dragged more than 10 m.
     AnchorDragged {
         /// The anchor.
         anchor: usize,

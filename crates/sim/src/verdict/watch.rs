@@ -52,6 +52,9 @@ struct LineWatch {
     not_made_fast_s: Option<f64>,
 }
 
+/// An anchor that dragged farther is a finding (m): a few metres while a ship brings up or heaves short are usual. Our choice.
+const DRAGGED_M: f64 = 10.0;
+
 #[derive(Clone, Debug, Default)]
 struct AnchorWatch {
     /// When it dragged first (s), and how far in all (m).
@@ -262,7 +265,9 @@ impl AnchorWatch {
             return Some(Finding::AnchorLost { anchor, at_s, by, tension_n });
         }
         let dragged_m = self.dragged_m;
-        self.first_s.map(|first_s| Finding::AnchorDragged { anchor, first_s, dragged_m })
+        let is_told = dragged_m > DRAGGED_M;
+        let first_s = self.first_s.filter(|_| is_told);
+        first_s.map(|first_s| Finding::AnchorDragged { anchor, first_s, dragged_m })
     }
 }
 
