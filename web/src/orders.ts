@@ -30,6 +30,11 @@ export interface Orders {
   hold: { line: string };
   send: { line: string; bollard: string };
   let_go: { line: string };
+  let_go_anchor: { anchor: string; chain_m: number };
+  veer: { anchor: string; chain_m: number };
+  heave_in: { anchor: string; chain_m: number };
+  hold_chain: { anchor: string };
+  slip: { anchor: string };
 }
 
 export type OrderName = keyof Orders;
@@ -74,6 +79,11 @@ export const ON_PAGE: {
   hold: { hint: null },
   send: { hint: null },
   let_go: { hint: null },
+  let_go_anchor: { hint: null },
+  veer: { hint: null },
+  heave_in: { hint: null },
+  hold_chain: { hint: null },
+  slip: { hint: null },
 };
 
 export const isOrder = (word: string): word is OrderName => Object.hasOwn(ON_PAGE, word);

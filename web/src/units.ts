@@ -36,6 +36,15 @@ export const tonnes = (newtons: number): string =>
   `${fixed(newtons / TONNE_N, newtons < 10 * TONNE_N ? 1 : 0)} t`;
 export const percent = (share: number): string => `${fixed(share * 100, 0)} %`;
 
+/** A shackle of anchor chain [m]. */
+export const SHACKLE_M = 27.5;
+/** A length of chain in shackles, as it is reported from the forecastle. */
+export function shackles(length_m: number): string {
+  const text = fixed(length_m / SHACKLE_M, 1);
+  const whole = text.endsWith(".0") ? text.slice(0, -2) : text;
+  return `${whole} shackle${whole === "1" ? "" : "s"}`;
+}
+
 /** An angle as its size and its side. */
 export function sided(rad: number, decimals = 0): string {
   const text = Math.abs(rad * DEG).toFixed(decimals);

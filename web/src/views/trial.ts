@@ -2,7 +2,7 @@
 import type { Page } from "../page";
 import type { Frame, Hello, TrialOrder } from "../protocol";
 import { button, choices, h, setClass, setText } from "../ui/dom";
-import { fixed, heading, knots, spoken } from "../units";
+import { fixed, heading, knots, shackles, spoken } from "../units";
 import type { View } from "./view";
 
 /** Minutes that can be chosen. */
@@ -54,6 +54,14 @@ export function words(order: TrialOrder, hello: Hello): string {
     case "hold":
     case "let_go":
       return `line ${spoken(order.line)}: ${order.do.replace("_", " ")}`;
+    case "let_go_anchor":
+      return `anchor ${spoken(order.anchor)}: let go, ${shackles(order.chain_m)}`;
+    case "veer":
+    case "heave_in":
+      return `anchor ${spoken(order.anchor)}: ${order.do.replace("_", " ")} to ${shackles(order.chain_m)}`;
+    case "hold_chain":
+    case "slip":
+      return `anchor ${spoken(order.anchor)}: ${order.do.replace("_", " ")}`;
     default:
       return `${spoken(order.vessel)}: ${order.do.replace("_", " ")}`;
   }
