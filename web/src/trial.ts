@@ -36,6 +36,12 @@ export function keyOf(order: TrialOrder): string {
     case "send":
     case "let_go":
       return `line ${order.line}`;
+    case "let_go_anchor":
+    case "veer":
+    case "heave_in":
+    case "hold_chain":
+    case "slip":
+      return `anchor ${order.anchor}`;
     default:
       return `whole ${order.vessel}`;
   }
