@@ -6,6 +6,7 @@
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
 
+use crate::room::room_for;
 use crate::state::BodyState;
 use crate::vec2::{Pose, Vec2};
 
@@ -25,10 +26,10 @@ pub(crate) struct Bodies {
 impl Bodies {
     pub(crate) fn with_capacity(count: usize) -> Bodies {
         Bodies {
-            input: Vec::with_capacity(count),
-            poses: Vec::with_capacity(count),
-            reach_m: Vec::with_capacity(count),
-            active: Vec::with_capacity(count),
+            input: room_for(count),
+            poses: room_for(count),
+            reach_m: room_for(count),
+            active: room_for(count),
         }
     }
 

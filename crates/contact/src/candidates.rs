@@ -7,6 +7,7 @@ use crate::material::MaterialId;
 use crate::model::Model;
 use crate::neighbours::NeighbourList;
 use crate::pair::Bounds;
+use crate::room::room_for;
 
 /// Computed by stage 2, `broad::pair`.
 #[derive(Clone, Debug, Default)]
@@ -54,6 +55,15 @@ impl Candidate {
 }
 
 impl Candidates {
+    /// With room for so many of them.
+    pub(crate) fn with_room(model: &Model, count: usize) -> Candidates {
+        let neighbours = match model.all_other_pairs {
+            Some(_) => NeighbourList::with_room(model.bodies().len(), count),
+            None => NeighbourList::default(),
+        };
+        Candidates { pairings: room_for(count), neighbours }
+    }
+
     /// Bounds of the pair with this number.
     #[inline]
     pub(crate) fn bounds_of<'m>(&'m self, model: &'m Model, pair: u32) -> &'m Bounds {

@@ -16,6 +16,7 @@ use crate::model::Model;
 use crate::number::greater;
 use crate::patch::{Patch, Place};
 use crate::report::{Event, EventKind};
+use crate::room::room_for;
 
 /// What the patches of a (sub-)step inherit. Computed by [`Inheritance::find`].
 #[derive(Clone, Debug, Default)]
@@ -29,6 +30,11 @@ pub(crate) struct Inheritance {
 }
 
 impl Inheritance {
+    /// With room for so many patches.
+    pub(crate) fn with_room(patches: usize) -> Inheritance {
+        Inheritance { inherited: room_for(patches), ..Inheritance::default() }
+    }
+
     /// Finds what each patch inherits, and adds the events of contacts that ended and patches that split.
     ///
     /// The first `matched` patches and memories are skipped: the caller knows that they continue one to one.

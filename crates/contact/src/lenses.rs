@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use crate::geometry::extent::Extent;
 use crate::geometry::lens::Lens;
 use crate::patch::{Parts, Patch, Place};
+use crate::room::room_for;
 use crate::vec2::Vec2;
 
 /// The overlap of one piece of A with one piece of B.
@@ -35,6 +36,15 @@ pub(crate) struct Overlap {
 }
 
 impl Overlap {
+    /// With room for so many patches, of four corners each.
+    pub(crate) fn with_room(patches: usize) -> Overlap {
+        Overlap {
+            patches: room_for(patches),
+            outline_m: room_for(4 * patches),
+            ..Overlap::default()
+        }
+    }
+
     pub(crate) fn clear(&mut self) {
         self.patches.clear();
         self.places.clear();

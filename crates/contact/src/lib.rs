@@ -146,6 +146,7 @@ mod reaction;
 mod renew;
 mod report;
 mod results;
+mod room;
 mod several;
 mod slice;
 mod snapshot;

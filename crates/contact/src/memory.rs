@@ -8,6 +8,7 @@ use crate::geometry::clip::Hint;
 use crate::material::BodyId;
 use crate::model::Model;
 use crate::patch::{Patch, Place};
+use crate::room::{expected_contacts, room_for};
 use crate::state::BodyState;
 use crate::unloading::PLAYS;
 use crate::vec2::{Rotation, Vec2};
@@ -230,6 +231,11 @@ impl<'m> Past<'m> {
 }
 
 impl ContactMemory {
+    /// With room for so many contacts.
+    pub(crate) fn with_room(contacts: usize) -> ContactMemory {
+        ContactMemory { patches: room_for(contacts), places: Vec::new(), hints: room_for(contacts) }
+    }
+
     pub(crate) fn clear(&mut self) {
         self.patches.clear();
         self.places.clear();
@@ -298,11 +304,11 @@ impl Memory {
     pub fn new(model: &Model) -> Memory {
         Memory {
             fingerprint: model.fingerprint,
-            contacts: ContactMemory::default(),
-            last_states: Vec::new(),
+            contacts: ContactMemory::with_room(expected_contacts(model)),
+            last_states: room_for(model.bodies().len()),
             last_step_s: 0.0,
             placed: Vec::new(),
-            behind_s: Vec::new(),
+            behind_s: room_for(model.bodies().len()),
             parted: Vec::new(),
             pile_offsets_m: Vec::new(),
         }

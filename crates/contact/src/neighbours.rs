@@ -12,6 +12,7 @@ use crate::material::MaterialId;
 use crate::model::Model;
 use crate::number::greater;
 use crate::pair::{Bounds, RankedPair};
+use crate::room::room_for;
 use crate::vec2::Vec2;
 
 /// How much larger a body's circle in the list is than its own, as a fraction. A larger margin makes the list longer, a
@@ -73,6 +74,17 @@ impl Circle {
 }
 
 impl NeighbourList {
+    /// With room for so many bodies and pairs.
+    pub(crate) fn with_room(bodies: usize, pairs: usize) -> NeighbourList {
+        NeighbourList {
+            layout: 0,
+            circles: room_for(bodies),
+            pairs: room_for(pairs),
+            bounds: room_for(pairs),
+            order: room_for(bodies),
+        }
+    }
+
     /// The pairs of the list. They include all pairs that no `Pair` of the model names, that are not both fixed and whose
     /// circles of `reach_m` meet.
     pub(crate) fn pairs(&self) -> &[RankedPair] {

@@ -9,6 +9,7 @@ use crate::model::Model;
 use crate::panel::report::PanelMotion;
 use crate::pile::PileMotion;
 use crate::report::{Contact, Displacement, Event, EventKind, Wrench};
+use crate::room::room_for;
 use crate::state::BodyState;
 
 /// Results of the last step, by body id. Written by stages 1, 5 and 6.
@@ -37,18 +38,19 @@ pub(crate) struct Results {
 }
 
 impl Results {
-    pub(crate) fn new(count: usize) -> Results {
+    /// For `count` bodies, with room for so many contacts.
+    pub(crate) fn new(count: usize, contacts: usize) -> Results {
         Results {
             layout: None,
             reports_contacts: true,
-            contacts: Vec::new(),
+            contacts: room_for(contacts),
             wrenches: vec![Wrench::default(); count],
-            events: Vec::new(),
+            events: room_for(contacts),
             panels: Vec::new(),
             parted: Vec::new(),
             piles: Vec::new(),
-            states_after: Vec::with_capacity(count),
-            displacements: Vec::with_capacity(count),
+            states_after: room_for(count),
+            displacements: room_for(count),
             peaks: Vec::new(),
         }
     }

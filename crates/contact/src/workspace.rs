@@ -18,6 +18,7 @@ use crate::panel::report::PanelMotion;
 use crate::pile::PileMotion;
 use crate::report::{Contact, Displacement, Event, Wrench};
 use crate::results::Results;
+use crate::room::{expected_contacts, most_corners};
 use crate::state::BodyState;
 
 /// Buffers that a step writes to, and its results. Nothing in it matters to the next step: it can be shared between runs,
@@ -56,27 +57,28 @@ pub struct Workspace {
 }
 
 impl Workspace {
-    /// Buffers for a model. Lists of its bodies are made at once, so that the first step does not wait for their memory.
+    /// Buffers for a model. Lists of its bodies are made at once, and where these are many those of contacts too, one a floating
+    /// body and one a fender, so that the first step does not wait for their memory.
     #[must_use]
     pub fn new(model: &Model) -> Workspace {
-        let count = model.bodies().len();
+        let (count, contacts) = (model.bodies().len(), expected_contacts(model));
         let mut bodies = Bodies::with_capacity(count);
         bodies.resize(count);
         Workspace {
             bodies,
             displaced: Displaced::default(),
             dynamics: Dynamics::new(model),
-            candidates: Candidates::default(),
-            islands: Islands::default(),
-            overlap: Overlap::default(),
-            clip: ClipBuffers::default(),
-            inheritance: Inheritance::default(),
-            constraints: Constraints::default(),
-            group: Group::default(),
-            kept: Kept::default(),
+            candidates: Candidates::with_room(model, contacts),
+            islands: Islands::with_room(contacts),
+            overlap: Overlap::with_room(contacts),
+            clip: ClipBuffers::with_room(most_corners(model)),
+            inheritance: Inheritance::with_room(contacts),
+            constraints: Constraints::with_room(contacts),
+            group: Group::with_room(count),
+            kept: Kept::with_room(contacts),
             gathered: ContactMemory::default(),
-            next_memory: ContactMemory::default(),
-            results: Results::new(count),
+            next_memory: ContactMemory::with_room(contacts),
+            results: Results::new(count, contacts),
         }
     }
 

@@ -1,5 +1,6 @@
 //! The contacts of a sub-step: their laws, and the solve of each island.
 
+use alloc::vec;
 use alloc::vec::Vec;
 
 use crate::coupled::assemble::{Aside, Diagnostics, Heritage, Start, Target, assemble};
@@ -34,6 +35,15 @@ pub(crate) struct SolverBuffers {
 }
 
 impl Constraints {
+    /// With room for so many contacts.
+    pub(crate) fn with_room(contacts: usize) -> Constraints {
+        Constraints {
+            list: vec![Constraint::default(); contacts],
+            diagnostics: vec![Diagnostics::default(); contacts],
+            solver: SolverBuffers::default(),
+        }
+    }
+
     /// Constraints and diagnostics of `patches` contacts.
     pub(crate) fn of(
         &mut self,

@@ -9,6 +9,7 @@ use crate::coupled::motion::Role;
 use crate::model::Model;
 use crate::pair::JOINED;
 use crate::patch::Patch;
+use crate::room::room_for;
 
 /// The islands of a step. Computed by [`Islands::split`].
 #[derive(Clone, Debug, Default)]
@@ -58,6 +59,11 @@ enum Order {
 }
 
 impl Islands {
+    /// With room for so many of them.
+    pub(crate) fn with_room(count: usize) -> Islands {
+        Islands { list: room_for(count), ..Islands::default() }
+    }
+
     /// Splits the candidates into islands, in the order of their first candidates.
     pub(crate) fn split(&mut self, model: &Model, candidates: &mut [Pairing]) {
         let mut order = self.part(candidates);
@@ -175,6 +181,11 @@ pub(crate) fn groups(islands: &mut [Island]) -> impl Iterator<Item = &mut [Islan
 }
 
 impl Group {
+    /// With room for so many bodies.
+    pub(crate) fn with_room(bodies: usize) -> Group {
+        Group { bodies: room_for(bodies), ..Group::default() }
+    }
+
     /// Sets the group to these islands, with their moving bodies, which are marked as in an island.
     pub(crate) fn enter(&mut self, islands: &[Island], candidates: &[Pairing], roles: &mut [Role]) {
         self.begin(islands);

@@ -21,6 +21,7 @@ use crate::model::Model;
 use crate::overlap::overlap;
 use crate::report::Wrench;
 use crate::results::Results;
+use crate::room::room_for;
 use crate::touch::Scene;
 
 /// The parts of the workspace that sub-steps read and write.
@@ -50,6 +51,13 @@ pub(crate) struct Kept {
     first_hints: Vec<HintMemory>,
     rate_sums: Sums,
     later: Later,
+}
+
+impl Kept {
+    /// With room for the hints of so many contacts.
+    pub(crate) fn with_room(contacts: usize) -> Kept {
+        Kept { first_hints: room_for(contacts), ..Kept::default() }
+    }
 }
 
 /// What is kept between the sub-steps of a group.

@@ -24,10 +24,29 @@ const NEAR_ENOUGH: f64 = 1e-12;
 
 /// A corner of the difference of two polygons.
 #[derive(Clone, Copy)]
-struct Corner {
+pub(super) struct Corner {
     at_m: Vec2,
-    of_a: usize,
-    of_b: usize,
+    pub(super) of_a: usize,
+    pub(super) of_b: usize,
+}
+
+/// What the search found.
+pub(super) enum Found {
+    /// The axis of greatest separation.
+    Apart(BestAxis),
+    /// The polygons overlap: two corners of the difference, on the side of it that seems nearest to the origin.
+    Overlap([Corner; 2]),
+    /// Neither is certain.
+    Unsure,
+}
+
+/// Where the difference of two polygons is nearest to the origin.
+enum Nearest {
+    /// A corner of the nearest edge.
+    Outside(Corner),
+    /// The origin is in a triangle of these corners.
+    Within([Corner; 3]),
+    Unsure,
 }
 
 impl Corner {
@@ -40,34 +59,91 @@ impl Corner {
     }
 }
 
-/// The axis of greatest separation; `None` if the polygons overlap, or nearly so.
-pub(crate) fn find(a: &ConvexPolygon, b: &Placed<'_>) -> Option<BestAxis> {
-    let corner = nearest_corner(a, b)?;
+/// The axis of greatest separation, if the polygons are apart by more than [`LEAST_GAP_M`].
+pub(super) fn find(a: &ConvexPolygon, b: &Placed<'_>) -> Found {
+    match nearest(a, b) {
+        Nearest::Outside(corner) => {
+            let best = best_beside(a, b, corner);
+            if best.gap_m > LEAST_GAP_M { Found::Apart(best) } else { Found::Unsure }
+        }
+        Nearest::Within(corners) => Found::Overlap(nearest_side(corners)),
+        Nearest::Unsure => Found::Unsure,
+    }
+}
+
+/// The axis of greatest gap among the edges that meet a corner of the difference.
+fn best_beside(a: &ConvexPolygon, b: &Placed<'_>, corner: Corner) -> BestAxis {
     let (n, m) = (a.count(), b.count());
-    let (of_a, of_b) = (|k| a.corner(k), |k| b.vertex(k));
-    let mut best: Option<BestAxis> = None;
     // Of equal gaps the one of the first polygon, and of its edges the first, as in `best_axis`.
-    for edge in in_order(before(corner.of_a, n), corner.of_a) {
-        let gap = EdgeGap::new(a.corner(edge), a.corner(edge + 1), of_b, m, corner.of_b);
-        if best.is_none_or(|best| gap.gap_m > best.gap_m) {
-            best = Some(gap.axis(true, edge));
+    let [one, two] = in_order(before(corner.of_a, n), corner.of_a);
+    let [three, four] = in_order(before(corner.of_b, m), corner.of_b);
+    [axis_of_a(a, b, two, corner), axis_of_b(a, b, three, corner), axis_of_b(a, b, four, corner)]
+        .into_iter()
+        .fold(axis_of_a(a, b, one, corner), greater)
+}
+
+/// Of each polygon the axis of greatest gap among its edges that meet one of two corners of the difference.
+pub(super) fn best_beside_both(
+    a: &ConvexPolygon,
+    b: &Placed<'_>,
+    [one, two]: [Corner; 2],
+) -> [BestAxis; 2] {
+    let (n, m) = (a.count(), b.count());
+    let edges = [before(one.of_a, n), one.of_a, before(two.of_a, n), two.of_a];
+    let of_a = of_edges(edges, |edge| axis_of_a(a, b, edge, one));
+    let edges = [before(one.of_b, m), one.of_b, before(two.of_b, m), two.of_b];
+    let of_b = of_edges(edges, |edge| axis_of_b(a, b, edge, one));
+    [of_a, of_b]
+}
+
+/// The axis of greatest gap among edges, of which the last two may be among the first two.
+#[inline(always)]
+fn of_edges([p, q, r, s]: [usize; 4], axis: impl Fn(usize) -> BestAxis) -> BestAxis {
+    let mut best = greater(axis(p), axis(q));
+    for edge in [r, s] {
+        if edge != p && edge != q {
+            best = greater(best, axis(edge));
         }
     }
-    for edge in in_order(before(corner.of_b, m), corner.of_b) {
-        let gap = EdgeGap::new(b.vertex(edge), b.vertex(edge + 1), of_a, n, corner.of_a);
-        if best.is_none_or(|best| gap.gap_m > best.gap_m) {
-            best = Some(gap.axis(false, edge));
-        }
-    }
-    best.filter(|best| best.gap_m > LEAST_GAP_M)
+    best
+}
+
+#[inline]
+fn greater(best: BestAxis, next: BestAxis) -> BestAxis {
+    if next.gap_m > best.gap_m { next } else { best }
+}
+
+/// The axis of an edge of A.
+#[inline]
+fn axis_of_a(a: &ConvexPolygon, b: &Placed<'_>, edge: usize, corner: Corner) -> BestAxis {
+    let (start, end, of_b) = (a.corner(edge), a.corner(edge + 1), |k| b.vertex(k));
+    EdgeGap::new(start, end, of_b, b.count(), corner.of_b).axis(true, edge)
+}
+
+/// The axis of an edge of B.
+#[inline]
+fn axis_of_b(a: &ConvexPolygon, b: &Placed<'_>, edge: usize, corner: Corner) -> BestAxis {
+    let (start, end, of_a) = (b.vertex(edge), b.vertex(edge + 1), |k| a.corner(k));
+    EdgeGap::new(start, end, of_a, a.count(), corner.of_a).axis(false, edge)
+}
+
+/// The two corners on the side of a triangle about the origin that is nearest to it.
+fn nearest_side(corners: [Corner; 3]) -> [Corner; 2] {
+    let [p, q, r] = corners;
+    let distance_m = |[one, two]: [Corner; 2]| {
+        let along = two.at_m - one.at_m;
+        one.at_m.cross(two.at_m).abs() / along.length()
+    };
+    let nearer = |one, two| if distance_m(two) < distance_m(one) { two } else { one };
+    [[q, r], [r, p]].into_iter().fold([p, q], nearer)
 }
 
 fn in_order(i: usize, j: usize) -> [usize; 2] {
     if i < j { [i, j] } else { [j, i] }
 }
 
-/// A corner of the difference's edge that is nearest to the origin; `None` if the origin is in the difference.
-fn nearest_corner(a: &ConvexPolygon, b: &Placed<'_>) -> Option<Corner> {
+/// A corner of the difference's edge that is nearest to the origin, or corners about it.
+fn nearest(a: &ConvexPolygon, b: &Placed<'_>) -> Nearest {
     let mut one = Corner::least(a, b, b.pose.apply(b.polygon.center_m()) - a.center_m());
     let mut two = one;
     let mut nearest_m = one.at_m;
@@ -75,10 +151,10 @@ fn nearest_corner(a: &ConvexPolygon, b: &Placed<'_>) -> Option<Corner> {
         let new = Corner::least(a, b, nearest_m);
         let squared_m2 = nearest_m.length_squared();
         if squared_m2 - nearest_m.dot(new.at_m) <= NEAR_ENOUGH * squared_m2 {
-            return (squared_m2 > 0.0).then_some(one);
+            return if squared_m2 > 0.0 { Nearest::Outside(one) } else { Nearest::Unsure };
         }
         if is_within([one.at_m, two.at_m, new.at_m]) {
-            return None;
+            return Nearest::Within([one, two, new]);
         }
         let (share, at_m) = nearest_of_line(one.at_m, new.at_m);
         let (other_share, other_m) = nearest_of_line(two.at_m, new.at_m);
@@ -87,7 +163,7 @@ fn nearest_corner(a: &ConvexPolygon, b: &Placed<'_>) -> Option<Corner> {
             if nearer { (one, share, at_m) } else { (two, other_share, other_m) };
         // No nearer than before: what is left is rounding.
         if at_m.length_squared() >= squared_m2 {
-            return Some(one);
+            return Nearest::Outside(one);
         }
         (one, two) = if share > 0.5 { (new, from) } else { (from, new) };
         if share >= 1.0 {
@@ -95,7 +171,7 @@ fn nearest_corner(a: &ConvexPolygon, b: &Placed<'_>) -> Option<Corner> {
         }
         nearest_m = at_m;
     }
-    None
+    Nearest::Unsure
 }
 
 /// Is the origin in a triangle? A triangle without area holds nothing.
@@ -243,8 +319,10 @@ mod tests {
             let closed: Vec<Vec2> = (0..=b.count()).map(|k| placed.vertex(k)).collect();
             let all = best_axis(&a, &closed);
             match find(&a, &placed) {
-                None => assert!(all.gap_m < 2.0 * LEAST_GAP_M, "missed {all:?} in round {round}"),
-                Some(found) => {
+                Found::Overlap(_) | Found::Unsure => {
+                    assert!(all.gap_m < 2.0 * LEAST_GAP_M, "missed {all:?} in round {round}")
+                }
+                Found::Apart(found) => {
                     let rounding_m = 1e-12 * (a.radius_m() + b.radius_m());
                     let short_m = all.gap_m - found.gap_m;
                     assert!(short_m.abs() <= rounding_m, "{found:?} is not {all:?}");
@@ -269,8 +347,10 @@ mod tests {
                 let closed: Vec<Vec2> = (0..=4).map(|k| placed.vertex(k)).collect();
                 let all = best_axis(&polygon, &closed);
                 match find(&polygon, &placed) {
-                    None => assert!(all.gap_m < 2.0 * LEAST_GAP_M, "missed {all:?} at {pose:?}"),
-                    Some(found) => {
+                    Found::Overlap(_) | Found::Unsure => {
+                        assert!(all.gap_m < 2.0 * LEAST_GAP_M, "missed {all:?} at {pose:?}")
+                    }
+                    Found::Apart(found) => {
                         assert!((all.gap_m - found.gap_m).abs() <= 1e-14, "{found:?}, {all:?}");
                     }
                 }

@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use super::apart;
 use super::axis::{BestAxis, best_axis};
 use super::convex::{ConvexPolygon, Placed, signed_area};
+use super::guess;
 use super::halfplanes::{self, Buffers, Found};
 use super::lens::{Crossing, Lens, Located, Stretch, assemble, measure, per_chord_m, trace};
 use super::ring::{after, before};
@@ -67,6 +68,13 @@ pub(crate) struct ClipBuffers {
     cold: Buffers,
     /// The panel that was pressed last.
     pub(crate) panel: PanelPress,
+}
+
+impl ClipBuffers {
+    /// With room for polygons of so many corners.
+    pub(crate) fn with_room(corners: usize) -> ClipBuffers {
+        ClipBuffers { cold: Buffers::with_room(corners), panel: PanelPress::default() }
+    }
 }
 
 /// The overlap of two convex polygons in the first one's frame.
@@ -239,8 +247,17 @@ fn cold(
     buffers: &mut Buffers,
     outline_m: &mut Vec<Vec2>,
 ) -> (Option<Clip>, Hint) {
-    if let Some(BestAxis { on_a, edge, support, .. }) = apart::find(a, b) {
-        return (None, Hint::Apart { on_a, edge, support });
+    match apart::find(a, b) {
+        apart::Found::Apart(BestAxis { on_a, edge, support, .. }) => {
+            return (None, Hint::Apart { on_a, edge, support });
+        }
+        apart::Found::Overlap(corners) => {
+            if let Some((stretch, through)) = guess::find(a, b, corners) {
+                let clip = through.clip(a, b.polygon, b.pose, (Corners::Always, outline_m));
+                return (Some(clip), Hint::Lens(stretch));
+            }
+        }
+        apart::Found::Unsure => {}
     }
     place(b, &mut buffers.b_m);
     let mut hint = Hint::None;

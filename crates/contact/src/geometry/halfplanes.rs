@@ -61,6 +61,17 @@ pub(crate) struct Buffers {
 }
 
 impl Buffers {
+    /// With room for two polygons of so many corners: few clips come here, and the first may be long after the start.
+    pub(crate) fn with_room(corners: usize) -> Buffers {
+        Buffers {
+            b_m: Vec::with_capacity(corners + 1),
+            stretches: Vec::with_capacity(corners),
+            queue: Vec::with_capacity(2 * corners),
+            corners: Vec::with_capacity(2 * corners),
+            front: 0,
+        }
+    }
+
     /// The corners that the sweep itself found, in the positive sense (m).
     pub(crate) fn swept_m(&self) -> &[Vec2] {
         &self.corners[self.front..]

@@ -11,6 +11,7 @@ pub(crate) mod convex;
 pub(crate) mod edge;
 pub(crate) mod extent;
 pub(crate) mod gap;
+mod guess;
 pub(crate) mod halfplanes;
 pub(crate) mod lens;
 pub(crate) mod ring;

@@ -28,6 +28,11 @@ pub(crate) struct Through {
 }
 
 impl Through {
+    /// How deep the deepest corner lies behind the edge (m).
+    pub(crate) fn depth_m(&self) -> f64 {
+        self.lens.spread_m2 * self.lens.per_chord_m
+    }
+
     /// The points where A's boundary enters and leaves the overlap, in A's frame.
     #[inline(always)]
     pub(crate) fn located(&self) -> Located {
