@@ -293,6 +293,22 @@ export interface TrafficInfo {
   outline: Pair[];
 }
 
+/** A ship that passes a vessel at rest, and what the flow about her does to the vessel. */
+export interface PassageNow {
+  /** Index into `Hello.vessels`. */
+  vessel: number;
+  /** Index into `Hello.traffic`. */
+  ship: number;
+  /** Clear distance between the outlines [m]. */
+  gap_m: number;
+  /** The nearest points of both outlines, the vessel's first: north and east [m]. */
+  between_m: [Pair, Pair];
+  /** Force of the flow of all other ships on the vessel, forward and to starboard [N]. */
+  force_n: Pair;
+  /** Its moment about midship, bow to starboard [N·m]. */
+  yaw_nm: number;
+}
+
 /** One tick. The page interpolates between the last two. */
 export interface Frame {
   type: "frame";
@@ -310,6 +326,8 @@ export interface Frame {
   tugs: TugNow[];
   /** Of each ship in `Hello.traffic`; she is where her track says. `null`: this page does not see her in the fog. */
   traffic: (BodyNow | null)[];
+  /** Ships of the traffic that pass vessels at rest, at most one for each vessel; without those that this page does not see. */
+  passages: PassageNow[];
   /** Wind at the pilot's ship: where it comes from, and its speed; 0 without wind. */
   wind: { speed_mps: number; from_rad: number };
   /** Current at the pilot's ship: where it flows to, and its speed. */

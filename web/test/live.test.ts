@@ -19,6 +19,7 @@ function frame(tick: number, north: number, paused = false): Frame {
     lines: [],
     tugs: [],
     traffic: [],
+    passages: [],
     run: {
       paused,
       pace: 1,

@@ -299,6 +299,7 @@ pub struct Frame {
     pub tugs: Vec<TugNow>,
     /// `None`: hidden by fog.
     pub traffic: Vec<Option<[f64; 6]>>,
+    pub passages: Vec<PassageNow>,
     pub wind: WindNow,
     pub current: CurrentNow,
     pub waves: Option<WavesNow>,
@@ -530,6 +531,17 @@ pub struct TugNow {
     pub direction_rad: f64,
     pub limited: bool,
     pub out: bool,
+}
+
+/// A ship that passes a vessel at rest.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct PassageNow {
+    pub vessel: usize,
+    pub ship: usize,
+    pub gap_m: f64,
+    pub between_m: [Pair; 2],
+    pub force_n: Pair,
+    pub yaw_nm: f64,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]

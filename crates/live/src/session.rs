@@ -90,9 +90,10 @@ impl Now {
         ending(exercise)
     }
 
-    /// Updates the alarms. After every tick, not every frame: a touch of one tick raises an alarm too. Returns the values for
-    /// strip charts.
+    /// Updates the ships that pass, and the alarms. After every tick, not every frame: a touch of one tick raises an alarm too.
+    /// Returns the values for strip charts.
     pub(crate) fn note_alarms(&mut self, cast: &Cast, info: &Info) -> Sample {
+        self.seen.note_passages(&self.simulation, info);
         let (causes, sample) = frame::after_tick(self, cast, info);
         self.alarms.update(causes, self.simulation.time_s());
         sample

@@ -64,11 +64,11 @@ impl Watched {
     /// Notes alarms and events of the last step, for frames. Pages need it after every step: a touch of one step raises
     /// an alarm too. A run without pages saves its cost.
     pub fn note(&mut self) {
+        self.now.note_alarms(&self.cast, &self.info);
         let Now { simulation, seen, .. } = &self.now;
         let t_s = simulation.time_s();
         let texts = seen.events(simulation.setup());
         self.events.extend(texts.map(|text| EventNow { t_s, text }));
-        self.now.note_alarms(&self.cast, &self.info);
     }
 
     /// The message that a page is built from, as text.

@@ -10,6 +10,12 @@ fn to_segment_m(point: Vec2, [from, to]: [Vec2; 2]) -> f64 {
     (point - from - along * share).length()
 }
 
+/// The point of a segment with a length that is nearest to a point.
+fn on_segment(point: Vec2, [from, to]: [Vec2; 2]) -> Vec2 {
+    let along = to - from;
+    from + along * bounded((point - from).dot(along) / along.length_squared(), 0.0, 1.0)
+}
+
 /// The shortest distance between two segments (m); 0 where they cross.
 pub(crate) fn of_segments_m(one: [Vec2; 2], other: [Vec2; 2]) -> f64 {
     if cross(one, other) {
@@ -47,6 +53,26 @@ pub fn of_outlines_m(one: &[Vec2], other: &[Vec2]) -> f64 {
         }
     }
     least_m
+}
+
+/// The nearest points of two simple outlines that lie clear of each other, on the first and on the second.
+#[must_use]
+pub fn nearest_points(one: &[Vec2], other: &[Vec2]) -> [Vec2; 2] {
+    let (mut least_m, mut nearest) = (f64::INFINITY, [Vec2::ZERO; 2]);
+    for edge in edges(one) {
+        for across in edges(other) {
+            // Each corner begins one edge.
+            for points in
+                [[edge[0], on_segment(edge[0], across)], [on_segment(across[0], edge), across[0]]]
+            {
+                let apart_m = (points[1] - points[0]).length();
+                if apart_m < least_m {
+                    (least_m, nearest) = (apart_m, points);
+                }
+            }
+        }
+    }
+    nearest
 }
 
 fn edges(of: &[Vec2]) -> impl Iterator<Item = [Vec2; 2]> {
@@ -112,6 +138,11 @@ mod tests {
                 [of_outlines_m(&square(2.0), &turned), of_outlines_m(&turned, &square(2.0))]
             {
                 assert!((found_m - expected_m).abs() < 1e-12, "{at:?}: {found_m}");
+            }
+            if expected_m > 0.0 {
+                let [from, to] = nearest_points(&square(2.0), &turned);
+                assert!(((to - from).length() - expected_m).abs() < 1e-12, "{from:?} {to:?}");
+                assert!(to_edge_m(from, &square(2.0)) < 1e-12 && to_edge_m(to, &turned) < 1e-12);
             }
         }
     }

@@ -30,11 +30,11 @@ export interface Scene {
 }
 
 /** Length of a force arrow per meganewton [px]. */
-const PX_PER_MN = 70;
+export const PX_PER_MN = 70;
 /** Length of a lateral-speed arrow per metre a second [px]. */
 const PX_PER_MPS = 220;
 
-const clamp = (x: number, low: number, high: number) => Math.min(high, Math.max(low, x));
+export const clamp = (x: number, low: number, high: number) => Math.min(high, Math.max(low, x));
 
 export function drawWater({ to, camera, colours }: Scene): void {
   to.fillStyle = colours.water;

@@ -3,6 +3,7 @@ import { drawChart, drawChartMarks } from "../draw/chart";
 import { drawFog } from "../draw/fog";
 import * as scene from "../draw/scene";
 import { type Box, type Label, type Placed, Rank, place } from "../draw/labels";
+import { drawPassages } from "../draw/passages";
 import { drawTraffic } from "../draw/traffic";
 import { drawTrial } from "../draw/trial";
 import { FONT, arrow, drawLabel, labelFont, stroke } from "../draw/marks";
@@ -206,6 +207,7 @@ export class Plan implements View {
     scene.drawLines(all);
     scene.drawVectorTugs(all);
     scene.drawContacts(all);
+    drawPassages(all);
     if (this.prediction) scene.drawMinutes(all);
     const trial = drawTrial(all, this.trial);
     scene.drawBowAndStern(all);

@@ -8,6 +8,8 @@ use crate::approach::{ApproachLimit, Light};
 use crate::info::Info;
 use crate::message::{ContactNow, FenderNow, LineNow, TugNow, VesselNow};
 
+use super::passage::Passages;
+
 /// A fender gives a caution from this share of its rating on, an alarm from its rating on.
 const FENDER_CAUTION: f64 = 0.8;
 /// A line gives a caution from this share of its working load on, an alarm from its working load on.
@@ -27,6 +29,7 @@ pub(super) struct Input<'a> {
     pub(super) contacts: &'a [ContactNow],
     pub(super) lines: &'a [LineNow],
     pub(super) tugs: &'a [TugNow],
+    pub(super) passages: &'a Passages,
 }
 
 /// All causes of alarms in this tick.
@@ -36,6 +39,9 @@ pub(super) fn causes(of: &Input<'_>) -> Vec<Alarm> {
     fenders(of, &mut all);
     contacts(of, &mut all);
     lines(of, &mut all);
+    for (vessel, ship, text) in of.passages.cautions(of.simulation) {
+        all.push(caution("passing", &[vessel, ship], text));
+    }
     for (tug, now) in of.info.tugs.iter().zip(of.tugs) {
         if now.out {
             all.push(alarm("tug out", &[&tug.name], format!("Tug {} has dropped out", tug.name)));
@@ -136,12 +142,14 @@ fn contacts(of: &Input<'_>, all: &mut Vec<Alarm>) {
 }
 
 fn lines(of: &Input<'_>, all: &mut Vec<Alarm>) {
-    for (line, now) in of.info.lines.iter().zip(of.lines) {
+    for (index, (line, now)) in of.info.lines.iter().zip(of.lines).enumerate() {
         let (name, share) = (&*line.name, now.tension_n / line.working_n);
         if now.state == "parted" {
-            all.push(alarm("line", &[name], format!("Line {name} has parted")));
+            let text = format!("Line {name} has parted{}", of.passages.why_parted(index));
+            all.push(alarm("line", &[name], text));
         } else if now.state == "fast" && share >= LINE_CAUTION {
-            let text = format!("Line {name}: {:.0} % of its working load", 100.0 * share);
+            let why = of.passages.pushing(of.simulation, line.ship);
+            let text = format!("Line {name}: {:.0} % of its working load{why}", 100.0 * share);
             all.push(of_level(alarm_if(share >= 1.0), "line", &[name], text));
         }
     }

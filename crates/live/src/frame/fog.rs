@@ -26,6 +26,7 @@ impl Session {
                 *ship = None;
             }
         }
+        seen.passages.retain(|passage| !traffic[passage.ship]);
         seen.contacts.retain(|contact| !contact.bodies.iter().any(|&body| hidden[body]));
         for (vessel, setup) in seen.vessels.iter_mut().zip(&setup.world.vessels) {
             if hidden[setup.body] {

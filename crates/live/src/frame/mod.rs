@@ -3,6 +3,7 @@
 mod alarms;
 mod board;
 mod fog;
+mod passage;
 mod sample;
 mod seen;
 mod traffic;
@@ -78,6 +79,7 @@ pub(crate) fn after_tick(now: &Now, cast: &Cast, info: &Info) -> (Vec<Alarm>, Sa
         lines: &lines(simulation, info),
         approach: now.approach,
         tugs: &tugs(simulation),
+        passages: now.seen.passages(),
     };
     let mut causes = alarms::causes(&of);
     causes.extend(traffic::collisions(simulation, info));
@@ -117,6 +119,7 @@ pub(crate) fn frame(now: &Now, cast: &Cast, info: &Info, at_ms: u64, run: RunSta
         lines: lines(simulation, info),
         tugs: tugs(simulation),
         traffic: traffic::now(simulation).into_iter().map(Some).collect(),
+        passages: now.seen.passages().messages(),
         wind: wind_now(simulation, t_s),
         current: current_now(simulation, t_s, place),
         waves: waves_now(simulation),

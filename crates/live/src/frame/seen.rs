@@ -1,9 +1,11 @@
 //! Contacts and events of the last step, which the simulation does not keep.
 
 use fenderline_contact::{Event, EventKind, Friction};
+use fenderline_sim::hydro::Force;
 use fenderline_sim::{Setup, Simulation, StepRecord, WorldEvent, WorldEventKind, called};
 
-use crate::info::pair;
+use super::passage::Passages;
+use crate::info::{Info, pair};
 use crate::message::{ContactNow, FenderNow};
 
 /// The contacts and events of the last step.
@@ -14,6 +16,10 @@ pub(crate) struct Seen {
     stored_j: Vec<f64>,
     contact_events: Vec<Event>,
     world_events: Vec<WorldEvent>,
+    /// The force of the flow of other ships on each vessel.
+    flow: Vec<Force>,
+    /// Ships that pass vessels at rest.
+    passages: Passages,
 }
 
 impl Seen {
@@ -42,6 +48,17 @@ impl Seen {
         self.contact_events.extend_from_slice(record.events);
         self.world_events.clear();
         self.world_events.extend_from_slice(record.world_events);
+        self.flow.clear();
+        self.flow.extend(record.vessel_forces.iter().map(|forces| forces.passing));
+    }
+
+    /// Notes the ships that pass vessels at rest, and why lines parted, after the step that was kept.
+    pub(crate) fn note_passages(&mut self, simulation: &Simulation, info: &Info) {
+        self.passages.note(simulation, info, &self.flow, &self.world_events);
+    }
+
+    pub(crate) fn passages(&self) -> &Passages {
+        &self.passages
     }
 
     pub(crate) fn contacts(&self) -> &[ContactNow] {
@@ -81,7 +98,13 @@ impl Seen {
     pub(crate) fn events(&self, setup: &Setup) -> impl Iterator<Item = String> {
         let text = |event| contact_text(event, setup, &self.contacts);
         let contact = self.contact_events.iter().filter_map(text);
-        contact.chain(self.world_events.iter().map(|event| world_text(event, setup)))
+        let world = self.world_events.iter().map(|event| match event.kind {
+            WorldEventKind::LineParted => {
+                world_text(event, setup) + self.passages.why_parted(event.who)
+            }
+            _ => world_text(event, setup),
+        });
+        contact.chain(world).chain(self.passages.ended().iter().cloned())
     }
 }
 

@@ -141,4 +141,9 @@ static MEASURES: Choices<Measure> = Choices(&[
         value: Measure::SignificantRange,
         doc: "mean of the highest third of these",
     },
+    Choice {
+        word: "standard deviation",
+        value: Measure::Deviation,
+        doc: "root of the mean square of the distance from the mean",
+    },
 ]);

@@ -102,6 +102,8 @@ pub enum Measure {
     MaximumRange,
     /// Mean of the highest third of the ranges.
     SignificantRange,
+    /// Standard deviation.
+    Deviation,
 }
 
 impl Measure {
@@ -111,6 +113,7 @@ impl Measure {
             Measure::Significant => of.significant,
             Measure::MaximumRange => of.maximum_range,
             Measure::SignificantRange => of.significant_range,
+            Measure::Deviation => of.deviation,
         }
     }
 
@@ -122,6 +125,7 @@ impl Measure {
             Measure::Significant => "significant amplitude",
             Measure::MaximumRange => "largest range",
             Measure::SignificantRange => "significant range",
+            Measure::Deviation => "standard deviation",
         }
     }
 }
