@@ -40,6 +40,8 @@ struct Passage {
     gap_m: f64,
     between_m: [Vec2; 2],
     speed_mps: f64,
+    /// She goes away and is a length off: what she did is done.
+    is_past: bool,
     /// Of the flow of all other ships on the vessel.
     force: Force,
 }
@@ -169,7 +171,8 @@ impl Passages {
     /// there is none.
     pub(super) fn pushing(&self, simulation: &Simulation, body: usize) -> String {
         let of_ship = |ship: usize| &*simulation.setup().world.flow.passing[ship].name;
-        if let Some(passage) = self.now.iter().find(|passage| passage.body == body) {
+        let passing = |passage: &&Passage| passage.body == body && !passage.is_past;
+        if let Some(passage) = self.now.iter().find(passing) {
             return format!(
                 ", as {} passes {:.0} m off at {:.1} kn and pushes {}",
                 of_ship(passage.ship),
@@ -329,7 +332,8 @@ impl Meeting<'_> {
 
     /// The passage, if she is in reach.
     fn passage(&self, force: Force) -> Option<Passage> {
-        let apart_m = (self.ship_pose.position_m - self.pose.position_m).length();
+        let from_m = self.ship_pose.position_m - self.pose.position_m;
+        let apart_m = from_m.length();
         if apart_m > IN_REACH * self.mean_length_m {
             return None;
         }
@@ -341,6 +345,7 @@ impl Meeting<'_> {
             gap_m: of_outlines_m(&own, &ship),
             between_m: nearest_points(&own, &ship),
             speed_mps: self.ship_mps.length(),
+            is_past: apart_m > self.mean_length_m && from_m.dot(self.ship_mps) > 0.0,
             force,
         })
     }

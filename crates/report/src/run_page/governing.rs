@@ -3,6 +3,7 @@
 use fenderline_contact::number::greater;
 use fenderline_results::{LineTotals, Outcome, worst_first};
 use fenderline_sim::berthing::BerthingOutcome;
+use fenderline_sim::statistics::Limited;
 use fenderline_sim::{DolphinSummary, FenderSummary, Finding, PanelSummary, Rated};
 
 /// A governing number.
@@ -38,6 +39,7 @@ pub fn governing(outcome: &Outcome<'_>) -> Vec<Governing> {
     energies(outcome, &mut all);
     structure(outcome, &mut all);
     lines(outcome, &mut all);
+    motions(outcome, &mut all);
     approach(outcome, &mut all);
     under_keel(outcome, &mut all);
     for of in &mut all {
@@ -323,6 +325,32 @@ fn lines(outcome: &Outcome<'_>, all: &mut Vec<Governing>) {
             is_over: false,
         });
     }
+}
+
+/// The motion that is nearest to its limit in the scenario.
+fn motions(outcome: &Outcome<'_>, all: &mut Vec<Governing>) {
+    let limits = outcome.setup.world.statistics.limits.iter().zip(outcome.limit_values);
+    let shares = limits.filter_map(|(limit, value)| match limit.what {
+        Limited::Motion { motion, .. } if limit.most > 0.0 => {
+            Some((limit, motion, value, value / limit.most))
+        }
+        _ => None,
+    });
+    let most = shares.max_by(|one, other| one.3.total_cmp(&other.3));
+    all.extend(most.map(|(limit, motion, value, share)| {
+        let (unit, factor) =
+            if motion.is_angle() { ("deg", 1.0_f64.to_degrees()) } else { ("m", 1.0) };
+        Governing {
+            quantity: "Motion nearest to its limit",
+            subject: limit.subject(outcome.setup),
+            value: factor * value,
+            unit,
+            share: Some((share, "limit")),
+            at_s: None,
+            hit: None,
+            is_over: false,
+        }
+    }));
 }
 
 /// The fastest first touch of a fender, or of two bodies where no fender was touched.

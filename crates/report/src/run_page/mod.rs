@@ -56,6 +56,7 @@ pub fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
         (remarks(outcome))
         (vessels::remarks(outcome))
         (exercise::section(outcome))
+        (vessels::motions(outcome, recorder))
         (session::section(outcome))
         (system::section(outcome, recorder))
         (fenders::section(outcome, recorder))
@@ -204,8 +205,8 @@ fn method_notes(outcome: &Outcome<'_>) -> Markup {
                 } @else {
                     "On vessels act hull, propeller, rudder and thrusters by the MMG method, extended to low "
                     "speed, and wind, current and mean wave drift; on other bodies the water acts by added "
-                    "mass alone. Heave, roll and pitch are computed beside the motion in the plane; they "
-                    "do not move fairleads or contact points."
+                    "mass alone. "
+                    (vessels::degrees_of_freedom(outcome.setup))
                 }
             }
             li {

@@ -1,6 +1,6 @@
 //! What the report follows of vessels, tugs and lines.
 
-use fenderline_contact::{BodyState, Rotation, Vec2};
+use fenderline_contact::{BodyState, Pose, Rotation, Vec2};
 use fenderline_sim::tug::TugOrder;
 use fenderline_sim::{Setup, StepRecord, VesselState};
 
@@ -27,6 +27,9 @@ pub(in crate::run_page) struct VesselTrace {
     pub(in crate::run_page) along_mps: Decimator,
     pub(in crate::run_page) across_mps: Decimator,
     pub(in crate::run_page) heading_rad: Decimator,
+    /// Where her centre of gravity is, ahead and to starboard of its first place along her first heading (m).
+    pub(in crate::run_page) place_m: [Decimator; 2],
+    first: Option<Pose>,
     pub(in crate::run_page) turn_radps: Decimator,
     /// Order and actual value of rudder and revolutions.
     pub(in crate::run_page) rudder_rad: [Decimator; 2],
@@ -117,6 +120,8 @@ impl WorldTrace {
                 along_mps: Decimator::new(),
                 across_mps: Decimator::new(),
                 heading_rad: Decimator::new(),
+                place_m: Default::default(),
+                first: None,
                 turn_radps: Decimator::new(),
                 rudder_rad: Default::default(),
                 shaft_rps: Default::default(),
@@ -174,6 +179,10 @@ impl VesselTrace {
         self.along_mps.push(t_s, own.x);
         self.across_mps.push(t_s, own.y);
         self.heading_rad.push(t_s, state.heading_rad);
+        let first = *self.first.get_or_insert(state.pose());
+        let place = first.apply_inverse(state.position_m);
+        self.place_m[0].push(t_s, place.x);
+        self.place_m[1].push(t_s, place.y);
         self.turn_radps.push(t_s, state.yaw_rate_radps);
         let push = |two: &mut [Decimator; 2], order: f64, actual: f64| {
             two[0].push(t_s, order);

@@ -115,20 +115,21 @@ fn weather(environment: &Environment) -> Vec<Weather> {
     let wind = environment.wind.as_ref().and_then(|wind| {
         let (speed_mps, from_rad) = wind.mean_at(0.0);
         let when = if wind.is_series() { ", at the start" } else { "" };
+        let gusts = if wind.gusts().is_some() { ", with gusts" } else { "" };
         (speed_mps > 0.0).then(|| Weather {
             towards: direction(from_rad) * -1.0,
-            text: format!("wind {} from {}{when}", both(speed_mps), compass(from_rad)),
+            text: format!("wind {} from {}{when}{gusts}", both(speed_mps), compass(from_rad)),
             colour: "#0072B2",
         })
     });
     let current = environment.current.as_ref().and_then(|current| {
-        // A current that varies: its value at the origin, at the surface, at the start.
+        // A current that varies: where and when it is fastest, at the surface.
         let which = match current {
             Current::Uniform(_) => "",
             Current::Layered(_) => " (at the surface)",
-            Current::Grid(_) => " (in the origin, at the start)",
+            Current::Grid(_) => ", the fastest of a table",
         };
-        let velocity = current.velocity(Vec2::ZERO, 0.0, 0.0);
+        let velocity = current.fastest();
         let speed_mps = velocity.length();
         let towards_rad = libm::atan2(velocity.y, velocity.x);
         (speed_mps > 0.0).then(|| Weather {
@@ -142,8 +143,9 @@ fn weather(environment: &Environment) -> Vec<Weather> {
         Weather {
             towards: direction(sea.towards_rad()),
             text: format!(
-                "waves Hs {} m from {}{}",
+                "waves Hs {} m, mean period {} s, from {}{}",
                 plain(sea.significant_height_m(), 2),
+                plain(sea.mean_period_s(), 3),
                 compass(from_rad),
                 if sea.is_short_crested() { ", short-crested" } else { "" }
             ),

@@ -1,10 +1,11 @@
 //! Charts of vessels, tugs and lines over time.
 
+use fenderline_contact::number::greater;
 use fenderline_sim::VesselSetup;
 use fenderline_sim::constants::KNOT_MPS;
 use maud::{Markup, html};
 
-use crate::plot::{Axis, Decimator, Reference, STYLES, Series};
+use crate::plot::{Axis, Decimator, Reference, STYLES, Series, plain};
 use crate::run_page::Recorder;
 use crate::run_page::charts::{Charts, scaled};
 use crate::run_page::recorder::{DockingTrace, VesselTrace};
@@ -13,6 +14,10 @@ use crate::run_page::recorder::{DockingTrace, VesselTrace};
 const VESSELS: usize = 3;
 /// Smaller motions are not drawn (m, rad).
 const STILL: f64 = 1e-9;
+/// Lines in a chart: more cannot be told apart.
+const LINES: usize = 4;
+/// A load is drawn in the chart of the lines where their largest tension is at least this share of it.
+const NEAR_LIMIT: f64 = 0.4;
 /// Smaller squat is not drawn (m).
 const SEEN_M: f64 = 0.01;
 
@@ -55,9 +60,11 @@ fn of_vessel(page: &Charts<'_>, name: &str, setup: &VesselSetup, trace: &VesselT
             line("to starboard", &trace.across_mps, 1.0 / KNOT_MPS),
         ]))
         @if let Some(docking) = &trace.docking { (of_docking(page, name, docking)) }
-        (chart("Heading", Axis::new("heading", "deg"), vec![
-            line("heading", &trace.heading_rad, degrees),
-        ]))
+        @if page.outcome.statistics.is_none() {
+            (chart("Heading", Axis::new("heading", "deg"), vec![
+                line("heading", &trace.heading_rad, degrees),
+            ]))
+        }
         (chart("Rate of turn, positive to starboard", zero("rate of turn", "deg/min"), vec![
             line("rate of turn", &trace.turn_radps, 60.0 * degrees),
         ]))
@@ -69,7 +76,9 @@ fn of_vessel(page: &Charts<'_>, name: &str, setup: &VesselSetup, trace: &VesselT
             (chart("Revolutions, positive ahead", zero("revolutions", "rpm"),
                 both(&trace.shaft_rps, 60.0)))
         }
-        @for (of, thruster) in setup.thrusters.iter().zip(&trace.thrusters).take(STYLES / 2) {
+        @let thrusters = setup.thrusters.iter().zip(&trace.thrusters);
+        @let thrusters = thrusters.filter(|(_, thruster)| thruster.iter().any(moves));
+        @for (of, thruster) in thrusters.take(STYLES / 2) {
             (chart(&format!("Thruster {}, positive to starboard", of.name), zero("thrust", "%"),
                 both(thruster, 100.0)))
         }
@@ -79,12 +88,6 @@ fn of_vessel(page: &Charts<'_>, name: &str, setup: &VesselSetup, trace: &VesselT
             (chart(&format!("Azimuth unit {}, direction of its thrust from the bow", of.name),
                 zero("direction", "deg"), both(&unit.direction_rad, degrees)))
         }
-        @if moves(&trace.roll_rad) || moves(&trace.pitch_rad) {
-            (chart("Roll (to starboard) and pitch (bow up)", zero("angle", "deg"), vec![
-                line("roll", &trace.roll_rad, degrees),
-                line("pitch", &trace.pitch_rad, degrees),
-            ]))
-        }
         @if Series::line("", trace.squat_m.points()).largest() > SEEN_M {
             (chart("Squat", zero("squat", "m"), vec![line("squat", &trace.squat_m, 1.0)]))
         }
@@ -93,10 +96,46 @@ fn of_vessel(page: &Charts<'_>, name: &str, setup: &VesselSetup, trace: &VesselT
                 line("clearance", &trace.under_keel_m, 1.0),
             ]))
         }
+        // Beside the statistics of motions, if the scenario asks for them.
+        @if page.outcome.statistics.is_none() { (attitude(page, name, trace)) }
+    }
+}
+
+/// The motions of each vessel in six degrees of freedom.
+pub(super) fn motions(page: &Charts<'_>, recorder: &Recorder) -> Markup {
+    let setup = page.outcome.setup;
+    let all = setup.world.vessels.iter().zip(&recorder.world.vessels);
+    let degrees = 1.0_f64.to_degrees();
+    html! {
+        @for (vessel, trace) in all.take(VESSELS) {
+            @let name = &setup.bodies[vessel.body].name;
+            @let [ahead, starboard] = &trace.place_m;
+            @let chart = |title: &str, axis: Axis, of: &Decimator, factor: f64| {
+                page.chart(&format!("{title}, {name}"), axis, vec![line("", of, factor)]).render()
+            };
+            (chart("Surge, ahead of her first place", Axis::new("surge", "m").including(0.0), ahead, 1.0))
+            (chart("Sway, to starboard of her first place", Axis::new("sway", "m").including(0.0), starboard, 1.0))
+            (attitude(page, name, trace))
+            (chart("Yaw, her heading", Axis::new("heading", "deg"), &trace.heading_rad, degrees))
+        }
+    }
+}
+
+/// Heave, roll and pitch of a vessel, where they move.
+fn attitude(page: &Charts<'_>, name: &str, trace: &VesselTrace) -> Markup {
+    let degrees = 1.0_f64.to_degrees();
+    let moves = |of: &Decimator| Series::line("", of.points()).largest() > STILL;
+    html! {
         @if moves(&trace.heave_m) {
-            (chart("Heave, positive down", zero("heave", "m"), vec![
+            (page.chart(&format!("Heave, positive down, {name}"), Axis::new("heave", "m").including(0.0), vec![
                 line("heave", &trace.heave_m, 1.0),
-            ]))
+            ]).render())
+        }
+        @if moves(&trace.roll_rad) || moves(&trace.pitch_rad) {
+            (page.chart(&format!("Roll (to starboard) and pitch (bow up), {name}"), Axis::new("angle", "deg").including(0.0), vec![
+                line("roll", &trace.roll_rad, degrees),
+                line("pitch", &trace.pitch_rad, degrees),
+            ]).render())
         }
     }
 }
@@ -158,20 +197,37 @@ pub(super) fn tugs(page: &Charts<'_>, recorder: &Recorder) -> Markup {
     page.chart("Forces of the tugs", Axis::new("force", &unit).including(0.0), series).render()
 }
 
-/// Tensions of all lines, with break load and working load if they are the same for all.
+/// Tensions of the lines that are followed, a few in each chart, with break load and working load where they are the same for all.
 pub(super) fn lines(page: &Charts<'_>, recorder: &Recorder) -> Markup {
+    let all: Vec<usize> = (0..recorder.world.lines.len()).collect();
+    let charts: Vec<&[usize]> = all.chunks(LINES).collect();
+    html! {
+        @for (index, lines) in charts.iter().enumerate() {
+            @let title = if charts.len() > 1 {
+                format!("Tension of the lines, {} of {}", index + 1, charts.len())
+            } else {
+                "Tension of the lines".to_owned()
+            };
+            (some_lines(page, recorder, &title, lines))
+        }
+        @if page.outcome.setup.world.lines.len() > all.len() {
+            p class="note" {
+                "The first " (all.len()) " lines, of " (page.outcome.setup.world.lines.len()) "; all are in the table."
+            }
+        }
+    }
+}
+
+/// The chart of some lines.
+fn some_lines(page: &Charts<'_>, recorder: &Recorder, title: &str, lines: &[usize]) -> Markup {
     let setup = page.outcome.setup;
     let totals = &page.outcome.world.lines;
-    let mut order: Vec<usize> = (0..recorder.world.lines.len()).collect();
-    order.sort_by(|&a, &b| totals[b].tension_n.value.total_cmp(&totals[a].tension_n.value));
-    order.truncate(STYLES);
-    order.sort_unstable();
     let series =
-        order.iter().map(|&k| line(&setup.world.lines[k].line.name, &recorder.world.lines[k], 1.0));
+        lines.iter().map(|&k| line(&setup.world.lines[k].line.name, &recorder.world.lines[k], 1.0));
     let (unit, series) = scaled(series.collect(), "N");
     let factor = if unit == "N" { 1.0 } else { series_factor(&unit) };
     let common = |of: fn(&fenderline_results::LineTotals) -> Option<f64>| {
-        let mut values = order.iter().filter_map(|&k| of(&totals[k]));
+        let mut values = lines.iter().filter_map(|&k| of(&totals[k]));
         let first = values.next()?;
         values.all(|value| value == first).then_some(first)
     };
@@ -179,20 +235,19 @@ pub(super) fn lines(page: &Charts<'_>, recorder: &Recorder) -> Markup {
         ("break load", common(|line| line.break_load_n)),
         ("working load", common(|line| line.working_load_n)),
     ];
-    let mut chart =
-        page.chart("Tension of the lines", Axis::new("tension", &unit).including(0.0), series);
-    chart.references = limits
-        .into_iter()
-        .filter_map(|(label, value_n)| {
-            Some(Reference { label: label.to_owned(), value: value_n? * factor })
-        })
-        .collect();
-    if setup.world.lines.len() > order.len() {
-        chart.note = format!(
-            "The {} lines with the largest tensions, of {}.",
-            order.len(),
-            setup.world.lines.len()
-        );
+    let limits = limits.into_iter().filter_map(|(label, value_n)| {
+        Some(Reference { label: label.to_owned(), value: value_n? * factor })
+    });
+    // Lines far below their loads are drawn at their own scale.
+    let largest = series.iter().fold(0.0, |most, one: &Series| greater(most, one.largest()));
+    let (drawn, far): (Vec<Reference>, Vec<Reference>) =
+        limits.partition(|limit| largest >= NEAR_LIMIT * limit.value);
+    let mut chart = page.chart(title, Axis::new("tension", &unit).including(0.0), series);
+    chart.references = drawn;
+    let far = far.iter().map(|limit| format!("{} {} {unit}", limit.label, plain(limit.value, 4)));
+    let far: Vec<String> = far.collect();
+    if !far.is_empty() {
+        chart.note = format!("Above the chart: {}.", far.join(", "));
     }
     chart.render()
 }

@@ -8,6 +8,9 @@ mod orders;
 mod passing;
 mod tables;
 
+use std::fmt::Write;
+
+use fenderline_sim::Setup;
 use maud::{Markup, html};
 
 use super::Recorder;
@@ -17,6 +20,9 @@ use fenderline_results::Outcome;
 pub(super) use headline::{headline, remarks};
 pub(super) use orders::compass;
 pub use orders::{addressee, order_text};
+
+/// Names of vessels in a sentence, at most.
+const NAMED: usize = 8;
 
 /// What of the vessels' data has to be checked: estimates, and what was recalled.
 pub(super) fn to_check(outcome: &Outcome<'_>) -> Vec<String> {
@@ -33,6 +39,45 @@ pub(super) fn to_check(outcome: &Outcome<'_>) -> Vec<String> {
     all
 }
 
+/// Which vessels move in six degrees of freedom, and what those without hydrodynamic data do.
+pub(super) fn degrees_of_freedom(setup: &Setup) -> String {
+    let names = |has_data: bool| -> Vec<&str> {
+        let vessels = setup.world.vessels.iter();
+        let vessels = vessels.filter(|vessel| vessel.seakeeping.is_some() == has_data);
+        vessels.map(|vessel| setup.bodies[vessel.body].name.as_str()).take(NAMED).collect()
+    };
+    let (with, without) = (names(true), names(false));
+    let mut text = String::new();
+    if !with.is_empty() {
+        let _ = write!(
+            text,
+            "With hydrodynamic data ({}): motion in six degrees of freedom by Cummins' equation; heave, roll and pitch move fairleads and              contact points, and lines and fenders act back on them. ",
+            with.join(", ")
+        );
+    }
+    if !without.is_empty() {
+        let _ = write!(
+            text,
+            "Without hydrodynamic data ({}): heave, roll and pitch are oscillators beside the motion in the plane; they do not move \
+             fairleads or contact points, and waves push by their mean drift alone.",
+            without.join(", ")
+        );
+    }
+    text
+}
+
+/// Motions about their means, and the limits of the scenario, if it asks for statistics.
+pub(super) fn motions(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
+    let page = Charts::new(outcome);
+    html! {
+        @if outcome.statistics.is_some() {
+            h2 { "Motions and limits" }
+            (motions::section(outcome))
+            (charts::motions(&page, recorder))
+        }
+    }
+}
+
 /// All sections.
 pub(super) fn sections(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let world = &outcome.setup.world;
@@ -41,7 +86,6 @@ pub(super) fn sections(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
         @if !world.vessels.is_empty() {
             h2 { "Vessels" }
             (tables::vessels(outcome))
-            (motions::section(outcome))
             (charts::vessels(&page, recorder))
         }
         @if !world.flow.hulls.is_empty() {
@@ -58,6 +102,7 @@ pub(super) fn sections(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
             h2 { "Mooring lines" }
             (tables::lines(outcome))
             (charts::lines(&page, recorder))
+            (motions::cycles(outcome))
         }
         @if !world.anchors.is_empty() {
             h2 { "Anchors" }

@@ -1,6 +1,7 @@
-//! Statistics of motions, limits, and cycles of lines.
+//! Statistics of motions, the limits of a scenario, and cycles of lines.
 
 use fenderline_results::Outcome;
+use fenderline_sim::seakeeping::Seakeeping;
 use fenderline_sim::statistics::{MotionName, MotionStatistics, RAINFLOW_BINS};
 use maud::{Markup, html};
 
@@ -8,24 +9,51 @@ use crate::plot::{fixed, plain};
 use crate::run_page::tables::{ROWS, number};
 use crate::{Head, table_head};
 
-/// The sections, if the scenario asks for statistics.
+/// The tables of motions and limits, if the scenario asks for statistics.
 pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
     let Some(statistics) = outcome.statistics else { return html! {} };
     let setup = outcome.setup;
     html! {
+        (limits(outcome))
         @for (index, vessel) in setup.world.vessels.iter().enumerate().take(ROWS) {
             h3 { "Motions of " (setup.bodies[vessel.body].name) }
             (motions(&statistics.motions(index, setup.step_s)))
+            @if let Some(ship) = &vessel.seakeeping {
+                (data(&setup.bodies[vessel.body].name, ship))
+            } @else {
+                p {
+                    span class="verdict over_rated" { "NO HYDRODYNAMIC DATA" } " "
+                    "Heave, roll and pitch of " (setup.bodies[vessel.body].name) " are oscillators beside the motion in the plane. "
+                    "Waves push her in surge, sway and yaw by their mean drift alone: these motions are not those of a moored ship in waves."
+                }
+            }
         }
         p class="note" {
             "About the mean, from " (plain(statistics.from_s(), 6)) " s; surge and sway of the centre of gravity along and across the mean "
             "heading. A peak is the largest distance from the mean between two crossings of it, a range the distance from a crest to the "
             "trough after it; significant is the mean of the highest third."
         }
-        (limits(outcome))
-        @if !setup.world.lines.is_empty() {
-            h3 { "Cycles of the lines" }
-            (cycles(outcome))
+    }
+}
+
+/// What her hydrodynamic data have, and what they lack.
+fn data(name: &str, ship: &Seakeeping) -> Markup {
+    html! {
+        p class="note" {
+            (name) " moves in six degrees of freedom by her hydrodynamic data ("
+            (ship.data.radiation().count()) " frequencies, "
+            @match ship.data.depth_m() {
+                Some(depth_m) => { (plain(depth_m, 4)) " m of water" }
+                None => "deep water",
+            }
+            "). "
+            @if ship.data.has_drift() {
+                "Slow drift is by Newman's approximation of their mean drift. "
+            } @else {
+                "They have no mean drift: it is estimated. "
+            }
+            "Waves that a quay reflects are in them only if the quay was part of the panel run. Viscous damping of roll is "
+            (plain(100.0 * ship.roll_damping, 3)) " % of the critical one."
         }
     }
 }
@@ -99,32 +127,44 @@ fn limits(outcome: &Outcome<'_>) -> Markup {
     }
 }
 
-fn cycles(outcome: &Outcome<'_>) -> Markup {
+/// Cycles of the lines by the range of their tension, if the scenario asks for statistics.
+pub(super) fn cycles(outcome: &Outcome<'_>) -> Markup {
     let Some(statistics) = outcome.statistics else { return html! {} };
-    let lines = outcome.setup.world.lines.iter().zip(&statistics.lines);
+    let lines = outcome.setup.world.lines.iter().zip(&statistics.lines).take(ROWS);
+    let counted: Vec<_> = lines.map(|(line, counts)| (&line.line.name, counts.cycles())).collect();
+    // Ranges in which no line has a cycle have no column.
+    let bins: Vec<usize> = (0..RAINFLOW_BINS)
+        .filter(|&bin| counted.iter().any(|(_, cycles)| cycles[bin] > 0.0))
+        .collect();
     let width = 100 / RAINFLOW_BINS;
+    let heads: Vec<String> =
+        bins.iter().map(|bin| format!("{}–{}", bin * width, (bin + 1) * width)).collect();
+    let heads = heads.iter().map(|head| Head::Number(head, "%"));
+    let heads: Vec<Head<'_>> = std::iter::once(Head::Name("Line")).chain(heads).collect();
     html! {
-        div class="wide" {
-            table {
-                (table_head(&[
-                    Head::Name("Line"),
-                    Head::Name("Cycles by range of tension over break load"),
-                ]))
-                tbody {
-                    @for (line, counts) in lines.take(ROWS) {
-                        @let counted = counts.cycles();
-                        tr {
-                            td class="name" { (line.line.name) }
-                            td class="name" {
-                                @for (bin, cycles) in counted.iter().enumerate().filter(|(_, cycles)| **cycles > 0.0) {
-                                    (bin * width) "–" ((bin + 1) * width) " %: " (fixed(*cycles, 1)) "; "
+        h3 { "Cycles of the lines" }
+        @if bins.is_empty() {
+            p class="note" { "No line has a cycle." }
+        } @else {
+            div class="wide" {
+                table {
+                    (table_head(&heads))
+                    tbody {
+                        @for (name, cycles) in &counted {
+                            tr {
+                                td class="name" { (name) }
+                                @for &bin in &bins {
+                                    (number(&if cycles[bin] > 0.0 { fixed(cycles[bin], 1) } else { "–".into() }))
                                 }
                             }
                         }
                     }
                 }
             }
+            p class="note" {
+                "Cycles by the range of the tension over the break load, by rainflow counting, from " (plain(statistics.from_s(), 6))
+                " s on; what is open at the end counts as half cycles. Fatigue laws of ropes are the reader's."
+            }
         }
-        p class="note" { "Rainflow counts; what is open at the end counts as half cycles. Fatigue laws of ropes are the reader's." }
     }
 }

@@ -18,6 +18,12 @@ pub struct CurrentGrid {
 }
 
 impl CurrentGrid {
+    /// The velocity of the largest size (m/s).
+    pub(super) fn fastest(&self) -> Vec2 {
+        let all = self.velocities_mps.iter().copied();
+        all.fold(Vec2::ZERO, |most, one| if one.length() > most.length() { one } else { most })
+    }
+
     /// A grid from its three axes and the velocities, with the index of east varying fastest, then north, then time.
     ///
     /// # Errors

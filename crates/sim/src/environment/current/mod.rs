@@ -29,6 +29,15 @@ impl Current {
     /// (Saltstraumen; recalled).
     pub const FASTEST_MPS: f64 = 15.0;
 
+    /// The fastest velocity in it at the surface, over all places and times, north and east (m/s).
+    #[must_use]
+    pub fn fastest(&self) -> Vec2 {
+        match self {
+            Current::Grid(grid) => grid.fastest(),
+            Current::Uniform(_) | Current::Layered(_) => self.velocity(Vec2::ZERO, 0.0, 0.0),
+        }
+    }
+
     /// A uniform current.
     ///
     /// # Errors
