@@ -2,6 +2,7 @@
 
 mod axis;
 mod check;
+mod downtime;
 mod gathered;
 mod merge;
 mod page;
@@ -122,6 +123,9 @@ fn run(args: &CampaignRunArgs) -> Result<(), Failure> {
         store.write_so_far().map_err(Failure::case)?;
     }
     say(&printed::printed(&runs, &gathered, &folder, args, shard, ended, is_whole))?;
+    if let Some(plan) = runs.downtime().filter(|_| is_whole && shard == Shard::WHOLE) {
+        say(&downtime::printed(&runs, plan, &folder)?)?;
+    }
     if !is_whole {
         return Err(Failure::Interrupted);
     }

@@ -1,5 +1,6 @@
 //! Campaigns: many runs of one scenario with values that are drawn from distributions, their tables and statistics.
 
+pub mod downtime;
 mod draw;
 mod error;
 mod limit;

@@ -78,6 +78,13 @@ impl ScenarioError {
         }))
     }
 
+    /// A mistake in a row of a file that a campaign names; `key` is that of the campaign which names it.
+    #[must_use]
+    pub fn in_row(origin: &Origin, key: &str, message: impl Into<String>) -> ScenarioError {
+        ScenarioError::new(origin.place.clone(), Some(key.to_owned()), message.into())
+            .at_origin(origin)
+    }
+
     pub(crate) fn with_help(mut self, help: impl Into<String>) -> ScenarioError {
         self.0.help = Some(help.into());
         self

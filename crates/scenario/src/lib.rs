@@ -94,7 +94,7 @@ pub use bounded_file::{
 };
 pub use campaign::law::{Law, LawFamily};
 pub use campaign::{
-    Campaign, Change, Choice, Correlation, Design, Draw, Limit, MOST_CASES, Output, Plan,
+    Campaign, Change, Choice, Correlation, Design, Downtime, Draw, Limit, MOST_CASES, Output, Plan,
     Statistic, Stop, Target, TargetOrigins, Variable,
 };
 pub use error::{Notice, Place, ScenarioError};

@@ -12,7 +12,7 @@ use fenderline_campaign::table::Table;
 use fenderline_campaign::{Formula, Head, Runner, Runs, Seen};
 use fenderline_scenario::{Campaign, Draw, Plan, Variable};
 
-use super::default_folder;
+use super::{default_folder, downtime};
 use crate::cli::CampaignReportArgs;
 use crate::documents::Pdf;
 use crate::failure::Failure;
@@ -57,6 +57,9 @@ pub(super) fn write(
     folder: &Path,
     pdf: Option<&Pdf>,
 ) -> Result<(), Failure> {
+    if let Some(plan) = runs.downtime() {
+        return downtime::write(runs, plan, file, folder, pdf);
+    }
     let refused = |why: &dyn core::fmt::Display| Failure::input(format_args!("error: {why}"));
     let table = Table::open(&folder.join(TABLE_PARQUET)).map_err(|why| refused(&why))?;
     let campaign = runs.campaign();
@@ -107,6 +110,8 @@ pub(super) fn write(
 pub(super) fn plan(campaign: &Campaign) -> String {
     match campaign.plan {
         Plan::FullFactorial | Plan::Table { .. } => campaign.plan.word().to_owned(),
+        // The seed draws the sample, and the phases of waves and gusts.
+        Plan::Downtime(_) => format!("{}, seed {}", campaign.plan.word(), campaign.seed),
         _ => format!("{}, seed {}", campaign.plan.word(), campaign.seed),
     }
 }

@@ -33,7 +33,7 @@ impl Probabilities {
         seed: u64,
     ) -> Result<Option<Probabilities>, String> {
         let kind = match *plan {
-            Plan::FullFactorial | Plan::Table { .. } => return Ok(None),
+            Plan::FullFactorial | Plan::Table { .. } | Plan::Downtime(_) => return Ok(None),
             Plan::MonteCarlo { .. } => Kind::Independent,
             Plan::LatinHypercube { number } => Kind::Hypercube(
                 (0..dimensions).map(|dimension| shuffled(number, dimension, seed)).collect(),

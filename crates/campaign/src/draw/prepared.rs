@@ -8,7 +8,8 @@ use fenderline_scenario::{
 use super::copula::Copula;
 use super::formula::Formula;
 use super::plan::Probabilities;
-use super::source::{Column, Measured, Source, open, rows, source};
+use super::source::{Column, Measured, Source, of_downtime, open, rows, source};
+use crate::downtime::DowntimePlan;
 use crate::error::CampaignError;
 use crate::row::{Cell, Head};
 
@@ -22,6 +23,7 @@ pub struct Draws {
     counts: Vec<usize>,
     heads: Vec<Head>,
     runs: u64,
+    downtime: Option<DowntimePlan>,
 }
 
 /// What a run draws.
@@ -54,6 +56,11 @@ impl Draws {
     /// no variables have, a formula that cannot be read or names an unknown number, formulas that need each other, a formula of
     /// names.
     pub fn new(campaign: &Campaign) -> Result<Draws, CampaignError> {
+        let downtime = match &campaign.plan {
+            Plan::Downtime(of) => Some(DowntimePlan::new(of, campaign.seed)?),
+            _ => None,
+        };
+        let given = downtime.as_ref().map(|own| own.variables(campaign)).unwrap_or_default();
         let variables = &campaign.variables;
         let table = match &campaign.plan {
             Plan::Table { file } => Some(open(file)?),
@@ -69,6 +76,11 @@ impl Draws {
             heads.push(Head { is_text, ..head });
             sources.push(source);
         }
+        for (variable, values) in given {
+            let (source, head) = of_downtime(&variable, values);
+            heads.push(head);
+            sources.push(source);
+        }
         let runs = match &campaign.plan {
             Plan::FullFactorial => campaign.cases() as u64,
             Plan::MonteCarlo { number }
@@ -77,6 +89,7 @@ impl Draws {
             Plan::Table { file } => {
                 rows(&sources).ok_or_else(|| CampaignError::values(file, "there is no row"))?
             }
+            Plan::Downtime(_) => downtime.as_ref().map_or(0, DowntimePlan::runs),
         };
         let probabilities = Probabilities::new(&campaign.plan, variables.len(), campaign.seed)
             .map_err(|why| CampaignError::part("plan", why))?;
@@ -86,12 +99,13 @@ impl Draws {
         };
         Ok(Draws {
             formulas: formulas(variables, &sources)?,
-            counts: variables.iter().map(|variable| variable.choices().len().max(1)).collect(),
+            counts: sources.iter().map(Source::choices).collect(),
             sources,
             probabilities,
             copula,
             heads,
             runs,
+            downtime,
         })
     }
 
@@ -101,16 +115,27 @@ impl Draws {
         self.runs
     }
 
+    /// The states and hours of a downtime; `None` for a campaign of variables.
+    #[must_use]
+    pub fn downtime(&self) -> Option<&DowntimePlan> {
+        self.downtime.as_ref()
+    }
+
     /// Adds all values that came from files to a hash.
     pub(crate) fn add_values(&self, hash: &mut Fnv1a) {
         for source in &self.sources {
             match source {
                 Source::Measured(Measured { values, target, .. })
-                | Source::Numbers(Column { values, target, .. }) => {
+                | Source::Numbers(Column { values, target, .. })
+                | Source::States { values, target } => {
                     hash.bytes(target.unit.as_bytes());
                     values.iter().for_each(|value| hash.word(value.to_bits()));
                 }
                 Source::Texts(all) => all.values.iter().for_each(|text| {
+                    hash.bytes(text.as_bytes());
+                    hash.bytes(&[0]);
+                }),
+                Source::Words { values, .. } => values.iter().for_each(|text| {
                     hash.bytes(text.as_bytes());
                     hash.bytes(&[0]);
                 }),
@@ -199,6 +224,11 @@ impl Draws {
                     Cell::Number(values[own])
                 }
                 Source::Formula(_) => Cell::Empty,
+                Source::States { values, .. } => Cell::Number(values[run as usize]),
+                Source::Words { values, .. } => match values[run as usize].as_str() {
+                    "" => Cell::Empty,
+                    text => Cell::Text(text.to_owned()),
+                },
                 Source::Numbers(all) => {
                     picked[index] = run as usize;
                     Cell::Number(all.values[run as usize])

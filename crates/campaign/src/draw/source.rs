@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 
 use fenderline_scenario::{Choice, Draw, Law, Origin, Target, Variable};
 
+use crate::downtime::Given;
 use crate::error::CampaignError;
+use crate::row::Head;
 use crate::table::Table;
 
 /// Where a variable's value comes from.
@@ -22,6 +24,16 @@ pub(super) enum Source {
     Formula(Target),
     Numbers(Column<f64>),
     Texts(Column<String>),
+    /// The numbers of a downtime's states and hours, one a run.
+    States {
+        values: Vec<f64>,
+        target: Target,
+    },
+    /// Their words, which change nothing.
+    Words {
+        values: Vec<String>,
+        target: Target,
+    },
 }
 
 /// The values of a column of a file.
@@ -52,6 +64,15 @@ impl Source {
             Source::Measured(own) => Some(&own.target),
             Source::Numbers(own) => Some(&own.target),
             Source::Texts(own) => Some(&own.target),
+            Source::States { target, .. } | Source::Words { target, .. } => Some(target),
+        }
+    }
+
+    /// The number of choices; 1 where it has none.
+    pub(super) fn choices(&self) -> usize {
+        match self {
+            Source::Choices { choices, .. } => choices.len().max(1),
+            _ => 1,
         }
     }
 
@@ -61,7 +82,11 @@ impl Source {
             Source::Measured(own) => Some(&own.file),
             Source::Numbers(own) => Some(&own.file),
             Source::Texts(own) => Some(&own.file),
-            Source::Choices { .. } | Source::Law(..) | Source::Formula(_) => None,
+            Source::Choices { .. }
+            | Source::Law(..)
+            | Source::Formula(_)
+            | Source::States { .. }
+            | Source::Words { .. } => None,
         }
     }
 
@@ -71,7 +96,11 @@ impl Source {
             Source::Measured(own) => own.column.as_str(),
             Source::Numbers(own) => own.name.as_str(),
             Source::Texts(own) => own.name.as_str(),
-            Source::Choices { .. } | Source::Law(..) | Source::Formula(_) => "",
+            Source::Choices { .. }
+            | Source::Law(..)
+            | Source::Formula(_)
+            | Source::States { .. }
+            | Source::Words { .. } => "",
         };
         let found = self.file().and_then(|file| Some(Table::open(file).ok()?.origin(column, row)));
         found.or_else(|| self.target()?.origins.values.clone())
@@ -181,6 +210,24 @@ pub(super) fn source(
             }
         }
     })
+}
+
+/// The source and head of a variable of a downtime.
+pub(super) fn of_downtime(variable: &Variable, values: Given) -> (Source, Head) {
+    let Draw::Column { target, .. } = &variable.draw else {
+        unreachable!("a downtime's variables are columns")
+    };
+    let meaning = variable.source.as_deref().unwrap_or_default();
+    let target = target.clone();
+    match values {
+        Given::Numbers(values) => {
+            let head = Head::new(&variable.name, &target.unit, meaning);
+            (Source::States { values, target }, head)
+        }
+        Given::Texts(values) => {
+            (Source::Words { values, target }, Head::of_text(&variable.name, meaning))
+        }
+    }
 }
 
 /// The number of rows of a table's columns.

@@ -5,6 +5,7 @@
 
 mod column;
 mod convergence;
+mod downtime;
 mod inputs;
 mod limits;
 mod operability;
@@ -27,6 +28,7 @@ use crate::statistics::{Sample, SampleError};
 use crate::table::{Head, Table, TableError};
 
 pub use column::column_page;
+pub use downtime::{DowntimeReport, downtime_page};
 pub use quote::{Quote, quote};
 
 /// An input of a campaign.

@@ -14,6 +14,8 @@ pub(super) enum Named {
     Line(usize, &'static OfLine),
     Body(usize, &'static OfBody),
     Tug(usize, &'static OfTug),
+    /// A limit of the scenario.
+    Limit(usize),
 }
 
 /// A quantity: name, unit, meaning, value.
@@ -109,13 +111,17 @@ impl Named {
     /// # Errors
     /// A text of another form, a part that the scenario does not have, a quantity that it does not have.
     pub(super) fn parse(text: &str, setup: &Setup) -> Result<Named, String> {
+        if let Some(name) = text.strip_prefix("limit.") {
+            let limits = setup.world.statistics.limits.iter();
+            return Ok(Named::Limit(place("limit", name, limits.map(|own| own.name.as_str()))?));
+        }
         let parts = text.split_once('.').and_then(|(kind, rest)| {
             let (name, quantity) = rest.rsplit_once('.')?;
             Some((kind, name, quantity))
         });
         let form = || {
             format!(
-                "\"{text}\" is not of the form fender.NAME.reaction, line.NAME.tension, body.NAME.largest_sway or tug.NAME.force"
+                "\"{text}\" is not of the form fender.NAME.reaction, line.NAME.tension, body.NAME.largest_sway, tug.NAME.force or limit.NAME"
             )
         };
         let (kind, name, quantity) = parts.ok_or_else(form)?;
@@ -156,6 +162,7 @@ impl Named {
             Named::Line(_, own) => (own.unit, own.meaning),
             Named::Body(_, own) => (own.unit, own.meaning),
             Named::Tug(_, own) => (own.unit, own.meaning),
+            Named::Limit(_) => ("%", "what the limit is of, over the most that is permissible"),
         };
         Head::new(name, unit, meaning)
     }
@@ -177,6 +184,10 @@ impl Named {
                 .find(|(body, _)| *body == index)
                 .and_then(|(_, motion)| (own.value)(motion)),
             Named::Tug(index, own) => (own.value)(&world.tugs[index]),
+            Named::Limit(index) => {
+                let limit = &simulation.setup().world.statistics.limits[index];
+                Some(100.0 * simulation.limit_values()[index] / limit.most)
+            }
         };
         value.map_or(Cell::Empty, Cell::of_number)
     }

@@ -2,7 +2,9 @@
 
 use fenderline_contact::number::greater;
 use fenderline_results::{WorldTotals, worst_first};
-use fenderline_sim::{FenderSummary, Finding, Setup, Simulation, Verdict};
+use fenderline_sim::{FenderSummary, Finding, Gravity, Setup, Simulation, Verdict};
+
+use crate::downtime::BETWEEN;
 
 /// The numbers of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,6 +43,8 @@ pub(super) struct Numbers {
     pub(super) alongside_s: f64,
     /// Lines that parted.
     pub(super) lines_parted: usize,
+    /// Names of the limits that were exceeded, and verdicts of as grave findings, the gravest first; empty where there are none.
+    pub(super) lost_by: String,
 }
 
 /// The largest value among fenders.
@@ -95,9 +99,33 @@ impl Numbers {
             under_keel_m: under_keel_m(setup, world),
             notices,
             alongside_s,
+            lost_by: lost_by(setup, &findings),
             lines_parted: world.lines.iter().filter(|line| line.parted_s.is_some()).count(),
         }
     }
+}
+
+/// Why she cannot stay: limits by their names, that which is exceeded most first, after graver findings by their verdicts.
+fn lost_by(setup: &Setup, findings: &[Finding]) -> String {
+    let limits = &setup.world.statistics.limits;
+    let grave = findings.iter().filter(|own| own.verdict().gravity() >= Gravity::Attention);
+    let mut reasons: Vec<(Verdict, f64, &str)> = grave
+        .map(|own| match own {
+            Finding::LimitExceeded { limit, value } => {
+                let limit = &limits[*limit];
+                (own.verdict(), value / limit.most, limit.name.as_str())
+            }
+            other => (other.verdict(), 0.0, other.verdict().text()),
+        })
+        .collect();
+    reasons.sort_by(|one, other| other.0.cmp(&one.0).then(other.1.total_cmp(&one.1)));
+    let mut names: Vec<&str> = Vec::new();
+    for (_, _, name) in reasons {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names.join(BETWEEN)
 }
 
 fn contact(simulation: &Simulation) -> Option<(f64, f64)> {

@@ -1,13 +1,14 @@
 //! The columns of a campaign's results, and their cells for a run.
 
 use fenderline_results::WorldTotals;
-use fenderline_scenario::{Campaign, nearest};
+use fenderline_scenario::{Campaign, Plan, nearest};
 use fenderline_sim::{Setup, Simulation};
 
 use super::columns;
 use super::motion::Excursion;
 use super::named::Named;
 use super::numbers::Numbers;
+use crate::downtime::LOST_BY;
 use crate::draw::Formula;
 use crate::error::CampaignError;
 use crate::row::{Cell, Head};
@@ -18,6 +19,8 @@ pub(super) struct Outputs {
     formulas: Vec<(Formula, Vec<usize>)>,
     /// Bodies whose motion is needed.
     pub(super) bodies: Vec<usize>,
+    /// The runs are those of a downtime: why each is lost is a column.
+    is_downtime: bool,
     /// Heads of variables and results, in the order of the table, without the number of the run.
     pub(super) heads: Vec<Head>,
 }
@@ -76,12 +79,17 @@ impl Outputs {
             heads.push(Head::new(&output.name, &output.unit, &output.expression));
             formulas.push((formula, inputs));
         }
+        let is_downtime = matches!(campaign.plan, Plan::Downtime(_));
+        if is_downtime {
+            let meaning = "limits that were exceeded, and other findings against her stay at the berth, the gravest first";
+            heads.push(Head::of_text(LOST_BY, meaning));
+        }
         heads.push(Head::new("notices", "", "number of notices of the scenario"));
         heads.push(Head::of_text("error", "why the run was not made, or not to its end"));
         let mut bodies: Vec<usize> = named.iter().filter_map(|own: &Named| own.body()).collect();
         bodies.sort_unstable();
         bodies.dedup();
-        Ok(Outputs { named, formulas, bodies, heads })
+        Ok(Outputs { named, formulas, bodies, is_downtime, heads })
     }
 
     /// The cells of a run that has ended, after those of its variables.
@@ -100,6 +108,12 @@ impl Outputs {
             let values: Vec<f64> =
                 inputs.iter().map(|input| cells[*input].number().unwrap_or(f64::NAN)).collect();
             cells.push(Cell::of_number(formula.value(&values)));
+        }
+        if self.is_downtime {
+            cells.push(match numbers.lost_by.as_str() {
+                "" => Cell::Empty,
+                reasons => Cell::Text(reasons.to_owned()),
+            });
         }
         cells.extend([Cell::Number(numbers.notices as f64), Cell::Empty]);
         cells

@@ -14,6 +14,7 @@ use fenderline_sim::{Simulation, Start};
 use super::motion::Excursion;
 use super::numbers::Numbers;
 use super::outputs::Outputs;
+use crate::downtime::DowntimePlan;
 use crate::draw::{Drawn, Draws};
 use crate::error::CampaignError;
 use crate::limit::Limit;
@@ -94,6 +95,18 @@ impl Runs {
             let why = "it has a [[provider]], which only `fenderline run` starts";
             return Err(CampaignError::part("scenario", why));
         }
+        let mut campaign = campaign;
+        if let Some(downtime) = draws.downtime() {
+            downtime.check(&base)?;
+            let variables = downtime.variables(&campaign).into_iter();
+            campaign.variables = variables.map(|(variable, _)| variable).collect();
+            let limits = base.setup.world.statistics.limits.iter();
+            let mut outputs: Vec<String> =
+                limits.map(|limit| format!("limit.{}", limit.name)).collect();
+            let own = campaign.outputs.iter().filter(|name| !outputs.contains(name)).cloned();
+            outputs.extend(own.collect::<Vec<_>>());
+            campaign.outputs = outputs;
+        }
         let outputs = Outputs::new(&campaign, &base.setup, draws.heads())?;
         if let Some(stop) = &campaign.stop
             && !outputs.heads.iter().any(|head| head.name == stop.output && !head.is_text)
@@ -128,6 +141,12 @@ impl Runs {
     #[must_use]
     pub fn base(&self) -> &Scenario {
         &self.base
+    }
+
+    /// The states and hours of a downtime; `None` for another campaign.
+    #[must_use]
+    pub fn downtime(&self) -> Option<&DowntimePlan> {
+        self.draws.downtime()
     }
 
     /// The number of runs.
@@ -248,8 +267,10 @@ fn rows_of(campaign: &Campaign) -> Campaign {
     (campaign.design, campaign.success) = (None, None);
     campaign.limits.clear();
     campaign.changes.iter_mut().for_each(unplaced);
-    if let Plan::Table { file } = &mut campaign.plan {
-        *file = PathBuf::new();
+    match &mut campaign.plan {
+        Plan::Table { file } => *file = PathBuf::new(),
+        Plan::Downtime(of) => (of.file, of.origin) = (PathBuf::new(), None),
+        _ => {}
     }
     for variable in &mut campaign.variables {
         variable.source = None;

@@ -20,6 +20,6 @@ mod sample;
 
 pub use interval::{Confidence, Estimate, Interval};
 pub use moments::{Measured, Moments};
-pub use probability::{binomial, share_above};
+pub use probability::{binomial, share_above, wilson};
 pub use quantile::{Quantile, quantile, value_exceeded};
 pub use sample::{Sample, SampleError};

@@ -21,6 +21,26 @@ pub fn binomial(hits: usize, runs: usize, confidence: Confidence) -> Estimate {
     Estimate { value: k / n, interval: Interval { low, high } }
 }
 
+/// The probability of an event that happened in `hits` of `runs`, with Wilson's interval (Journal of the American Statistical Association
+/// 22, 1927): the probabilities from which the count is not farther than the normal law of its deviation allows. Its level is right on
+/// the average over probabilities, where that of [`binomial`] is never less than stated.
+///
+/// # Panics
+/// No run, or more hits than runs.
+#[must_use]
+pub fn wilson(hits: usize, runs: usize, confidence: Confidence) -> Estimate {
+    assert!(runs > 0 && hits <= runs, "{hits} hits of {runs} runs");
+    let (n, p) = (runs as f64, hits as f64 / runs as f64);
+    let z = confidence.normal_quantile();
+    let shrink = 1.0 + z * z / n;
+    let middle = (p + 0.5 * z * z / n) / shrink;
+    let half = z / shrink * libm::sqrt(p * (1.0 - p) / n + 0.25 * z * z / (n * n));
+    // At the ends the formula gives them but for rounding.
+    let low = if hits == 0 { 0.0 } else { middle - half };
+    let high = if hits == runs { 1.0 } else { middle + half };
+    Estimate { value: p, interval: Interval { low, high } }
+}
+
 /// The probability to exceed `value`.
 ///
 /// Without weights it is the share of the values with the interval of [`binomial`]. With weights it is Σw/n over the values

@@ -12,6 +12,7 @@ mod page;
 mod plan;
 mod rose;
 mod series;
+mod stacked;
 mod system;
 mod timeline;
 mod tornado;
@@ -30,6 +31,7 @@ pub use plan::{
 };
 pub use rose::{Ring, Rose};
 pub use series::{Decimator, Point, Series};
+pub use stacked::Stacked;
 pub use system::{
     Chain, ConeDrawn, Face, FaceFender, Hull, Level, LevelKind, PanelPlan, Section, Side,
 };

@@ -1,5 +1,6 @@
 //! Campaigns: many runs of one scenario, from a file that says what differs from run to run and how it is chosen.
 
+mod downtime;
 mod keys;
 pub(crate) mod law;
 mod number;
@@ -8,12 +9,13 @@ mod variable;
 
 use std::path::{Path, PathBuf};
 
+pub use self::downtime::Downtime;
 pub(crate) use self::keys::CAMPAIGN_FILE;
 use self::law::LawFamily;
 pub use self::plan::{Correlation, Design, Limit, Output, Plan, Statistic, Stop};
 use self::variable::changes;
 pub use self::variable::{Change, Choice, Draw, Target, TargetOrigins, Variable};
-use crate::checked::Table;
+use crate::checked::{Item, Table};
 use crate::error::ScenarioError;
 use crate::load::{LoadError, read_text};
 use crate::reader;
@@ -90,7 +92,7 @@ pub struct Campaign {
     pub plan: Plan,
     /// Seed of the random numbers.
     pub seed: u64,
-    /// What differs from run to run; in a full factorial the last one changes fastest.
+    /// What differs from run to run; in a full factorial the last one changes fastest. None of a downtime until its weather is read.
     pub variables: Vec<Variable>,
     /// Correlations of variables with a distribution.
     pub correlations: Vec<Correlation>,
@@ -121,8 +123,11 @@ impl Campaign {
         let mut campaign = campaign.map_err(LoadError::Refused)?;
         let folder = path.parent().unwrap_or(Path::new(""));
         campaign.scenario = folder.join(&campaign.scenario);
-        if let Plan::Table { file } = &mut campaign.plan {
-            *file = folder.join(&*file);
+        match &mut campaign.plan {
+            Plan::Table { file } | Plan::Downtime(Downtime { file, .. }) => {
+                *file = folder.join(&*file);
+            }
+            _ => {}
         }
         for variable in &mut campaign.variables {
             if let Draw::Measured { file, .. } = &mut variable.draw {
@@ -151,11 +156,15 @@ impl Campaign {
         let document = syntax::parse(&sources)?;
         let end = text.trim_end().len();
         let file = reader::table(&sources, &CAMPAIGN_FILE, "", end..end, &document)?;
-        let item = file.given("variable");
-        let tables = item.named();
-        if tables.is_empty() {
-            let error = sources.error(&item.span, "variable", "there is no variable".to_owned());
-            return Err(error.with_help("write [variable.NAME] with `key` and `values` below"));
+        let downtime = downtime::read(&sources, &file)?;
+        let item = file.item("variable");
+        let tables = item.map_or(&[][..], Item::named);
+        if tables.is_empty() && downtime.is_none() {
+            let span = item.map_or(&file.span, |item| &item.span);
+            let error = sources.error(span, "variable", "there is no variable".to_owned());
+            return Err(error.with_help(
+                "write [variable.NAME] with `key` and `values` below, or [downtime] with the `file` of a weather",
+            ));
         }
         let kind = plan::kind(&file);
         let read = |(name, table): &(String, Table)| variable::read(&sources, name, table, kind);
@@ -165,7 +174,10 @@ impl Campaign {
             title: file.item("title").map_or(stem, |item| item.text().to_owned()),
             scenario: PathBuf::from(file.given("scenario").text()),
             changes: changes(&sources, "set", file.given("set"))?,
-            plan: plan::read(&sources, &file, kind, &variables)?,
+            plan: match downtime {
+                Some(downtime) => Plan::Downtime(downtime),
+                None => plan::read(&sources, &file, kind, &variables)?,
+            },
             seed: *file.given("seed").number() as u64,
             correlations: plan::correlations(&sources, &file, &variables)?,
             outputs: file.given("outputs").texts().to_vec(),

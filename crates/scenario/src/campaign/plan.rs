@@ -2,10 +2,11 @@
 
 use std::path::PathBuf;
 
+use super::downtime::Downtime;
 use super::keys::PLANS;
 use super::variable::{Draw, Variable};
 use super::{MOST_CASES, PlanKind, Read};
-use crate::checked::Table;
+use crate::checked::{Item, Table};
 use crate::choices::AnyChoices as _;
 use crate::sources::{Sources, quoted};
 use crate::suggest::nearest;
@@ -35,6 +36,8 @@ pub enum Plan {
         /// The file, CSV or Parquet.
         file: PathBuf,
     },
+    /// The states of a weather, and some of its hours.
+    Downtime(Downtime),
 }
 
 impl Plan {
@@ -47,6 +50,7 @@ impl Plan {
             Plan::LatinHypercube { .. } => PlanKind::LatinHypercube,
             Plan::Sobol { .. } => PlanKind::Sobol,
             Plan::Table { .. } => PlanKind::Table,
+            Plan::Downtime(_) => return "downtime",
         };
         let words = PLANS.words();
         words.iter().find(|word| word.value::<PlanKind>() == kind).map_or("", |word| word.word)
@@ -129,8 +133,8 @@ pub(super) fn kind(file: &Table) -> PlanKind {
     match file.item("plan") {
         Some(item) => item.choice(),
         None if file
-            .given("variable")
-            .named()
+            .item("variable")
+            .map_or(&[][..], Item::named)
             .iter()
             .any(|(_, own)| own.item("distribution").is_some()) =>
         {

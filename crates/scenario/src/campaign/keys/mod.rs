@@ -1,15 +1,18 @@
 //! Every key of a campaign file, in the form of [`crate::keys`].
 
 mod design;
+mod downtime;
 mod variable;
 
 use self::design::{CORRELATION, DESIGN, LIMIT, OUTPUT, STOP};
+use self::downtime::DOWNTIME;
 use self::variable::VARIABLE;
 use super::PlanKind;
 use crate::choices::{Choice, Choices};
 use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
+use serde_json::{Value as Json, json};
 
 /// Most runs of a campaign: their numbers stay exact in every table.
 pub(super) const MOST_RUNS: f64 = 1e12;
@@ -76,7 +79,7 @@ pub(crate) static CAMPAIGN_FILE: TableSpec = TableSpec {
         key(
             "number",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: MOST_RUNS }),
-            Unless("the plan is \"full factorial\" or \"table\""),
+            Unless("the plan is \"full factorial\" or \"table\", or [downtime] is given"),
             "Number of runs.",
             &["10000"],
         ),
@@ -95,7 +98,20 @@ pub(crate) static CAMPAIGN_FILE: TableSpec = TableSpec {
             "File of the plan \"table\", CSV or Parquet, relative to this one: a column for each variable, a row for each run.",
             &["\"runs.csv\""],
         ),
-        key("variable", Kind::Named(&VARIABLE), Refused, "Variables, by name.", &[]),
+        key(
+            "variable",
+            Kind::Named(&VARIABLE),
+            Unless("[downtime] is given"),
+            "Variables, by name.",
+            &[],
+        ),
+        key(
+            "downtime",
+            Kind::Table(&DOWNTIME),
+            Means("the campaign has variables and a plan"),
+            "Hours of a year that a berth loses to the weather, in place of variables and a plan.",
+            &[],
+        ),
         key(
             "correlation",
             Kind::List(&CORRELATION),
@@ -148,5 +164,13 @@ pub(crate) static CAMPAIGN_FILE: TableSpec = TableSpec {
             &["20000"],
         ),
     ],
-    rules: None,
+    rules: Some(|| {
+        let others = ["variable", "plan", "number", "table", "correlation", "success", "stop", "design", "limit"];
+        let none: serde_json::Map<String, Json> =
+            others.iter().map(|key| ((*key).to_owned(), Json::Bool(false))).collect();
+        json!({ "oneOf": [
+            { "required": ["variable"], "properties": { "downtime": false } },
+            { "required": ["downtime"], "properties": none }
+        ] })
+    }),
 };

@@ -1,0 +1,66 @@
+//! What is lost by putting hours together: hours as they are against their states.
+
+use super::count::Outcome;
+use super::plan::DowntimePlan;
+use crate::statistics::{Confidence, Estimate, wilson};
+
+/// Hours that were run as they are, against their states.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StatesCheck {
+    /// Hours that were drawn.
+    pub drawn: usize,
+    /// Those of which both the hour and its state could be run: the numbers below are of these.
+    pub compared: usize,
+    /// Lost as they are and by their state.
+    pub both: usize,
+    /// Lost by their state alone: the states count too much.
+    pub by_state_alone: usize,
+    /// Lost as they are alone: the states count too little.
+    pub as_it_is_alone: usize,
+    /// Lost by neither.
+    pub neither: usize,
+    /// Share of hours that do not agree with their state, with Wilson's interval; `None` where none could be compared.
+    pub disagree: Option<Estimate>,
+    /// Share of hours that are lost as they are, with Wilson's interval.
+    pub lost_as_they_are: Option<Estimate>,
+    /// Probability of the intervals.
+    pub confidence: Confidence,
+}
+
+impl StatesCheck {
+    /// Compares the hours of a sample with their states; `None` without a sample.
+    pub(super) fn of(
+        plan: &DowntimePlan,
+        outcomes: &[Outcome],
+        confidence: Confidence,
+    ) -> Option<StatesCheck> {
+        let sample = plan.sample();
+        if sample.is_empty() {
+            return None;
+        }
+        let is_lost = |outcome: &Outcome| match outcome {
+            Outcome::NotRun => None,
+            Outcome::Works => Some(false),
+            Outcome::Lost(_) => Some(true),
+        };
+        let hours = sample.iter().zip(&outcomes[plan.states()..]);
+        let pairs: Vec<(bool, bool)> = hours
+            .filter_map(|(row, own)| Some((is_lost(own)?, is_lost(&outcomes[plan.state_of(*row)])?)))
+            .collect();
+        let count = |wanted: (bool, bool)| pairs.iter().filter(|pair| **pair == wanted).count();
+        let (both, neither) = (count((true, true)), count((false, false)));
+        let (as_it_is_alone, by_state_alone) = (count((true, false)), count((false, true)));
+        let share = |hits: usize| (!pairs.is_empty()).then(|| wilson(hits, pairs.len(), confidence));
+        Some(StatesCheck {
+            drawn: sample.len(),
+            compared: pairs.len(),
+            both,
+            by_state_alone,
+            as_it_is_alone,
+            neither,
+            disagree: share(as_it_is_alone + by_state_alone),
+            lost_as_they_are: share(both + as_it_is_alone),
+            confidence,
+        })
+    }
+}

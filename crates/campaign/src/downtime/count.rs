@@ -1,0 +1,227 @@
+//! Counts the hours that are lost: an hour is lost where its state is.
+
+use core::fmt;
+
+use super::check::StatesCheck;
+use super::plan::{BETWEEN, DowntimePlan, LOST_BY};
+use super::quantity::{Agent, Role};
+use super::time::MONTHS;
+use crate::statistics::Confidence;
+use crate::statistics::operability::sector;
+use crate::table::{Table, TableError};
+
+/// The sixteen directions, clockwise from north.
+pub const SECTOR_NAMES: [&str; 16] = [
+    "N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE", "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW",
+];
+
+/// How a run ended.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// Within all limits.
+    Works,
+    /// Beyond limits: their names, the gravest first.
+    Lost(Vec<String>),
+    /// It could not be made, or not to its end: nothing is known.
+    NotRun,
+}
+
+impl Outcome {
+    /// The gravest reason.
+    #[must_use]
+    pub fn reason(&self) -> Option<&str> {
+        match self {
+            Outcome::Lost(reasons) => reasons.first().map(String::as_str),
+            Outcome::Works | Outcome::NotRun => None,
+        }
+    }
+}
+
+/// Hours.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Count {
+    /// All.
+    pub hours: f64,
+    /// Those that are lost.
+    pub lost: f64,
+    /// Those of states that could not be run.
+    pub not_run: f64,
+    /// Those that are lost by their gravest reason, in the order of [`DowntimeTable::reasons`].
+    pub by_reason: Vec<f64>,
+}
+
+impl Count {
+    /// The lost hours over all that are known.
+    #[must_use]
+    pub fn share(&self) -> Option<f64> {
+        let known = self.hours - self.not_run;
+        (known > 0.0).then(|| self.lost / known)
+    }
+}
+
+/// A reason for which hours are lost.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reason {
+    /// The limit's name, or a verdict in words.
+    pub name: String,
+    /// Hours for which it holds, alone or with others.
+    pub hours: f64,
+    /// Hours for which it is the only reason.
+    pub alone: f64,
+    /// Hours for which it is the gravest.
+    pub gravest: f64,
+}
+
+/// Counts by one property of the hours.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// The property: `month`, `wave direction`.
+    pub name: String,
+    /// Its values with their counts.
+    pub counts: Vec<(String, Count)>,
+}
+
+/// The downtime of a berth.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DowntimeTable {
+    /// How each run ended: the states, then the hours of the sample.
+    pub outcomes: Vec<Outcome>,
+    /// All hours.
+    pub all: Count,
+    /// Reasons, that of the most hours first; limits of the scenario that were never exceeded are there with 0.
+    pub reasons: Vec<Reason>,
+    /// By month, wave direction and wind direction, as far as the weather has them.
+    pub groups: Vec<Group>,
+    /// The hours that were run as they are against their states; `None` without a sample.
+    pub check: Option<StatesCheck>,
+}
+
+/// Why a downtime cannot be counted.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DowntimeError {
+    /// The table.
+    Table(TableError),
+    /// It has another number of rows than there are runs.
+    Rows {
+        /// Rows of the table.
+        own: usize,
+        /// Runs.
+        wanted: u64,
+    },
+}
+
+impl fmt::Display for DowntimeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            DowntimeError::Table(why) => why.fmt(f),
+            DowntimeError::Rows { own, wanted } => {
+                write!(f, "the table has {own} rows, and there are {wanted} runs")
+            }
+        }
+    }
+}
+
+impl core::error::Error for DowntimeError {}
+
+impl From<TableError> for DowntimeError {
+    fn from(why: TableError) -> DowntimeError {
+        DowntimeError::Table(why)
+    }
+}
+
+impl DowntimeTable {
+    /// Counts the hours of a campaign's table. `limits` are the names of the scenario's limits.
+    ///
+    /// # Errors
+    /// A table that cannot be read, or of another number of runs.
+    pub fn of(
+        plan: &DowntimePlan,
+        table: &Table,
+        limits: &[String],
+        confidence: Confidence,
+    ) -> Result<DowntimeTable, DowntimeError> {
+        let (verdicts, lost_by) = (table.texts("verdict")?, table.texts(LOST_BY)?);
+        if verdicts.len() as u64 != plan.runs() {
+            return Err(DowntimeError::Rows { own: verdicts.len(), wanted: plan.runs() });
+        }
+        let outcome = |(verdict, reasons): (&str, &str)| match (verdict, reasons) {
+            ("error", _) => Outcome::NotRun,
+            (_, "") => Outcome::Works,
+            (_, reasons) => Outcome::Lost(reasons.split(BETWEEN).map(str::to_owned).collect()),
+        };
+        let outcomes: Vec<Outcome> = verdicts.iter().zip(lost_by.iter()).map(outcome).collect();
+        let reasons = reasons(plan, &outcomes, limits);
+        let weather = plan.weather();
+        let mut all = Count { by_reason: vec![0.0; reasons.len()], ..Count::default() };
+        let mut groups = empty_groups(plan, &all);
+        for row in 0..weather.len() {
+            let hours = weather.hours[row];
+            let outcome = &outcomes[plan.state_of(row)];
+            add(&mut all, hours, outcome, &reasons);
+            for (group, place) in &mut groups {
+                add(&mut group.counts[place(row)].1, hours, outcome, &reasons);
+            }
+        }
+        let groups = groups.into_iter().map(|(group, _)| group).collect();
+        let check = StatesCheck::of(plan, &outcomes, confidence);
+        Ok(DowntimeTable { outcomes, all, reasons, groups, check })
+    }
+}
+
+/// The group of a property, and the place of a row in it.
+type Placed<'p> = (Group, Box<dyn Fn(usize) -> usize + 'p>);
+
+/// The groups of a weather, without hours.
+fn empty_groups<'p>(plan: &'p DowntimePlan, none: &Count) -> Vec<Placed<'p>> {
+    let weather = plan.weather();
+    let mut groups: Vec<Placed<'p>> = Vec::new();
+    let empty = |name: &str, values: &[&str]| Group {
+        name: name.to_owned(),
+        counts: values.iter().map(|value| ((*value).to_owned(), none.clone())).collect(),
+    };
+    if let Some(months) = &weather.months {
+        groups.push((empty("month", &MONTHS), Box::new(|row| months[row])));
+    }
+    for (agent, name) in [(Agent::Waves, "wave direction"), (Agent::Wind, "wind direction")] {
+        let Some(index) = weather.index(agent, Role::Direction) else { continue };
+        let place = move |row: usize| sector(weather.rows[row][index], SECTOR_NAMES.len());
+        groups.push((empty(name, &SECTOR_NAMES), Box::new(place)));
+    }
+    groups
+}
+
+fn add(count: &mut Count, hours: f64, outcome: &Outcome, reasons: &[Reason]) {
+    count.hours += hours;
+    match outcome {
+        Outcome::Works => {}
+        Outcome::NotRun => count.not_run += hours,
+        Outcome::Lost(_) => {
+            count.lost += hours;
+            let place = reasons.iter().position(|own| Some(own.name.as_str()) == outcome.reason());
+            count.by_reason[place.expect("all reasons of the states are known")] += hours;
+        }
+    }
+}
+
+/// The reasons of the states.
+fn reasons(plan: &DowntimePlan, outcomes: &[Outcome], limits: &[String]) -> Vec<Reason> {
+    let new = |name: &String| Reason { name: name.clone(), hours: 0.0, alone: 0.0, gravest: 0.0 };
+    let mut all: Vec<Reason> = limits.iter().map(new).collect();
+    for (state, outcome) in outcomes[..plan.states()].iter().enumerate() {
+        let Outcome::Lost(names) = outcome else { continue };
+        let hours = plan.hours_of(state);
+        for (place, name) in names.iter().enumerate() {
+            let known = all.iter().position(|own| own.name == *name);
+            let known = known.unwrap_or_else(|| {
+                all.push(new(name));
+                all.len() - 1
+            });
+            let own = &mut all[known];
+            own.hours += hours;
+            own.alone += if names.len() == 1 { hours } else { 0.0 };
+            own.gravest += if place == 0 { hours } else { 0.0 };
+        }
+    }
+    all.sort_by(|one, other| other.hours.total_cmp(&one.hours));
+    all
+}
