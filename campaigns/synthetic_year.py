@@ -29,7 +29,7 @@ def synthetic(seed: int) -> list[tuple[float, float, float, float, float]]:
         veer = correlated(draw, veer, 25.0)
         height_m = math.exp(-1.15 + 0.55 * winter + 0.62 * storm)
         height_m = min(max(height_m, 0.05), 3.0)
-        period_s = min(max(5.2 + 3.6 * math.sqrt(height_m) + 1.1 * turn, 3.0), 18.0)
+        period_s = min(max(7.0 + 4.2 * math.sqrt(height_m) + 1.3 * turn, 3.0), 20.0)
         wave_from_deg = (205.0 + 22.0 * turn) % 360.0
         wind_mps = min(max(5.5 + 1.5 * winter + 3.2 * (0.75 * storm + 0.66 * squall), 0.0), 30.0)
         wind_from_deg = (235.0 + 35.0 * turn + 30.0 * veer) % 360.0

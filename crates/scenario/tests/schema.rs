@@ -77,6 +77,27 @@ fn campaigns_fit_reader_and_schema() {
         assert_eq!(Campaign::parse(&text, "c.toml").is_ok(), good, "{text}");
         assert_eq!(validator.validate(&json_of(&text)).is_ok(), good, "{text}");
     }
+    // A downtime in place of variables and what goes with them.
+    let start = "scenario = \"x.toml\"\n";
+    for (text, good) in [
+        ("[downtime]\nfile = \"year.csv\"", true),
+        (
+            "seed = 3\noutputs = [\"energy\"]\n[downtime]\nfile = \"year.csv\"\nstates = 9\nsample = 0",
+            true,
+        ),
+        ("", false),
+        ("[downtime]\nstates = 9", false),
+        ("[downtime]\nfile = \"year.csv\"\nstates = 0", false),
+        ("plan = \"Sobol\"\n[downtime]\nfile = \"year.csv\"", false),
+        ("number = 3\n[downtime]\nfile = \"year.csv\"", false),
+        ("[downtime]\nfile = \"y.csv\"\n[limit.a]\noutput = \"energy\"\nvalue = 1", false),
+        ("[downtime]\nfile = \"y.csv\"\n[variable.a]\nkey = \"time.step\"\nvalues = [1]", false),
+    ] {
+        let text = format!("{start}{text}\n");
+        assert_eq!(Campaign::parse(&text, "c.toml").is_ok(), good, "{text}");
+        assert_eq!(validator.validate(&json_of(&text)).is_ok(), good, "{text}");
+    }
+    let start = "scenario = \"x.toml\"\n[variable.a]\n";
     // A key alone is the column of a table: only the plan tells.
     let alone = format!("{start}key = \"time.step\"\n");
     assert!(Campaign::parse(&alone, "c.toml").is_err());

@@ -45,12 +45,15 @@ impl StatesCheck {
         };
         let hours = sample.iter().zip(&outcomes[plan.states()..]);
         let pairs: Vec<(bool, bool)> = hours
-            .filter_map(|(row, own)| Some((is_lost(own)?, is_lost(&outcomes[plan.state_of(*row)])?)))
+            .filter_map(|(row, own)| {
+                Some((is_lost(own)?, is_lost(&outcomes[plan.state_of(*row)])?))
+            })
             .collect();
         let count = |wanted: (bool, bool)| pairs.iter().filter(|pair| **pair == wanted).count();
         let (both, neither) = (count((true, true)), count((false, false)));
         let (as_it_is_alone, by_state_alone) = (count((true, false)), count((false, true)));
-        let share = |hits: usize| (!pairs.is_empty()).then(|| wilson(hits, pairs.len(), confidence));
+        let share =
+            |hits: usize| (!pairs.is_empty()).then(|| wilson(hits, pairs.len(), confidence));
         Some(StatesCheck {
             drawn: sample.len(),
             compared: pairs.len(),

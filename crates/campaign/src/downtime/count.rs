@@ -12,7 +12,8 @@ use crate::table::{Table, TableError};
 
 /// The sixteen directions, clockwise from north.
 pub const SECTOR_NAMES: [&str; 16] = [
-    "N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE", "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW",
+    "N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE", "S", "SSW", "SW", "WSW", "W", "WNW", "NW",
+    "NNW",
 ];
 
 /// How a run ended.

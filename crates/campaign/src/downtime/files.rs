@@ -118,9 +118,10 @@ fn count_json(count: &Count) -> Json {
 }
 
 fn estimate_json(estimate: Option<&Estimate>) -> Json {
-    estimate.map_or(Json::Null, |own| {
-        json!({ "share": own.value, "low": own.interval.low, "high": own.interval.high })
-    })
+    estimate.map_or(
+        Json::Null,
+        |own| json!({ "share": own.value, "low": own.interval.low, "high": own.interval.high }),
+    )
 }
 
 /// The downtime for programs.

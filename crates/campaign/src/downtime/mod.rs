@@ -22,9 +22,7 @@ mod weather;
 
 pub use check::StatesCheck;
 pub use count::{Count, DowntimeError, DowntimeTable, Group, Outcome, Reason, SECTOR_NAMES};
-pub use files::{
-    DOWNTIME_CSV, DOWNTIME_JSON, HOURS_CSV, downtime_csv, downtime_json, hours_csv,
-};
+pub use files::{DOWNTIME_CSV, DOWNTIME_JSON, HOURS_CSV, downtime_csv, downtime_json, hours_csv};
 pub use plan::DowntimePlan;
 pub use quantity::{Agent, Quantity};
 pub use weather::{HOURS_OF_A_YEAR, Weather};

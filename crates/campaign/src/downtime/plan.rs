@@ -1,6 +1,8 @@
 //! The runs of a downtime: each state, and some hours as they are.
 
-use fenderline_scenario::{Campaign, Downtime, Draw, Plan, Scenario, Target, TargetOrigins, Variable};
+use fenderline_scenario::{
+    Campaign, Downtime, Draw, Plan, Scenario, Target, TargetOrigins, Variable,
+};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
 
@@ -53,7 +55,10 @@ impl DowntimePlan {
         }
         let wanted = if weather.is_series() { of.sample } else { 0 };
         if wanted > weather.len() as u64 {
-            let why = format!("the series has {} rows, fewer than the {wanted} of `sample`", weather.len());
+            let why = format!(
+                "the series has {} rows, fewer than the {wanted} of `sample`",
+                weather.len()
+            );
             return Err(CampaignError::part("downtime.sample", why));
         }
         let sample = drawn(weather.len(), wanted as usize, seed);
@@ -116,7 +121,10 @@ impl DowntimePlan {
             return Err(CampaignError::part("downtime", why));
         }
         if let Some(limit) = limits.iter().find(|limit| limit.name.contains(BETWEEN.trim())) {
-            let why = format!("the name of the limit `{}` has a semicolon, which parts the reasons of the table", limit.name);
+            let why = format!(
+                "the name of the limit `{}` has a semicolon, which parts the reasons of the table",
+                limit.name
+            );
             return Err(CampaignError::part("downtime", why));
         }
         match world.environment.depth_m {
@@ -173,7 +181,12 @@ impl DowntimePlan {
             None => run + 1,
         };
         all.push((
-            variable("state", None, "", "number of the state, or of the state that the hour is in".to_owned()),
+            variable(
+                "state",
+                None,
+                "",
+                "number of the state, or of the state that the hour is in".to_owned(),
+            ),
             Given::Numbers((0..runs).map(|run| number(run) as f64).collect()),
         ));
         let hours = |run: usize| match run.checked_sub(states) {

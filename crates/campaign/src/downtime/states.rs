@@ -152,7 +152,8 @@ fn means(weather: &Weather, rows: &[usize]) -> Vec<f64> {
     }
     let hours: f64 = rows.iter().map(|row| weather.hours[*row]).sum();
     let mean = |value: &dyn Fn(&[f64]) -> f64| {
-        let sum: f64 = rows.iter().map(|row| weather.hours[*row] * value(&weather.rows[*row])).sum();
+        let sum: f64 =
+            rows.iter().map(|row| weather.hours[*row] * value(&weather.rows[*row])).sum();
         sum / hours
     };
     let of_quantity = |(index, quantity): (usize, &&super::Quantity)| match quantity.role {
@@ -160,7 +161,8 @@ fn means(weather: &Weather, rows: &[usize]) -> Vec<f64> {
         Role::Period | Role::Level => mean(&|values| values[index]),
         Role::Direction => {
             let strength = weather.index(quantity.agent, Role::Strength);
-            let load = |values: &[f64]| strength.map_or(1.0, |own| quantity.agent.load(values[own]));
+            let load =
+                |values: &[f64]| strength.map_or(1.0, |own| quantity.agent.load(values[own]));
             let north = mean(&|values| load(values) * libm::cos(values[index].to_radians()));
             let east = mean(&|values| load(values) * libm::sin(values[index].to_radians()));
             let direction_deg = libm::atan2(east, north).to_degrees();
@@ -168,4 +170,79 @@ fn means(weather: &Weather, rows: &[usize]) -> Vec<f64> {
         }
     };
     weather.quantities.iter().enumerate().map(of_quantity).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fmt::Write as _;
+
+    use super::*;
+
+    /// A made-up weather of so many hours.
+    fn weather(name: &str, hours: usize) -> Weather {
+        let mut text =
+            String::from("t_s,hs_m,tp_s,wave_from_deg,wind_speed_mps,wind_from_deg,level_m\n");
+        for hour in 0..hours {
+            let of = |step: usize| (hour * step % 1009) as f64 / 1009.0;
+            let (height, period) = (3.0 * of(17) * of(17), 6.0 + 8.0 * of(29));
+            let (wave, wind) = (330.0 + 60.0 * of(113), 360.0 * of(7));
+            let _ = writeln!(
+                text,
+                "{},{height},{period},{},{},{wind},{}",
+                3600 * hour,
+                wave % 360.0,
+                20.0 * of(41),
+                of(3)
+            );
+        }
+        let path =
+            std::env::temp_dir().join(format!("fenderline_{name}_{}.csv", std::process::id()));
+        std::fs::write(&path, text).expect("written");
+        let weather = Weather::read(&path).expect("a weather");
+        std::fs::remove_file(&path).expect("removed");
+        weather
+    }
+
+    #[test]
+    fn each_hour_is_in_one_state_and_states_have_the_means_of_their_hours() {
+        let weather = weather("states", 800);
+        let states = states(&weather, 60);
+        assert_eq!(states.len(), 60);
+        let mut rows: Vec<usize> = states.iter().flat_map(|state| state.rows.clone()).collect();
+        rows.sort_unstable();
+        assert_eq!(rows, (0..800).collect::<Vec<_>>());
+        let energy = |values: &[f64]| values[0] * values[0];
+        let of_states: f64 = states.iter().map(|state| state.hours * energy(&state.means)).sum();
+        let of_hours: f64 = weather.rows.iter().map(|values| energy(values)).sum();
+        assert!((of_states / of_hours - 1.0).abs() < 1e-12, "{of_states} for {of_hours}");
+        // Directions about north are not put together to south.
+        for state in &states {
+            let wave = state.means[2];
+            assert!(!(30.0..330.0).contains(&wave), "{wave}");
+        }
+        assert!(states.is_sorted_by(|one, other| one.means[0] <= other.means[0]));
+    }
+
+    /// The more states, the less of the spread of the heights is left.
+    #[test]
+    fn more_states_leave_less_out() {
+        let weather = weather("spread", 800);
+        let left = |most: usize| -> f64 {
+            let of_state = |state: &State| -> f64 {
+                let way = |row: &usize| weather.rows[*row][0] - state.means[0];
+                state.rows.iter().map(|row| way(row) * way(row)).sum()
+            };
+            states(&weather, most).iter().map(of_state).sum()
+        };
+        let all = left(1);
+        assert!(left(20) < 0.5 * all && left(100) < 0.5 * left(20), "{all}");
+        assert!(left(800) < 1e-20, "each hour by itself");
+    }
+
+    #[test]
+    fn turns_go_the_shorter_way() {
+        assert!((turn_rad(350.0) + 10_f64.to_radians()).abs() < 1e-12);
+        assert!((turn_rad(-350.0) - 10_f64.to_radians()).abs() < 1e-12);
+        assert!((turn_rad(180.0) + PI).abs() < 1e-12);
+    }
 }

@@ -62,7 +62,11 @@ impl Weather {
         match given[..] {
             [TIME] => {
                 let read = dates(&table)?;
-                hours = steps(&table, TIME, &read.iter().map(|time| time.s as f64).collect::<Vec<_>>())?;
+                hours = steps(
+                    &table,
+                    TIME,
+                    &read.iter().map(|time| time.s as f64).collect::<Vec<_>>(),
+                )?;
                 times = table.texts(TIME)?.iter().map(|text| text.trim().to_owned()).collect();
                 months = Some(read.iter().map(|time| time.month).collect());
             }
@@ -76,7 +80,9 @@ impl Weather {
                 let shares = bounded_column(&table, SHARE, [0.0, 1.0])?;
                 let sum: f64 = shares.iter().sum();
                 if (sum - 1.0).abs() > ROUNDED {
-                    let why = format!("the column `{SHARE}` sums to {sum:.4}: that of a whole year sums to 1");
+                    let why = format!(
+                        "the column `{SHARE}` sums to {sum:.4}: that of a whole year sums to 1"
+                    );
                     return Err(refused(file, &why));
                 }
                 hours = shares.iter().map(|share| share / sum * HOURS_OF_A_YEAR).collect();
@@ -173,29 +179,33 @@ fn quantities(table: &Table) -> Result<Vec<&'static Quantity>, CampaignError> {
     }
     let found: Vec<&Quantity> = QUANTITIES.iter().filter(|own| table.has(own.column)).collect();
     for own in &found {
-        let missing = QUANTITIES
-            .iter()
-            .find(|other| other.agent == own.agent && !table.has(other.column));
+        let missing =
+            QUANTITIES.iter().find(|other| other.agent == own.agent && !table.has(other.column));
         if let Some(missing) = missing {
-            let why = format!(
-                "the column `{}` is missing: `{}` needs it",
-                missing.column, own.column
-            );
+            let why =
+                format!("the column `{}` is missing: `{}` needs it", missing.column, own.column);
             return Err(refused(table.path(), &why));
         }
     }
     if found.iter().all(|own| own.agent == Agent::Level) {
-        let why = "it has neither waves (hs_m), wind (wind_speed_mps) nor current (current_speed_mps)";
+        let why =
+            "it has neither waves (hs_m), wind (wind_speed_mps) nor current (current_speed_mps)";
         return Err(refused(table.path(), why));
     }
     Ok(found)
 }
 
 /// A column of numbers within bounds, none missing.
-fn bounded_column(table: &Table, column: &str, [low, high]: [f64; 2]) -> Result<Vec<f64>, CampaignError> {
+fn bounded_column(
+    table: &Table,
+    column: &str,
+    [low, high]: [f64; 2],
+) -> Result<Vec<f64>, CampaignError> {
     let values = table.numbers(column)?.values;
     if let Some(row) = values.iter().position(|value| value.is_nan()) {
-        let why = format!("`{column}` is empty here: fill the gap, or leave its hours out of the weather");
+        let why = format!(
+            "`{column}` is empty here: fill the gap, or leave its hours out of the weather"
+        );
         return Err(in_row(table, column, row, why));
     }
     if let Some(row) = values.iter().position(|value| !(low..=high).contains(value)) {
@@ -225,7 +235,12 @@ fn steps(table: &Table, column: &str, times_s: &[f64]) -> Result<Vec<f64>, Campa
     for (row, pair) in times_s.windows(2).enumerate() {
         let own_s = pair[1] - pair[0];
         if own_s <= 0.0 {
-            return Err(in_row(table, column, row + 1, "it is not later than the row before".to_owned()));
+            return Err(in_row(
+                table,
+                column,
+                row + 1,
+                "it is not later than the row before".to_owned(),
+            ));
         }
         // Steps are compared to a second.
         if (own_s - step_s).abs() > 1.0 {

@@ -82,7 +82,11 @@ fn subtitle(of: &DowntimeReport<'_>) -> String {
         false => format!("the scatter diagram {}", weather.file_name()),
     };
     let states = counted(plan.states() as u64, "state", "states");
-    format!("{rows}, as {states} of {}, each run for {} min.", of.scenario, significant(of.duration_s / 60.0, 3))
+    format!(
+        "{rows}, as {states} of {}, each run for {} min.",
+        of.scenario,
+        significant(of.duration_s / 60.0, 3)
+    )
 }
 
 fn headline(of: &DowntimeReport<'_>) -> Markup {
@@ -177,9 +181,13 @@ fn group_section(of: &DowntimeReport<'_>, group: &Group) -> Markup {
 fn check(of: &DowntimeReport<'_>) -> Markup {
     let Some(check) = &of.counted.check else {
         return match of.plan.weather().is_series() {
-            true => html! { p { "No hours were run as they are: `sample` is 0, and the error of the states is not known." } },
-            false => html! { p { "Each class of the diagram is a state: nothing was put together here. What the classes of the diagram leave out \
-                is not known." } },
+            true => {
+                html! { p { "No hours were run as they are: `sample` is 0, and the error of the states is not known." } }
+            }
+            false => {
+                html! { p { "Each class of the diagram is a state: nothing was put together here. What the classes of the diagram leave out \
+                is not known." } }
+            }
         };
     };
     html! {

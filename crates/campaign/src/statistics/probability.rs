@@ -124,3 +124,26 @@ fn inverse_beta(a: f64, b: f64, p: f64) -> f64 {
     }
     0.5 * (low + high)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The ends of Wilson's interval are those probabilities whose deviation is so many times as far from the share.
+    #[test]
+    fn wilsons_interval_by_its_definition() {
+        let z = Confidence::USUAL.normal_quantile();
+        for (hits, runs) in [(1, 29), (15, 148), (81, 263), (59, 60)] {
+            let found = wilson(hits, runs, Confidence::USUAL);
+            let share = hits as f64 / runs as f64;
+            for end in [found.interval.low, found.interval.high] {
+                let deviation = libm::sqrt(end * (1.0 - end) / runs as f64);
+                assert!(((share - end).abs() / deviation - z).abs() < 1e-9, "{hits} of {runs}");
+            }
+            assert!(found.interval.holds(share));
+        }
+        let none = wilson(0, 20, Confidence::USUAL).interval;
+        assert_eq!(none.low, 0.0);
+        assert!((none.high - z * z / (20.0 + z * z)).abs() < 1e-12);
+    }
+}

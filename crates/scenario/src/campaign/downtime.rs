@@ -21,17 +21,8 @@ pub struct Downtime {
 }
 
 /// Keys of a campaign that do not go with it.
-const OTHERS: [&str; 9] = [
-    "variable",
-    "plan",
-    "number",
-    "table",
-    "correlation",
-    "success",
-    "stop",
-    "design",
-    "limit",
-];
+const OTHERS: [&str; 9] =
+    ["variable", "plan", "number", "table", "correlation", "success", "stop", "design", "limit"];
 
 /// Reads the table, if there is one.
 pub(super) fn read(sources: &Sources<'_>, file: &Table) -> Read<Option<Downtime>> {
@@ -44,7 +35,9 @@ pub(super) fn read(sources: &Sources<'_>, file: &Table) -> Read<Option<Downtime>
         let message = format!("`{key}` does not go with [downtime]");
         let error = sources.error(&item.span, key, message);
         return Err(error.with_help(match key {
-            "limit" => "the limits of a downtime are those of the scenario: write [limit.NAME] there",
+            "limit" => {
+                "the limits of a downtime are those of the scenario: write [limit.NAME] there"
+            }
             _ => "the weather's file says what differs from run to run",
         }));
     }

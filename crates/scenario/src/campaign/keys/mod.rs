@@ -165,7 +165,17 @@ pub(crate) static CAMPAIGN_FILE: TableSpec = TableSpec {
         ),
     ],
     rules: Some(|| {
-        let others = ["variable", "plan", "number", "table", "correlation", "success", "stop", "design", "limit"];
+        let others = [
+            "variable",
+            "plan",
+            "number",
+            "table",
+            "correlation",
+            "success",
+            "stop",
+            "design",
+            "limit",
+        ];
         let none: serde_json::Map<String, Json> =
             others.iter().map(|key| ((*key).to_owned(), Json::Bool(false))).collect();
         json!({ "oneOf": [
