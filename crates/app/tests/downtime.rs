@@ -21,7 +21,7 @@ draught = 15.3
 block_coefficient = 0.8
 rudder = { area = "60 m^2", span = "9 m" }
 propeller = { diameter = "7 m", full = "90 rpm" }
-windage = { frontal_area = "1000 m^2", lateral_area = "3500 m^2" }
+windage = { frontal_area = "1000 m^2", lateral_area = "3500 m^2", centroid_height = "16 m", type = "tanker, loaded" }
 
 [body.ship]
 vessel = "tanker"
@@ -52,9 +52,11 @@ sample = 12
 fn weather() -> String {
     let mut text = String::from("time,wind_speed_mps,wind_from_deg\n");
     for hour in 0..1000_usize {
-        let day = 20 + hour / 24;
-        let (month, day) = if day <= 31 { (1, day) } else { (2, day - 31) };
-        let (month, day) = if day <= 28 { (month, day) } else { (3, day - 28) };
+        let (month, day) = match 20 + hour / 24 {
+            day @ ..=31 => (1, day),
+            day @ 32..=59 => (2, day - 31),
+            day => (3, day - 59),
+        };
         let speed = if hour % 10 == 0 { 30 } else { 3 };
         let from = if hour % 100 < 30 { 0 } else { 90 };
         let clock = hour % 24;
@@ -161,6 +163,7 @@ fn bad_weathers_are_refused() {
         contains_all(&run.stderr, fragments);
         assert!(!place.exists("out/year"), "nothing is left");
     };
+    place.write("year.toml", DOWNTIME.replace("sample = 12", "sample = 2").as_bytes());
     for (weather, fragments) in [
         ("", &["weather.csv: the file is empty"][..]),
         ("time,wind_speed_mps,wind_from_deg\n", &["no rows"]),
@@ -205,11 +208,13 @@ fn bad_weathers_are_refused() {
                 "waves break at 0.78 of the depth (McCowan 1894), here at 15.60 m",
             ],
         ),
-        ("t_s,wind_speed_mps,wind_from_deg\n0,3,0\n3600,3,0\n", &["fewer than the 12 of `sample`"]),
     ] {
         place.write("weather.csv", weather.as_bytes());
         refused(fragments);
     }
+    place.write("year.toml", DOWNTIME.as_bytes());
+    place.write("weather.csv", b"t_s,wind_speed_mps,wind_from_deg\n0,3,0\n3600,3,0\n");
+    refused(&["fewer than the 12 of `sample`"]);
     place.write("weather.csv", weather().as_bytes());
     let limits = SHIP.find("[limit").expect("limits");
     place.write("ship.toml", &SHIP.as_bytes()[..limits]);
