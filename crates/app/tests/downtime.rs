@@ -245,3 +245,45 @@ fn bad_weathers_are_refused() {
         refused(fragments);
     }
 }
+
+/// The worked example in a small form: a year of weather as two states of six minutes, and an hour as it is.
+#[test]
+fn the_worked_example_runs() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let place = Workplace::new("downtime_worked");
+    for folder in ["campaigns", "scenarios/berth"] {
+        std::fs::create_dir_all(place.path(folder)).expect("a folder");
+    }
+    for file in ["moored_with_limits.toml", "container_ship_20m.hydro"] {
+        let file = format!("scenarios/berth/{file}");
+        std::fs::copy(root.join(&file), place.path(&file)).expect("copied");
+    }
+    let script = root.join("campaigns/synthetic_year.py");
+    let made = std::process::Command::new("python3").arg(&script).args(["--seed", "1"]).output();
+    let Ok(made) = made else {
+        eprintln!("no python3: the example is not run");
+        return;
+    };
+    assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
+    assert_eq!(made.stdout.iter().filter(|byte| **byte == b'\n').count(), 8761);
+    place.write("campaigns/year.csv", &made.stdout);
+    let text = std::fs::read_to_string(root.join("campaigns/downtime.toml")).expect("the example");
+    place.write("campaigns/downtime.toml", text.as_bytes());
+    let check = place.run(&["check", "campaigns/downtime.toml"]);
+    assert_eq!(check.code, 0, "{}", check.stderr);
+    contains_all(&check.stdout, &["360 cases of 18000 time steps", "wave_height: "]);
+    let small = text.replace(
+        "\n[downtime]\n",
+        "\nset = [\"time.duration=6 min\"]\n[downtime]\nstates = 2\nsample = 1\n",
+    );
+    place.write("campaigns/small.toml", small.as_bytes());
+    let run = place.run(&["campaign", "campaigns/small.toml"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    contains_all(&run.stdout, &["3 of 3 cases done", "of 8760 h"]);
+    contains_all(
+        &place.text("out/small/report.html"),
+        &["By wave direction", "each run for 6.00 min"],
+    );
+    let csv = place.text("out/small/downtime.csv");
+    contains_all(&csv, &["month,December,744,", "reason,surge,8760,", "wave direction,SSW,"]);
+}

@@ -71,6 +71,7 @@ fn values(runs: &Runs, case: u64) -> String {
         (other, _) => other.shown(),
     };
     let each = runs.draws().heads().iter().zip(&drawn.values);
+    let each = each.filter(|(_, cell)| **cell != Cell::Empty);
     let named: Vec<String> =
         each.map(|(head, cell)| format!("{} {}", head.name, shown(cell, &head.unit))).collect();
     named.join(", ")

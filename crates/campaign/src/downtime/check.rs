@@ -1,6 +1,6 @@
 //! What is lost by putting hours together: hours as they are against their states.
 
-use super::count::Outcome;
+use super::outcome::Outcome;
 use super::plan::DowntimePlan;
 use crate::statistics::{Confidence, Estimate, wilson};
 

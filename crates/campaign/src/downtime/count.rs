@@ -3,6 +3,7 @@
 use core::fmt;
 
 use super::check::StatesCheck;
+use super::outcome::Outcome;
 use super::plan::{BETWEEN, DowntimePlan, LOST_BY};
 use super::quantity::{Agent, Role};
 use super::time::MONTHS;
@@ -15,28 +16,6 @@ pub const SECTOR_NAMES: [&str; 16] = [
     "N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE", "S", "SSW", "SW", "WSW", "W", "WNW", "NW",
     "NNW",
 ];
-
-/// How a run ended.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Outcome {
-    /// Within all limits.
-    Works,
-    /// Beyond limits: their names, the gravest first.
-    Lost(Vec<String>),
-    /// It could not be made, or not to its end: nothing is known.
-    NotRun,
-}
-
-impl Outcome {
-    /// The gravest reason.
-    #[must_use]
-    pub fn reason(&self) -> Option<&str> {
-        match self {
-            Outcome::Lost(reasons) => reasons.first().map(String::as_str),
-            Outcome::Works | Outcome::NotRun => None,
-        }
-    }
-}
 
 /// Hours.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -2,7 +2,8 @@
 
 use serde_json::{Value as Json, json};
 
-use super::count::{Count, DowntimeTable, Outcome};
+use super::count::{Count, DowntimeTable};
+use super::outcome::Outcome;
 use super::plan::{BETWEEN, DowntimePlan};
 use super::weather::HOURS_OF_A_YEAR;
 use crate::row::Cell;

@@ -7,7 +7,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use super::quantity::{Agent, Role};
+use super::quantity::{Agent, Quantity, Role};
 use super::weather::Weather;
 
 /// A state.
@@ -156,7 +156,7 @@ fn means(weather: &Weather, rows: &[usize]) -> Vec<f64> {
             rows.iter().map(|row| weather.hours[*row] * value(&weather.rows[*row])).sum();
         sum / hours
     };
-    let of_quantity = |(index, quantity): (usize, &&super::Quantity)| match quantity.role {
+    let of_quantity = |(index, quantity): (usize, &&Quantity)| match quantity.role {
         Role::Strength => libm::sqrt(mean(&|values| values[index] * values[index])),
         Role::Period | Role::Level => mean(&|values| values[index]),
         Role::Direction => {
