@@ -128,8 +128,8 @@ def container_ship(**of):
 # Capytaine finds no answer at 0.1 rad/s in 10 m of water.
 LONGEST_IN_10M = {"omegas": BARGE_OMEGAS[1:]}
 # The water in the gap between hull and wall resonates, the barge's near 0.8 rad/s in 20 m of water and 0.6 in 10 m: frequencies are
-# closer there. Beyond 2.1 rad/s waves stand in the gap, which these panels do not resolve: the damping would be negative.
-BARGE_AT_20M = np.concatenate([np.arange(0.1, 0.61, 0.1), np.arange(0.65, 1.01, 0.025), np.arange(1.1, 2.11, 0.1)])
+# closer there. Beyond 2.2 rad/s waves stand in the gap, which these panels do not resolve: the damping would be negative.
+BARGE_AT_20M = np.concatenate([np.arange(0.1, 0.61, 0.1), np.arange(0.65, 1.01, 0.025), np.arange(1.1, 2.21, 0.1)])
 BARGE_AT_10M = np.concatenate([np.arange(0.15, 0.41, 0.05), np.arange(0.425, 0.81, 0.025), np.arange(0.9, 2.11, 0.1)])
 SHIP_AT = np.concatenate([np.arange(0.15, 0.41, 0.05), np.arange(0.425, 0.91, 0.025), np.arange(1.0, 2.01, 0.1)])
 # Depth, and the distance of the wall from the centre line (m).

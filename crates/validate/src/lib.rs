@@ -31,7 +31,7 @@ macro_rules! published {
 }
 
 /// The published numbers, in the order of the table.
-const PUBLISHED: [(&str, &str); 19] = published![
+const PUBLISHED: [(&str, &str); 21] = published![
     "moreno2023.toml",
     "closed_form.toml",
     "coupled_independent.toml",
@@ -51,6 +51,8 @@ const PUBLISHED: [(&str, &str); 19] = published![
     "finite_elements.toml",
     "worked_examples.toml",
     "passing_ships.toml",
+    "banks.toml",
+    "seakeeping.toml",
 ];
 
 fn sources() -> Vec<Source> {

@@ -112,7 +112,7 @@ impl Assembly<'_, '_> {
         ships: (&[VesselSetup], &[BodySetup]),
     ) {
         let mut message = String::from(
-            "the pull of a bank by the image of the ship is that of slender ships without waves and lift: 12 to 50 % below that by \
+            "the pull of a bank by the image of the ship is that of slender ships without waves and lift: 12 to 63 % below that by \
              panels, without the moment that turns the bow away, not compared with measurements; nearer than an eighth of the beam and \
              at more than 30 degrees it is left out",
         );

@@ -397,7 +397,7 @@ static BANK_METHODS: Choices<BankMethod> = Choices(&[
         word: "image",
         value: BankMethod::Image,
         doc: "the flow of her image behind the wall, for slender ships in potential flow without waves and lift, with the depth by images in \
-              the bottom: suction alone, and no moment that turns the bow away. By panels it is 12 to 50 % too small. It is off nearer than an \
+              the bottom: suction alone, and no moment that turns the bow away. By panels it is 12 to 63 % too small. It is off nearer than an \
               eighth of her beam, at more than 30 degrees, and for vessels shorter than 3.5 beams",
     },
 ]);

@@ -2,6 +2,7 @@
 //!
 //! Each file has one subject and fills a [`Values`]. It has the inputs of its cases, never the published numbers.
 
+mod banks;
 mod berth;
 mod dolphin;
 pub(crate) mod estimates;
@@ -12,6 +13,7 @@ mod manoeuvres;
 mod passing;
 mod propeller;
 mod sea;
+mod seakeeping;
 mod shallow;
 mod ships;
 mod wind;
@@ -31,7 +33,7 @@ pub(crate) struct Value {
 pub(crate) struct Values(BTreeMap<String, Value>);
 
 /// What computes them, a subject each.
-pub(crate) const SUBJECTS: [fn(&mut Values); 13] = [
+pub(crate) const SUBJECTS: [fn(&mut Values); 15] = [
     manoeuvres::compute,
     estimates::compute,
     hull::compute,
@@ -43,6 +45,8 @@ pub(crate) const SUBJECTS: [fn(&mut Values); 13] = [
     berth::compute,
     dolphin::compute,
     passing::compute,
+    banks::compute,
+    seakeeping::compute,
     worked::compute,
     finite_elements::compute,
 ];

@@ -166,7 +166,7 @@ fn banks(environment: &Environment) -> Markup {
             p {
                 span class="verdict over_rated" { "UNVALIDATED" } " "
                 "The suction of banks on vessels is that of the vessel's image behind the bank, for slender ships in potential flow "
-                "without waves and lift. It was compared with panels in the same flow, which give up to twice as much, and not with "
+                "without waves and lift. It was compared with panels in the same flow, which give up to 2.7 times as much, and not with "
                 "measurements. The moment that turns the bow away is not in it."
             }
         }
