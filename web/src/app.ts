@@ -14,7 +14,16 @@ import { ON_PAGE, isOrder, unknownOrders } from "./orders";
 import type { Page } from "./page";
 import { PastRequests } from "./past";
 import { PALETTE_NAMES, type PaletteName, applyPalette } from "./palette";
-import type { Action, Alarm, FromServer, Hello, PlannedNow, Role, VerdictNow } from "./protocol";
+import {
+  type Action,
+  type Alarm,
+  type FromServer,
+  type Hello,
+  PROTOCOL,
+  type PlannedNow,
+  type Role,
+  type VerdictNow,
+} from "./protocol";
 import { Trial } from "./trial";
 import { button, h, setAttribute, setClass, setText } from "./ui/dom";
 import { Sound } from "./sound";
@@ -51,13 +60,15 @@ export class App implements Page {
   readonly trial = new Trial();
   private readonly connection: Connection;
   private readonly history = new History();
-  private readonly past = new PastRequests(() => this.connection.send({ do: "history" }));
+  private readonly past = new PastRequests(() => this.connection.send(this.charted()));
   private readonly sound = new Sound();
   private readonly hints = new Hints();
   private readonly help = new Help(
     () => this.live.hello && this.hints.again(this.live.hello.role.name),
   );
   private built = "";
+  /** The program is of another version than this page. */
+  private outdated = false;
   private newExercise: NewExerciseView | null = null;
   private plan: Plan | null = null;
   private trialView: TrialView | null = null;
@@ -227,13 +238,35 @@ export class App implements Page {
         this.say(message.text);
         break;
       case "history":
-        // The server keeps the values of the pilot's ship; the pilot of another ship has those since the page was opened.
-        if (this.live.ship() === this.live.firstShip()) this.history.restore(message);
+        // The instructor may have chosen another ship meanwhile.
+        if ((message.vessel ?? 0) === this.live.ship()) this.history.restore(message);
         this.alarms?.restore(message.events);
         break;
       case "ack":
         break;
     }
+  }
+
+  /** Asks for the charts of the ship that the page is about. */
+  private charted(): Action {
+    const name =
+      this.live.choice().length > 1 ? this.live.vessel(this.live.ship())?.name : undefined;
+    return name === undefined ? { do: "history" } : { do: "history", vessel: name };
+  }
+
+  /** Makes the instructor's page one about the next ship: plan, helm, docking board and charts. */
+  private nextShip(hello: Hello): void {
+    const ships = this.live.choice();
+    const now = ships.findIndex((ship) => ship === hello.vessels[this.live.ship()]);
+    const next = ships[(now + 1) % ships.length];
+    if (!next) return;
+    this.live.choose(next.name);
+    this.history.clear();
+    this.past.forget();
+    this.build(hello);
+    for (const group of this.groups) group.claims(hello);
+    for (const { view } of this.tabs) view.claims?.(hello);
+    this.say(`This page is about ${spoken(next.name)} now.`);
   }
 
   private linked(state: LinkState, why: string): void {
@@ -248,11 +281,7 @@ export class App implements Page {
   }
 
   private welcome(hello: Hello): void {
-    const unknown = unknownOrders(hello);
-    if (unknown.length > 0)
-      this.say(
-        `This page is of another version than the program: load it again (${unknown.join(", ")}).`,
-      );
+    this.outdated = hello.protocol !== PROTOCOL || unknownOrders(hello).length > 0;
     this.why = "";
     this.name.greet();
     const fresh = this.live.hello?.file !== hello.file;
@@ -318,6 +347,14 @@ export class App implements Page {
       views.push(["Trial", "j", this.trialView]);
       plan.addTool(
         button("Trial", () => this.show("Trial"), { name: "Trial manoeuvre: try orders (J)" }),
+      );
+    }
+    if (this.live.choice().length > 1) {
+      const shown = spoken(hello.vessels[this.live.ship()]?.name ?? "");
+      plan.addTool(
+        button(`${shown} ▸`, () => this.nextShip(hello), {
+          name: `Ship: ${shown}; go to the next ship`,
+        }),
       );
     }
     if (hello.library) {
@@ -537,9 +574,11 @@ export class App implements Page {
           : this.live.frame
             ? "NO LINK TO THE SERVER — what is shown is old. Trying again."
             : "The server does not answer. Trying again."
-        : silent === null
-          ? ""
-          : `NO DATA FOR ${Math.round(silent / 1000)} s — what is shown is old.`;
+        : this.outdated
+          ? "THIS PAGE IS OF ANOTHER VERSION THAN THE PROGRAM: load it again."
+          : silent === null
+            ? ""
+            : `NO DATA FOR ${Math.round(silent / 1000)} s — what is shown is old.`;
     setText(this.banner, text);
     setClass(this.banner, "hidden", text === "");
     setClass(this.stage, "stale", text !== "");

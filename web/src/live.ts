@@ -37,6 +37,8 @@ export class Live {
   prediction: Prediction | null = null;
   /** From the tick to its first drawing [ms]. */
   readonly latency = new Latency();
+  /** The ship that the instructor has chosen, by name; `null`: the scenario's own ship. */
+  private chosen: string | null = null;
   private received_ms = 0;
   private interval_ms = 100;
   private undrawn = false;
@@ -46,7 +48,7 @@ export class Live {
   welcome(hello: Hello): void {
     if (this.hello?.file !== hello.file) {
       this.frame = this.previous = this.prediction = null;
-      this.moving = null;
+      this.moving = this.chosen = null;
     }
     this.hello = hello;
   }
@@ -108,21 +110,33 @@ export class Live {
     return own >= 0 ? own : this.ship();
   }
 
-  /** Index of the ship whose past the server keeps. */
-  firstShip(): number {
-    return Math.max(0, this.hello?.vessels.findIndex((v) => !v.is_tug) ?? 0);
+  /** The ships among which the instructor chooses; none for other roles. */
+  choice(): VesselInfo[] {
+    const { role, vessels } = this.hello ?? {};
+    return role?.name === "instructor" ? (vessels ?? []).filter((v) => !v.is_tug) : [];
   }
 
-  /** Index of the pilot's ship: for the pilot of another ship, that one. */
+  /** Makes the instructor's page one about this ship. */
+  choose(name: string): void {
+    this.chosen = name;
+  }
+
+  /**
+   * Index of the ship that the page is about: that of the pilot, the one that a tug serves, the one that the instructor has
+   * chosen; else the scenario's own ship.
+   */
   ship(): number {
-    const vessels = this.hello?.vessels ?? [];
-    const role = this.hello?.role;
-    const named = role?.name === "pilot" && role.vessel !== undefined ? role.vessel : null;
-    const own =
-      named === null
-        ? vessels.findIndex((v) => !v.is_tug)
-        : vessels.findIndex((v) => v.name === named);
-    return Math.max(0, own);
+    const { role, vessels = [], tugs = [] } = this.hello ?? {};
+    const called = (name: string | null) => vessels.findIndex((v) => v.name === name);
+    let named = -1;
+    if (role?.name === "pilot") named = called(role.vessel ?? null);
+    else if (role?.name === "instructor") named = called(this.chosen);
+    else if (role?.name === "tugmaster")
+      named =
+        tugs.find(({ name }) => name === role.tug)?.vessel ??
+        vessels[called(role.tug)]?.serves ??
+        -1;
+    return Math.max(0, named >= 0 ? named : vessels.findIndex((v) => !v.is_tug));
   }
 
   /** Index of the body whose motion is read off: that of the vessel that this page steers. */

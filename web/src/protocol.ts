@@ -14,13 +14,17 @@ import type { Order } from "./orders";
 export type FromServer =
   Hello | Frame | Prediction | Trial | Past | Planned | Ack | Refused | Notice;
 
+/** Number of this protocol. */
+export const PROTOCOL = 5;
+
 /** A place or a vector: [north, east] or [forward, starboard]. */
 export type Pair = [number, number];
 
 /** Sent first, and again whenever the scenario, the branch or the claims change. */
 export interface Hello {
   type: "hello";
-  protocol: 4;
+  /** Another number than `PROTOCOL`: the page is of another version than the program. */
+  protocol: number;
   role: Role;
   title: string;
   /** File name of the scenario, as in `gallery`. */
@@ -39,8 +43,6 @@ export interface Hello {
   telegraph: TelegraphInfo[];
   /** The limits of other commands. */
   limits: CommandLimits;
-  /** Places at the side of the pilot's ship where a tug may work. */
-  places: Place[];
   /** The controls that this page may use. */
   mine: Control[];
   /** The holder of each control; `null`: it is free. */
@@ -233,8 +235,12 @@ export interface VesselInfo {
   azimuths: { name: string; at_m: Pair; bollard_n: number }[];
   /** She is a tug that assists the named vessel or the pilot's ship. */
   is_tug: boolean;
-  /** She has a line to the pilot's ship. */
+  /** For a tug, the index of the ship that she serves. */
+  serves: number | null;
+  /** She has a line to the ship that she serves. */
   has_towline: boolean;
+  /** Places at her side where a tug may work; a tug has none. */
+  places: Place[];
   /** The orders that she has the gear for. */
   orders: string[];
 }
@@ -598,6 +604,8 @@ export interface Trial {
  */
 export interface Past {
   type: "history";
+  /** Index of the vessel of which speeds and distances are; `null`: there is no vessel. */
+  vessel: number | null;
   t_s: number[];
   /** At the berth if there is one, else sideways over ground at the ends; `null`: there is no vessel. */
   bow_mps: (number | null)[];
@@ -673,7 +681,7 @@ export type Action = Order | OtherAction;
 export type TugWord = "push" | "pull" | "stop" | "stand_off";
 /** Direction of a tug: square to the side, or 45° towards the ship's bow or stern. */
 export type Lead = "square" | "forward" | "aft";
-/** Place of a tug at the ship's side. `Hello.places` has those of the present ship. */
+/** Place of a tug at the ship's side. `VesselInfo.places` has those of each ship. */
 export type Place =
   | "nearest"
   | "port shoulder"
@@ -723,8 +731,8 @@ export type OtherAction =
   | { do: "load"; file: string }
   | { do: "stop_opening" }
   | { do: "save"; name: string }
-  /** Sends `Past`: to everybody, once a second. */
-  | { do: "history" }
+  /** Sends `Past`, once a second: of the ship of the link, to the instructor of any ship. */
+  | { do: "history"; vessel?: string }
   /**
    * Saves a new exercise in the gallery's folder, under a name without ending. A name that is taken is refused, unless it
    * may be replaced. It is acknowledged when it is saved.

@@ -23,6 +23,7 @@ function past(from_s: number, till_s: number): Past {
   const all = (value: number) => t_s.map(() => value);
   return {
     type: "history",
+    vessel: 0,
     t_s,
     bow_mps: t_s.map(() => null),
     stern_mps: t_s.map(() => null),

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { Latency, Live, STALE_MS } from "../src/live";
-import type { BodyNow, Frame } from "../src/protocol";
+import type { BodyNow, Frame, Hello, Role } from "../src/protocol";
 
 function frame(tick: number, north: number, paused = false): Frame {
   const bodies: BodyNow[] = [
@@ -75,4 +75,44 @@ test("the delay is absolute if the clocks agree, and relative if they do not", (
   const apart = new Latency();
   for (const ms of [-50_000, -49_990, -49_980]) apart.add(ms);
   expect(apart.figures()).toEqual({ median: 10, p99: 20, clocks: true });
+});
+
+test("each role's page is about its ship, and the instructor chooses any", () => {
+  const vessel = (name: string, is_tug = false, serves: number | null = null) => ({
+    name,
+    is_tug,
+    serves,
+  });
+  const hello = (role: Role, file = "a.toml") =>
+    ({
+      role,
+      file,
+      vessels: [vessel("tug", true, 2), vessel("bulker"), vessel("coaster")],
+      tugs: [{ name: "pusher", vessel: 1 }],
+    }) as unknown as Hello;
+  const shipOf = (role: Role) => {
+    const live = new Live();
+    live.welcome(hello(role));
+    return live.ship();
+  };
+  expect(shipOf({ name: "observer" })).toBe(1);
+  expect(shipOf({ name: "pilot" })).toBe(1);
+  expect(shipOf({ name: "pilot", vessel: "coaster" })).toBe(2);
+  expect(shipOf({ name: "tugmaster", tug: "tug" })).toBe(2);
+  expect(shipOf({ name: "tugmaster", tug: "pusher" })).toBe(1);
+  const live = new Live();
+  live.welcome(hello({ name: "pilot" }));
+  expect(live.choice()).toEqual([]);
+  live.choose("coaster");
+  expect(live.ship(), "a pilot chooses no ship").toBe(1);
+  live.welcome(hello({ name: "instructor" }, "b.toml"));
+  expect(live.choice().map(({ name }) => name)).toEqual(["bulker", "coaster"]);
+  expect(live.ship()).toBe(1);
+  live.choose("coaster");
+  expect(live.ship()).toBe(2);
+  // Kept over a new greeting; another scenario begins with its own ship.
+  live.welcome(hello({ name: "instructor" }, "b.toml"));
+  expect(live.ship()).toBe(2);
+  live.welcome(hello({ name: "instructor" }, "a.toml"));
+  expect(live.ship()).toBe(1);
 });

@@ -168,7 +168,7 @@ fn order(action: SimAction, now: &mut Now) -> Result<bool, Refusal> {
     Ok(dropped)
 }
 
-/// Resolves an order in words to a tug: a vector tug, or a vessel that assists the pilot's own ship.
+/// Resolves an order in words to a tug: a vector tug, or a vessel that assists the ship that she serves.
 fn tug_order(
     name: &str,
     words: &TugWords,
@@ -181,7 +181,7 @@ fn tug_order(
     }
     let no_tug = || Refusal::new(format_args!("there is no tug `{name}`"));
     let tug = vessel_named(setup, name).map_err(|_| no_tug())?;
-    let ship = cast.own.filter(|ship| *ship != tug).ok_or_else(no_tug)?;
+    let ship = cast.serves[tug].or(cast.own).filter(|ship| *ship != tug).ok_or_else(no_tug)?;
     words.for_vessel(tug, ship, setup, simulation.states()).map_err(Refusal::new)
 }
 

@@ -1,6 +1,6 @@
 //! The roles of a scenario's vessels: the pilot's own ship and the tugs; and the helm that a command belongs to.
 
-use fenderline_sim::order::TargetKind;
+use fenderline_sim::order::{TargetKind, towline};
 use fenderline_sim::{LineEnd, Setup, VesselSetup};
 
 use crate::action::{Action, OtherAction};
@@ -25,6 +25,9 @@ pub struct Cast {
     pub tugs: Vec<String>,
     /// For each vector tug, the index of the vessel that she serves.
     pub tug_serves: Vec<usize>,
+    /// For each vessel that is a tug, the index of the ship that she serves: the first to which she has a towline, else the first
+    /// that she may touch, else the own ship. The own ship comes first, then the others in their order.
+    pub serves: Vec<Option<usize>>,
     /// Name of each line, and the vessels at its ends.
     lines: Vec<(String, Vec<usize>)>,
     /// Name of each anchor, and the vessel that carries it.
@@ -46,6 +49,21 @@ pub enum Helm {
     Alarm,
     /// The notes for the debriefing.
     Notes,
+}
+
+/// The ship that a vessel serves if she is a tug.
+fn serves(setup: &Setup, own: Option<usize>, is_tug: &[bool], tug: usize) -> Option<usize> {
+    if !is_tug[tug] {
+        return None;
+    }
+    let vessels = &setup.world.vessels;
+    let others = (0..vessels.len()).filter(|ship| !is_tug[*ship] && own != Some(*ship));
+    let ships: Vec<usize> = own.into_iter().chain(others).collect();
+    let body = vessels[tug].body;
+    let is_held = |ship: &usize| towline(setup, body, vessels[*ship].body).is_some();
+    let is_touched = |ship: &usize| setup.may_touch([body, vessels[*ship].body]);
+    let held = ships.iter().copied().find(is_held);
+    held.or_else(|| ships.iter().copied().find(is_touched)).or(own)
 }
 
 impl Cast {
@@ -70,10 +88,13 @@ impl Cast {
         });
         let anchors = setup.world.anchors.iter();
         let anchors = anchors.map(|anchor| (anchor.gear.name.clone(), anchor.vessel));
+        let is_tug: Vec<bool> = vessels.iter().enumerate().map(is_tug).collect();
+        let serves = (0..vessels.len()).map(|tug| serves(setup, own, &is_tug, tug)).collect();
         Cast {
             own,
             vessels: vessels.iter().map(name).collect(),
-            is_tug: vessels.iter().enumerate().map(is_tug).collect(),
+            is_tug,
+            serves,
             tugs: setup.world.tugs.iter().map(|tug| tug.tug.name.clone()).collect(),
             tug_serves: setup.world.tugs.iter().map(|tug| tug.vessel).collect(),
             lines: lines.collect(),
@@ -96,11 +117,18 @@ impl Cast {
         vessels.chain(self.tugs.iter().cloned()).collect()
     }
 
+    /// Indices of the ships that can be conned: the own ship, then the others. Tugs are none.
+    #[must_use]
+    pub fn ships(&self) -> Vec<usize> {
+        let ships = (0..self.vessels.len()).filter(|index| !self.is_tug[*index]);
+        let others = ships.filter(|index| self.own != Some(*index));
+        self.own.into_iter().chain(others).collect()
+    }
+
     /// Names of the ships besides the own ship and the tugs: each can have a pilot of her own.
     #[must_use]
     pub fn other_ships(&self) -> Vec<String> {
-        let ships = (0..self.vessels.len()).filter(|index| !self.is_tug[*index]);
-        let others = ships.filter(|index| self.own != Some(*index));
+        let others = self.ships().into_iter().filter(|index| self.own != Some(*index));
         others.map(|index| self.vessels[index].clone()).collect()
     }
 
@@ -113,11 +141,13 @@ impl Cast {
         }
     }
 
-    /// The ship that a tug serves: a vector tug hers, a tug that is a vessel the own ship.
+    /// The ship that a tug serves: see [`Cast::tug_serves`] and [`Cast::serves`].
     #[must_use]
     pub fn served_by(&self, tug: &str) -> Option<&str> {
         let vector = self.tugs.iter().position(|name| name == tug);
-        let ship = vector.map(|tug| self.tug_serves[tug]).or(self.own);
+        let vessel = || self.vessels.iter().position(|name| name == tug);
+        let ship = vector.map(|tug| self.tug_serves[tug]);
+        let ship = ship.or_else(|| self.serves[vessel()?]).or(self.own);
         ship.map(|ship| self.vessels[ship].as_str())
     }
 

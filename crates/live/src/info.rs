@@ -43,8 +43,6 @@ pub struct Info {
     pub orders: Vec<OrderInfo>,
     /// As in [`crate::message::Hello`].
     pub telegraph: Vec<TelegraphInfo>,
-    /// Words for the positions at the own ship's side where a tug may work.
-    pub places: Vec<&'static str>,
     /// The berth to which distances are measured.
     pub berth: Option<Berth>,
     /// Depth of the water (m).
@@ -63,7 +61,6 @@ impl Info {
             fixed: body.mass.is_none(),
             outline: body.outline.vertices().iter().map(|&at| pair(at)).collect(),
         });
-        let vessels = world.vessels.iter().zip(&cast.is_tug);
         let fenders = setup.fenders.iter().map(|fender| FenderInfo {
             name: fender.name.clone(),
             body: fender.body,
@@ -77,8 +74,8 @@ impl Info {
         });
         Info {
             bodies: bodies.collect(),
-            vessels: vessels
-                .map(|(vessel, &is_tug)| vessel_info(setup, cast, vessel, is_tug))
+            vessels: (0..world.vessels.len())
+                .map(|index| vessel_info(setup, cast, index))
                 .collect(),
             fenders: fenders.collect(),
             lines: world.lines.iter().map(line_info).collect(),
@@ -87,7 +84,6 @@ impl Info {
             traffic: world.flow.passing.iter().map(traffic_info).collect(),
             orders: order_infos(),
             telegraph: telegraph(),
-            places: cast.own.map_or_else(Vec::new, |own| places(setup, &world.vessels[own])),
             berth: berth::of(setup, cast),
             depth_m: world.environment.depth_m,
             chart: chart_infos(&world.chart),
@@ -104,16 +100,15 @@ fn traffic_info(ship: &PassingSetup) -> TrafficInfo {
     TrafficInfo { name: ship.name.clone(), outline }
 }
 
-fn vessel_info(setup: &Setup, cast: &Cast, vessel: &VesselSetup, is_tug: bool) -> VesselInfo {
-    let own = cast.own.map(|own| setup.world.vessels[own].body);
-    let index = setup.world.vessels.iter().position(|other| other.body == vessel.body);
+fn vessel_info(setup: &Setup, cast: &Cast, index: usize) -> VesselInfo {
+    let (vessel, is_tug) = (&setup.world.vessels[index], cast.is_tug[index]);
+    let served = cast.serves[index].map(|ship| setup.world.vessels[ship].body);
     let has_gear = |order: &&OrderName| {
         let spec = order.spec();
-        spec.target == TargetKind::Vessel
-            && index.is_some_and(|index| spec.gear.is_on(index, setup))
+        spec.target == TargetKind::Vessel && spec.gear.is_on(index, setup)
     };
     let orders = OrderName::ALL.iter().filter(has_gear).map(|order| order.spec().word);
-    let has_towline = own.is_some_and(|ship| towline(setup, vessel.body, ship).is_some());
+    let has_towline = served.is_some_and(|ship| towline(setup, vessel.body, ship).is_some());
     let hull = &vessel.ship.particulars;
     let name = setup.bodies[vessel.body].name.clone();
     let title = if vessel.origin.title.is_empty() { &name } else { &vessel.origin.title };
@@ -142,7 +137,9 @@ fn vessel_info(setup: &Setup, cast: &Cast, vessel: &VesselSetup, is_tug: bool) -
         thrusters: thrusters.collect(),
         azimuths: azimuths.collect(),
         is_tug,
+        serves: cast.serves[index],
         has_towline,
+        places: if is_tug { Vec::new() } else { places(setup, vessel) },
         orders: orders.collect(),
     }
 }

@@ -9,7 +9,7 @@ use crate::approach::Light;
 use crate::request::Control;
 
 /// Number of the protocol. A page with another number asks the user to reload it.
-pub const PROTOCOL: u32 = 4;
+pub const PROTOCOL: u32 = 5;
 
 /// A position, a vector or a range.
 pub type Pair = [f64; 2];
@@ -32,7 +32,6 @@ pub struct Hello<'a> {
     pub orders: &'a [OrderInfo],
     pub telegraph: &'a [TelegraphInfo],
     pub limits: CommandLimits,
-    pub places: &'a [&'static str],
     pub mine: Vec<Control>,
     pub claims: &'a [Claim],
     pub gallery: &'a [GalleryEntry],
@@ -205,7 +204,10 @@ pub struct VesselInfo {
     pub thrusters: Vec<ThrusterInfo>,
     pub azimuths: Vec<AzimuthInfo>,
     pub is_tug: bool,
+    /// Index of the ship that a tug serves.
+    pub serves: Option<usize>,
     pub has_towline: bool,
+    pub places: Vec<&'static str>,
     pub orders: Vec<&'static str>,
 }
 
@@ -583,6 +585,8 @@ pub struct EventNow {
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[serde(tag = "type", rename = "history")]
 pub struct History {
+    /// Index of the vessel of which speeds and distances are.
+    pub vessel: Option<usize>,
     pub t_s: Vec<f64>,
     pub bow_mps: Vec<Option<f64>>,
     pub stern_mps: Vec<Option<f64>>,

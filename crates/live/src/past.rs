@@ -18,23 +18,29 @@ const MOST_SAMPLES: usize = 8000;
 const MOST_EVENTS: usize = 1000;
 const SHOWN_EVENTS: usize = 200;
 
-/// Values after a tick. Distances and speeds at the ends are those at the berth if there is one, and of the pilot's ship; what she
-/// has not is `None`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Values after a tick.
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Sample {
     pub(crate) t_s: f64,
-    pub(crate) bow_mps: Option<f64>,
-    pub(crate) stern_mps: Option<f64>,
-    pub(crate) ahead_mps: f64,
-    pub(crate) turn_radps: f64,
-    pub(crate) bow_m: Option<f64>,
-    pub(crate) stern_m: Option<f64>,
+    /// Of each ship that can be conned, as [`crate::Cast::ships`] has them; without a vessel of one body.
+    pub(crate) ships: Vec<ShipSample>,
     /// Greatest load of a fender over its rating, and of a line over its working load.
     pub(crate) of_energy: f64,
     pub(crate) of_reaction: f64,
     pub(crate) of_working: f64,
     /// The sizes of all contact forces together (N).
     pub(crate) contact_n: f64,
+}
+
+/// Values of a ship. Distances and speeds at the ends are those at the berth if there is one; what she has not is `None`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ShipSample {
+    pub(crate) bow_mps: Option<f64>,
+    pub(crate) stern_mps: Option<f64>,
+    pub(crate) ahead_mps: f64,
+    pub(crate) turn_radps: f64,
+    pub(crate) bow_m: Option<f64>,
+    pub(crate) stern_m: Option<f64>,
 }
 
 impl Sample {
@@ -114,12 +120,14 @@ impl Past {
         for event in events {
             self.push_event(event);
         }
-        let sample = self.peaks.map_or(sample, |before| sample.with_peaks(&before));
+        let sample = match self.peaks.take() {
+            Some(before) => sample.with_peaks(&before),
+            None => sample,
+        };
         if !tick.is_multiple_of(self.every) {
             self.peaks = Some(sample);
             return;
         }
-        self.peaks = None;
         self.samples.push_back(Entry { branch, cause_tick, seen_tick: tick, what: sample });
         if self.samples.len() > MOST_SAMPLES {
             self.samples.pop_front();
@@ -140,21 +148,29 @@ impl Past {
         self.version += 1;
     }
 
-    /// The past of a tick. `branch_at`: the branch whose commands applied at a tick.
-    pub(crate) fn before(&self, tick: u64, t_s: f64, branch_at: impl Fn(u64) -> usize) -> History {
-        let mut history = History::default();
+    /// The past of a tick, with the values of a ship: her place among those that can be conned, and her index among the vessels.
+    /// `branch_at`: the branch whose commands applied at a tick.
+    pub(crate) fn before(
+        &self,
+        tick: u64,
+        t_s: f64,
+        (ship, vessel): (usize, Option<usize>),
+        branch_at: impl Fn(u64) -> usize,
+    ) -> History {
+        let mut history = History { vessel, ..History::default() };
         for Entry { what: sample, .. } in self
             .samples
             .iter()
             .filter(|entry| entry.what.t_s >= t_s - SHOWN_S && is_of(entry, tick, &branch_at))
         {
+            let of = &sample.ships[ship];
             history.t_s.push(short(sample.t_s));
-            history.bow_mps.push(sample.bow_mps.map(short));
-            history.stern_mps.push(sample.stern_mps.map(short));
-            history.ahead_mps.push(short(sample.ahead_mps));
-            history.turn_radps.push(libm::round(sample.turn_radps * 1e6) / 1e6);
-            history.bow_m.push(sample.bow_m.map(short));
-            history.stern_m.push(sample.stern_m.map(short));
+            history.bow_mps.push(of.bow_mps.map(short));
+            history.stern_mps.push(of.stern_mps.map(short));
+            history.ahead_mps.push(short(of.ahead_mps));
+            history.turn_radps.push(libm::round(of.turn_radps * 1e6) / 1e6);
+            history.bow_m.push(of.bow_m.map(short));
+            history.stern_m.push(of.stern_m.map(short));
             history.of_energy.push(short(sample.of_energy));
             history.of_reaction.push(short(sample.of_reaction));
             history.of_working.push(short(sample.of_working));
@@ -181,15 +197,20 @@ fn short(value: f64) -> f64 {
 mod tests {
     use super::*;
 
+    const FIRST: (usize, Option<usize>) = (0, Some(0));
+
     fn sample(t_s: f64, of_energy: f64) -> Sample {
-        Sample {
-            t_s,
+        let ship = |ahead_mps| ShipSample {
             bow_mps: None,
             stern_mps: None,
-            ahead_mps: t_s,
+            ahead_mps,
             turn_radps: 0.0,
             bow_m: None,
             stern_m: None,
+        };
+        Sample {
+            t_s,
+            ships: vec![ship(t_s), ship(-t_s)],
             of_energy,
             of_reaction: 0.0,
             of_working: 0.0,
@@ -213,11 +234,14 @@ mod tests {
     fn a_load_between_two_samples_is_in_the_next_one() {
         let mut past = Past::new(0.1);
         run(&mut past, 0, 1..=40);
-        let history = past.before(40, 4.0, |_| 0);
+        let history = past.before(40, 4.0, FIRST, |_| 0);
         assert_eq!(history.t_s, [1.0, 2.0, 3.0, 4.0]);
         assert_eq!(history.of_energy, [0.1, 0.9, 0.1, 0.1]);
+        assert_eq!((history.vessel, history.ahead_mps), (Some(0), vec![1.0, 2.0, 3.0, 4.0]));
+        let other = past.before(40, 4.0, (1, Some(2)), |_| 0);
+        assert_eq!((other.vessel, other.ahead_mps), (Some(2), vec![-1.0, -2.0, -3.0, -4.0]));
         // After a rewind only what is before, and repeated steps change nothing.
-        assert_eq!(past.before(25, 2.5, |_| 0).t_s, [1.0, 2.0]);
+        assert_eq!(past.before(25, 2.5, FIRST, |_| 0).t_s, [1.0, 2.0]);
         let version = past.version();
         run(&mut past, 0, 26..=40);
         assert_eq!(past.version(), version);
@@ -231,10 +255,10 @@ mod tests {
         past.keep_event(1, 20, said(2.0, "in the branch"));
         run(&mut past, 1, 21..=40);
         let on_branch = |tick| usize::from(tick >= 20);
-        let history = past.before(40, 4.0, on_branch);
+        let history = past.before(40, 4.0, FIRST, on_branch);
         assert_eq!(history.t_s, [1.0, 2.0, 3.0, 4.0]);
         assert_eq!(history.events, [said(2.0, "in the branch")]);
-        assert_eq!(past.before(40, 4.0, |_| 0).events, [said(3.5, "only in the first run")]);
+        assert_eq!(past.before(40, 4.0, FIRST, |_| 0).events, [said(3.5, "only in the first run")]);
     }
 
     #[test]
@@ -245,7 +269,7 @@ mod tests {
             past.keep_step(0, tick, sample(tick as f64, 0.0), std::iter::once(event));
         }
         assert_eq!((past.samples.len(), past.events.len()), (MOST_SAMPLES, MOST_EVENTS));
-        let history = past.before(20_000, 20_000.0, |_| 0);
+        let history = past.before(20_000, 20_000.0, FIRST, |_| 0);
         assert_eq!(history.t_s.len(), 1801);
         assert_eq!(history.events.len(), SHOWN_EVENTS);
         assert_eq!(history.events.last(), Some(&said(20_000.0, "x")));

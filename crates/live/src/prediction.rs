@@ -22,10 +22,8 @@ impl Cast {
     /// Indices of the vessels whose paths are predicted, at most [`MOST_PATHS`]: the own ship, the other ships, then the tugs.
     #[must_use]
     pub fn predicted(&self) -> Vec<usize> {
-        let ships = (0..self.vessels.len()).filter(|index| !self.is_tug[*index]);
-        let others = ships.filter(|index| self.own != Some(*index));
         let tugs = (0..self.vessels.len()).filter(|index| self.is_tug[*index]);
-        self.own.into_iter().chain(others).chain(tugs).take(MOST_PATHS).collect()
+        self.ships().into_iter().chain(tugs).take(MOST_PATHS).collect()
     }
 }
 

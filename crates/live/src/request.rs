@@ -78,8 +78,8 @@ conducts! {
     Trial = "trial" { orders: Vec<Action>, horizon_s: f64 },
     /// Give several orders at once: all of them or none.
     Give = "give" { orders: Vec<Action> },
-    /// Send what strip charts and log show of the past.
-    History = "history" {},
+    /// Send what strip charts and log show of the past, of the own ship or of the one that is named.
+    History = "history" { vessel: Option<String> },
     /// Make the report of the session up to now; it can be fetched when this is acknowledged.
     Report = "report" {},
     /// Save a copy of the recording under a name.

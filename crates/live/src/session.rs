@@ -346,11 +346,20 @@ impl Session {
         self.events.push((t_s, text));
     }
 
-    /// What strip charts and log show of the last half hour before the present tick.
-    #[must_use]
-    pub fn history(&self) -> History {
+    /// What strip charts and log show of the last half hour before the present tick: of the own ship, or of another ship that can
+    /// be conned, by her index among the vessels.
+    ///
+    /// # Errors
+    /// A vessel that is a tug, or is not there: their past is not kept.
+    pub fn history(&self, vessel: Option<usize>) -> Result<History, Refusal> {
         let (tick, t_s) = (self.now.tick, self.now.simulation.time_s());
-        self.past.before(tick, t_s, |tick| self.segment(self.current, tick).0)
+        let vessel = vessel.or(self.cast.own);
+        let place = match vessel {
+            Some(vessel) => self.cast.ships().into_iter().position(|ship| ship == vessel),
+            None => Some(0),
+        };
+        let place = place.ok_or_else(|| Refusal::new("the past of this vessel is not kept"))?;
+        Ok(self.past.before(tick, t_s, (place, vessel), |tick| self.segment(self.current, tick).0))
     }
 
     /// Differs after each change of [`Session::history`].
@@ -446,7 +455,7 @@ impl Session {
         let begun = alarms.begun_at(simulation.time_s()).map(|(level, text)| {
             let what = if level == Level::Alarm { "ALARM" } else { "Caution" };
             let text = format!("{what}: {text}");
-            Then { t_s: sample.t_s, text, level: Some(level.word()) }
+            Then { t_s: simulation.time_s(), text, level: Some(level.word()) }
         });
         let told =
             events.iter().map(|(t_s, text)| Then { t_s: *t_s, text: text.clone(), level: None });

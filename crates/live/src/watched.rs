@@ -91,7 +91,6 @@ impl Watched {
             orders: &info.orders,
             telegraph: &info.telegraph,
             limits: COMMAND_LIMITS,
-            places: &info.places,
             mine: vec![],
             claims: &[],
             gallery: &[],

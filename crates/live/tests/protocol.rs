@@ -119,7 +119,6 @@ fn messages(session: &Session) -> (Value, Value) {
         orders: &info.orders,
         telegraph: &info.telegraph,
         limits: COMMAND_LIMITS,
-        places: &info.places,
         mine: vec![],
         claims: &claims,
         gallery: &[],
@@ -187,7 +186,8 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
     }
     has_fields(&frame["verdict"], "VerdictNow", &known);
     let history: Value =
-        serde_json::from_str(&message::text(&session.history())).expect("the history as JSON");
+        serde_json::from_str(&message::text(&session.history(None).expect("it is kept")))
+            .expect("the history as JSON");
     assert_eq!(history["type"], "history");
     has_fields(&history, "Past", &known);
     each(&history, "events").for_each(|value| has_fields(value, "Then", &known));

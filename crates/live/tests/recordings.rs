@@ -83,7 +83,38 @@ fn a_torn_last_line_is_reported_and_dropped_and_the_session_continues() {
         }
     }
     // The first line must be complete.
-    assert_eq!(fault(&text.as_bytes()[..50]), (1, RecordingFault::NoRecording));
+    assert_eq!(fault(&text.as_bytes()[..50]), (1, RecordingFault::NoFirstLine));
+}
+
+#[test]
+fn a_file_of_another_type_or_format_is_refused_with_the_reason() {
+    let (_, text) = recorded();
+    let first = text.lines().next().expect("a first line");
+    let png = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR";
+    for other in
+        [&b""[..], b"\n", b"title = \"a scenario\"\n", b"{\"fenderline_links\":1}\n", b"\0\0\n"]
+    {
+        assert_eq!(fault(other), (1, RecordingFault::NoRecording), "{other:?}");
+    }
+    // No text at all.
+    assert_eq!(fault(png), (1, RecordingFault::Damaged));
+    for number in ["2", "4", "31", "99999999999999"] {
+        let other = text.replacen(
+            "{\"fenderline_session\":3",
+            &format!("{{\"fenderline_session\":{number}"),
+            1,
+        );
+        let shown = &number[..number.len().min(10)];
+        assert_eq!(fault(other.as_bytes()), (1, RecordingFault::Format(shown.to_owned())));
+    }
+    // Of another version of the program: read, for only its bits may differ; those are compared.
+    let mut header = objects(first).remove(0);
+    let version = format!("\"version\":\"{}\"", env!("CARGO_PKG_VERSION"));
+    assert!(header.contains(&version), "{header:.200}");
+    header = header.replacen(&version, "\"version\":\"0.0.7\"", 1);
+    let other = sealed([header.as_str()]);
+    let reader = fenderline_live::RecordingReader::open(other.as_bytes()).expect("it is sound");
+    assert_eq!(reader.version(), "0.0.7");
 }
 
 #[test]

@@ -328,30 +328,116 @@ fn the_history_of_a_rewound_and_a_replayed_session_is_that_of_the_run() {
     command(&mut session, fault.into());
     command(&mut session, OtherAction::Note { text: "late".into() }.into());
     go(&mut session, 105);
-    let whole = session.history();
+    let whole = session.history(None).expect("it is kept");
     assert_eq!(whole.t_s.len(), 40);
     let texts: Vec<&str> = whole.events.iter().map(|event| event.text.as_str()).collect();
     assert!(texts.iter().any(|text| text.starts_with("ALARM: ship: rudder stuck")), "{texts:?}");
     assert!(texts.iter().any(|text| text.ends_with("notes: late")), "{texts:?}");
     // Back: only what was before. On again: the same.
     session.rewind(205).expect("it is there");
-    let before = session.history();
+    let before = session.history(None).expect("it is kept");
     assert_eq!(before.t_s, whole.t_s[..20]);
     assert!(before.events.iter().all(|event| event.t_s <= 20.5));
     session.rewind(405).expect("it is there");
-    assert_eq!(session.history(), whole);
+    assert_eq!(session.history(None).expect("it is kept"), whole);
     // A branch has its own past from there on, and the first run keeps its own.
     session.rewind(205).expect("it is there");
     session.branch().expect("it is rewound");
     command(&mut session, engine(-0.7));
     go(&mut session, 200);
-    let branch = session.history();
+    let branch = session.history(None).expect("it is kept");
     assert_eq!(branch.t_s, whole.t_s);
     assert_eq!(branch.ahead_mps[..20], whole.ahead_mps[..20]);
     assert!(branch.ahead_mps[39] < whole.ahead_mps[39]);
     session.go_to_branch(0).expect("there is one");
-    assert_eq!(session.history(), whole);
+    assert_eq!(session.history(None).expect("it is kept"), whole);
     session.go_to_branch(1).expect("there is one");
     // After a restart of the server.
-    assert_eq!(replay(&saved(&mut session)).expect("a good recording").session.history(), branch);
+    assert_eq!(
+        replay(&saved(&mut session))
+            .expect("a good recording")
+            .session
+            .history(None)
+            .expect("it is kept"),
+        branch
+    );
+}
+
+#[test]
+fn the_history_has_every_ship_that_can_be_conned() {
+    let mut session = open("scenarios/live/two_pilots_in_a_fairway.toml", &[]);
+    go(&mut session, 300);
+    let names = &session.cast().vessels;
+    let [bulker, coaster] = ["bulker", "coaster"].map(|name| {
+        let vessel = names.iter().position(|other| other == name).expect("she is there");
+        session.history(Some(vessel)).expect("it is kept")
+    });
+    assert_eq!(session.history(None), Ok(bulker.clone()));
+    assert_eq!((bulker.vessel, coaster.vessel), (Some(0), Some(1)));
+    assert_eq!((bulker.t_s.len(), &coaster.t_s), (30, &bulker.t_s));
+    // 7 and 8 knots at the start.
+    let knots =
+        |history: &fenderline_live::message::History| history.ahead_mps[0] * 3600.0 / 1852.0;
+    assert!((knots(&bulker) - 7.0).abs() < 0.2 && (knots(&coaster) - 8.0).abs() < 0.2);
+    assert_eq!(coaster.events, bulker.events);
+    let again = replay(&saved(&mut session)).expect("a good recording").session;
+    assert_eq!(again.history(Some(1)), Ok(coaster));
+    // A tug has none, and nobody has that of a ship that is not there.
+    let session = open("scenarios/live/berthing.toml", &[]);
+    assert!(session.history(Some(0)).is_ok());
+    for vessel in [1, 2, 3] {
+        let why = session.history(Some(vessel)).expect_err("no ship").to_string();
+        assert!(why.contains("not kept"), "{why}");
+    }
+}
+
+/// The harbour with a second ship beside the after tug, who has her line on her.
+fn two_ships_and_two_tugs() -> Session {
+    let path = support::repository("scenarios/live/berthing.toml");
+    let text = std::fs::read_to_string(path).expect("a scenario");
+    let outline = "[[-93, -15], [92, -15], [92, 15], [-93, 15]]";
+    let more = format!(
+        "[body.coaster]\nvessel = \"bulker\"\noutline = {outline}\nposition = [-240, -200]\n\n[[pair]]\n\
+         bodies = [\"after_tug\", \"coaster\"]\nmaterial = \"concrete\"\n\n[body.quay]"
+    );
+    let text = text.replace("[body.quay]", &more);
+    let (before, after) = text.split_once("[line.after_tow]").expect("a line");
+    let after = after.replacen("to = \"ship\"", "to = \"coaster\"", 1);
+    let after = after.replacen("bollard = [-70, -13]", "bollard = [0, 13]", 1);
+    let after = after.replacen("length = \"60 m\"", "length = \"130 m\"", 1);
+    let text = format!("{before}[line.after_tow]{after}");
+    let none = |name: &str| Err(format!("{name}: none is needed"));
+    let (source, _) =
+        fenderline_live::Source::collect("two.toml", text, vec![], none).expect("a scenario");
+    Session::open(source).expect("a set-up")
+}
+
+#[test]
+fn a_tug_that_is_a_vessel_assists_the_ship_on_her_line() {
+    let mut session = two_ships_and_two_tugs();
+    let cast = session.cast();
+    assert_eq!(cast.other_ships(), ["coaster"]);
+    assert_eq!(cast.served_by("forward_tug"), Some("ship"));
+    assert_eq!(cast.served_by("after_tug"), Some("coaster"));
+    let index = |name: &str| cast.vessels.iter().position(|other| other == name).expect("a vessel");
+    let [forward, after, coaster] = ["forward_tug", "after_tug", "coaster"].map(index);
+    let info = &session.info().vessels;
+    assert_eq!((info[after].serves, info[coaster].serves), (Some(coaster), None));
+    assert!(info[forward].has_towline && info[after].has_towline);
+    assert!(info[coaster].places.len() == 7 && info[after].places.is_empty());
+    let push = TugWords {
+        word: TugWord::Push,
+        power: 0.5,
+        lead: Lead::default(),
+        place: SidePlace::StarboardMidships,
+    };
+    command(&mut session, Action::tug("after_tug", push));
+    go(&mut session, 1800);
+    let frame = session.frame(0, fenderline_live::message::RunState::default());
+    let assist = frame.vessels[after].assist.expect("her pilot works");
+    assert_eq!((assist.order, assist.place), ("push", Some("starboard midships")), "{assist:?}");
+    assert!(assist.force_n > 1e5, "{assist:?}");
+    // Westward, away from the tug.
+    let body = session.simulation().setup().world.vessels[coaster].body;
+    assert!(session.simulation().states()[body].velocity_mps.y < -0.05);
 }

@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use fenderline_live::message::Claim;
 use fenderline_live::{Control, Refusal};
 
+use crate::kept_seats::KeptHolder;
+
 /// Number of a client; never used twice.
 pub(crate) type ClientId = u64;
 
@@ -16,6 +18,9 @@ struct Holder {
     connected: bool,
 }
 
+/// The number that no client has: that of a holder from a former run.
+const NOBODY: ClientId = 0;
+
 /// Controls and their holders.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Claims(BTreeMap<Control, Holder>);
@@ -24,6 +29,23 @@ impl Claims {
     /// Releases all controls.
     pub(crate) fn clear(&mut self) {
         self.0.clear();
+    }
+
+    /// Takes the holders of a former run of this session. They are away until they say their names again.
+    pub(crate) fn restore(&mut self, holders: &[KeptHolder]) {
+        for KeptHolder { control, label } in holders {
+            let holder = Holder { client: NOBODY, label: label.clone(), connected: false };
+            self.0.insert(control.clone(), holder);
+        }
+    }
+
+    /// All holders, connected or not, to be kept.
+    pub(crate) fn kept(&self) -> Vec<KeptHolder> {
+        let holder = |(control, holder): (&Control, &Holder)| KeptHolder {
+            control: control.clone(),
+            label: holder.label.clone(),
+        };
+        self.0.iter().map(holder).collect()
     }
 
     /// Checks that a control is free, vacated, or held by this client.

@@ -12,6 +12,7 @@ mod kept_history;
 mod names;
 mod predictor;
 mod recording;
+mod seats;
 mod trials;
 
 use std::collections::BTreeMap;
@@ -33,6 +34,7 @@ use self::trials::Trials;
 use super::claims::{Claims, ClientId};
 use super::gallery::{Gallery, Opened};
 use super::hub::{Hub, InFog, Published, ToEngine};
+use super::kept_seats::Keeper;
 use super::opening::{MakeReport, Work};
 use super::pacer::Pacer;
 use super::recorder::Recorder;
@@ -54,6 +56,8 @@ pub(crate) struct Engine {
     make_report: MakeReport,
     recorder: Recorder,
     recording_failed: bool,
+    /// Keeps links and holders beside the recording.
+    keeper: Keeper,
     /// Work on another thread: a scenario or a session is being opened, one is being saved, or a report is being
     /// made.
     work: Option<Work>,
@@ -91,9 +95,10 @@ impl Engine {
     ) -> Result<Engine, String> {
         let file = opened.session.source().file.clone();
         let recorder = Recorder::begin(&sessions, &file, &mut opened)?;
-        let session = opened.session;
+        let (session, seats) = (opened.session, opened.seats);
         let now = Instant::now();
-        let engine = Engine {
+        let keeper = Keeper::start(hub.log.notify_function());
+        let mut engine = Engine {
             pacer: Pacer::new(session.simulation().setup().step_s, now),
             hub,
             session,
@@ -102,6 +107,7 @@ impl Engine {
             make_report,
             recorder,
             recording_failed: false,
+            keeper: keeper.map_err(|e| format!("no thread that keeps the links: {e}"))?,
             work: None,
             paused: true,
             starts_with_first_client: !paused,
@@ -115,7 +121,11 @@ impl Engine {
             planned: Vec::new(),
             chart: chart.map(ChartOutput::new),
         };
+        if let Some(seats) = seats {
+            engine.take_seats(&seats);
+        }
         engine.make_tokens().map_err(|e| format!("no random numbers for the links: {e}"))?;
+        engine.keep_seats();
         Ok(engine)
     }
 

@@ -7,6 +7,7 @@ use fenderline_live::message::GalleryEntry;
 use fenderline_live::{Outline, Session, Source};
 use fenderline_scenario::read_text;
 
+use super::kept_seats::{self, KeptSeats};
 use super::saved::{self, ENDING, Replayed, Watch};
 
 /// Most entries of the gallery, and most files of a folder that are read for it.
@@ -139,6 +140,8 @@ pub(crate) struct Opened {
     pub(crate) session: Session,
     /// The recording that it continues, with its outline; `None`: a new session.
     pub(crate) recorded: Option<(File, Outline)>,
+    /// The links and the holders of controls of the recording that it continues, if they are there.
+    pub(crate) seats: Option<KeptSeats>,
     /// Notices for the user.
     pub(crate) notices: Vec<String>,
 }
@@ -151,6 +154,12 @@ pub(crate) fn open(path: &Path, set: &[String], watch: Watch<'_>) -> Result<Open
     if let Some(file) = saved::open(path).map_err(|why| format!("cannot read {why}"))? {
         return open_recording(path, file, set, watch);
     }
+    if name_of(path).ends_with(ENDING) {
+        return Err(format!(
+            "{}: this is not a recorded session, although it is named as one",
+            path.display()
+        ));
+    }
     let text = read_text(path).map_err(|why| format!("cannot read {why}"))?;
     let (source, scenario) = Source::collect(&name_of(path), text, set.to_vec(), beside(path))
         .map_err(|e| e.to_string())?;
@@ -159,7 +168,7 @@ pub(crate) fn open(path: &Path, set: &[String], watch: Watch<'_>) -> Result<Open
     }
     let notices = scenario.notices.iter().map(ToString::to_string).collect();
     let session = Session::open(source).map_err(|e| e.to_string())?;
-    Ok(Opened { session, recorded: None, notices })
+    Ok(Opened { session, recorded: None, seats: None, notices })
 }
 
 fn open_recording(
@@ -183,5 +192,9 @@ fn open_recording(
             "{name}: recorded by version {version}, which may compute different bits"
         ));
     }
-    Ok(Opened { session, recorded: Some((file, outline)), notices })
+    let seats = kept_seats::read(&kept_seats::beside(path)).unwrap_or_else(|why| {
+        notices.push(format!("{why}: everybody gets a new link"));
+        None
+    });
+    Ok(Opened { session, recorded: Some((file, outline)), seats, notices })
 }

@@ -215,3 +215,83 @@ pub(crate) fn sentences(
     }
     all
 }
+
+#[cfg(test)]
+mod tests {
+    use fenderline_live::Source;
+
+    use super::*;
+
+    /// The bits of a position report of another ship, which fits into one sentence: ITU-R M.1371, as characters of six bits.
+    fn bits(sentence: &str) -> Option<Vec<bool>> {
+        let payload = sentence.strip_prefix("!AIVDM,1,1,")?.split(',').nth(2)?;
+        let six = payload.bytes().map(|byte| match byte - 48 {
+            code @ 0..=40 => code,
+            code => code - 8,
+        });
+        Some(six.flat_map(|code| (0..6).rev().map(move |bit| code >> bit & 1 == 1)).collect())
+    }
+
+    fn number(bits: &[bool]) -> i64 {
+        bits.iter().fold(0, |number, bit| 2 * number + i64::from(*bit))
+    }
+
+    /// The same with a sign.
+    fn signed(bits: &[bool]) -> i64 {
+        number(bits) - if bits[0] { 1 << bits.len() } else { 0 }
+    }
+
+    fn origin() -> ChartOrigin {
+        let at = GeoPoint { latitude_deg: 35.3, longitude_deg: 139.7 };
+        ChartOrigin::new(at).expect("within the chart")
+    }
+
+    /// MMSI, speed (kn), latitude (°), heading (°) of all position reports of a round.
+    fn reports(session: &Session, round: u64) -> Vec<(i64, f64, f64, i64)> {
+        let origin = origin();
+        let all = sentences(session, &origin, Moment::from_unix(1.8e9), round);
+        let all = all.iter().filter_map(|sentence| bits(sentence));
+        all.filter(|bits| number(&bits[..6]) == 1)
+            .map(|bits| {
+                let speed_kn = 0.1 * number(&bits[50..60]) as f64;
+                let latitude = signed(&bits[89..116]) as f64 / 600_000.0;
+                (number(&bits[8..38]), speed_kn, latitude, number(&bits[128..137]))
+            })
+            .collect()
+    }
+
+    #[test]
+    fn traffic_is_in_the_ais_with_its_speed_place_and_heading() {
+        let text = include_str!("../../../scenarios/live/two_pilots_in_a_fairway.toml");
+        let none = |name: &str| Err(format!("{name}: none is needed"));
+        let (source, _) = Source::collect("a.toml", text.to_owned(), vec![], none).expect("good");
+        let mut session = Session::open(source).expect("a set-up");
+        let names: Vec<&str> =
+            session.info().traffic.iter().map(|ship| ship.name.as_str()).collect();
+        let place = names.iter().position(|name| *name == "container_ship").expect("she is there");
+        let mmsi = i64::from(FIRST_MMSI) + 2 + place as i64;
+        let of = |session: &Session| {
+            let reports = reports(session, 1);
+            // The coaster and both ships that pass; the own ship is in a sentence of her own kind.
+            assert_eq!(reports.len(), 3, "{reports:?}");
+            *reports.iter().find(|report| report.0 == mmsi).expect("she reports")
+        };
+        let (_, speed_kn, before, heading) = of(&session);
+        assert!((speed_kn - 11.0).abs() < 0.06 && heading == 0, "{speed_kn} kn, {heading}°");
+        for _ in 0..1200 {
+            session.step().expect("a step");
+        }
+        let (_, _, after, _) = of(&session);
+        // 11 kn for two minutes are 11/30 of a nautical mile, a minute of latitude, within the reports' 1/10000 of a minute
+        // and half a percent: a minute is 1849 m here, not 1852.
+        let minutes = 60.0 * (after - before);
+        assert!((minutes - 11.0 / 30.0).abs() < 0.002, "{minutes}");
+        // Her name and size come every tenth round.
+        let origin = origin();
+        let data = |round| {
+            let all = sentences(&session, &origin, Moment::from_unix(1.8e9), round);
+            all.iter().filter(|text| text.starts_with("!AIVDM,2,1,")).count()
+        };
+        assert_eq!((data(1), data(10)), (0, 3));
+    }
+}

@@ -9,6 +9,7 @@
 //! | `pacer` | its clock |
 //! | `claims`, `permit`, `role_words` | which client may use which control, and what each role may do |
 //! | `recorder`, `saved` | write a session to its file; read and replay one |
+//! | `kept_seats` | links and holders of controls beside the recording, for a server that starts again |
 //! | `gallery`, `opening` | the files that can be opened; opening and saving on a thread of their own |
 //! | `instruments` | the sentences of ships' instruments |
 //!
@@ -32,6 +33,7 @@ mod gallery;
 mod http;
 mod hub;
 mod instruments;
+mod kept_seats;
 mod known_hosts;
 mod log;
 mod new_file;

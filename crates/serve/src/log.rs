@@ -30,6 +30,11 @@ impl Log {
         Log { thinned: Mutex::new(Thinned { bucket, left_out: 0 }), notify }
     }
 
+    /// What writes a line, for another thread.
+    pub(crate) fn notify_function(&self) -> Notify {
+        self.notify
+    }
+
     /// A line that must not be missed.
     pub(crate) fn notify(&self, line: &str) {
         (self.notify)(line);

@@ -111,7 +111,7 @@ pub(crate) fn for_conduct(role: &Role, conduct: &Conduct) -> Result<(), Refusal>
             | Conduct::Name { .. }
             | Conduct::Trial { .. }
             | Conduct::Give { .. }
-            | Conduct::History {}
+            | Conduct::History { .. }
     );
     if own || *role == Role::Instructor {
         return Ok(());

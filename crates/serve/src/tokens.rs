@@ -3,6 +3,8 @@
 use fenderline_live::message::{Link, Role};
 use subtle::ConstantTimeEq as _;
 
+use crate::kept_seats::KeptLink;
+
 /// A role's secret: 128 bits from the operating system, in hexadecimal.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Token {
@@ -31,6 +33,22 @@ impl Tokens {
             self.0.push(Token { role: role.clone(), secret });
         }
         Ok(())
+    }
+
+    /// Takes the secrets of a former run of this session, for the roles that have none yet.
+    pub(crate) fn restore(&mut self, links: &[KeptLink]) {
+        for KeptLink { role, secret } in links {
+            if self.0.iter().all(|token| token.role != *role) {
+                self.0.push(Token { role: role.clone(), secret: secret.clone() });
+            }
+        }
+    }
+
+    /// All secrets with their roles, to be kept.
+    pub(crate) fn kept(&self) -> Vec<KeptLink> {
+        let link =
+            |token: &Token| KeptLink { role: token.role.clone(), secret: token.secret.clone() };
+        self.0.iter().map(link).collect()
     }
 
     /// The role that a token opens. The comparison takes constant time, so that an attacker cannot find a token

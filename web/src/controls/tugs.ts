@@ -265,8 +265,8 @@ export class VesselTug extends TugCard {
     private readonly index: number,
     hello: Hello,
   ) {
-    const { limits, places } = hello;
-    const powers = powersWithin(limits.tug_power);
+    const places = hello.vessels[info.serves ?? -1]?.places ?? [];
+    const powers = powersWithin(hello.limits.tug_power);
     super(page, info.name, { vessel: info.name }, info.has_towline, powers, places);
   }
 
@@ -309,9 +309,6 @@ export class Tugs implements Group {
 
   constructor(page: Page, hello: Hello) {
     const ship = page.live.ship();
-    const own = hello.vessels[ship];
-    // Tugs that are vessels assist the scenario's first ship, vector tugs the ship that they serve.
-    const first = hello.vessels.findIndex((v) => !v.is_tug) === ship;
     this.cards = [
       ...hello.tugs.flatMap((info, i) =>
         info.vessel === ship || hello.role.name === "instructor"
@@ -319,7 +316,7 @@ export class Tugs implements Group {
           : [],
       ),
       ...hello.vessels.flatMap((info, i) =>
-        info.is_tug && first && own && info.azimuths.length > 0
+        info.is_tug && info.serves === ship && info.azimuths.length > 0
           ? [new VesselTug(page, info, i, hello)]
           : [],
       ),

@@ -97,7 +97,7 @@ export class Plan implements View {
     this.listen();
   }
 
-  /** Adds a button to the plan's tools. */
+  /** Adds a button at the end of the plan's tools. */
   addTool(tool: HTMLButtonElement): void {
     this.tools.append(tool);
   }

@@ -73,7 +73,7 @@ pub(crate) fn after_tick(now: &Now, cast: &Cast, info: &Info) -> (Vec<Alarm>, Sa
     let of = alarms::Input {
         simulation,
         info,
-        vessels: &vessels(now, cast, info),
+        vessels: &vessels(now, info),
         fenders: &now.seen.fenders(simulation),
         contacts: now.seen.contacts(),
         lines: &lines(simulation, info),
@@ -92,7 +92,7 @@ pub(crate) fn frame(now: &Now, cast: &Cast, info: &Info, at_ms: u64, run: RunSta
     let (states, t_s) = (simulation.states(), simulation.time_s());
     let (fenders, contacts) = (now.seen.fenders(simulation), now.seen.contacts());
     let own = cast.own;
-    let mut vessels = vessels(now, cast, info);
+    let mut vessels = vessels(now, info);
     if let Some(berth) = &info.berth {
         let (approach, book) = (now.approach, &now.alarms);
         let of = BoardInput { simulation, contacts, fenders: &fenders, book, approach };
@@ -131,9 +131,9 @@ pub(crate) fn frame(now: &Now, cast: &Cast, info: &Info, at_ms: u64, run: RunSta
     }
 }
 
-fn vessels(now: &Now, cast: &Cast, info: &Info) -> Vec<VesselNow> {
+fn vessels(now: &Now, info: &Info) -> Vec<VesselNow> {
     let all = 0..now.simulation.vessels().len();
-    all.map(|index| vessel::now(now, cast, index, info.berth.as_ref())).collect()
+    all.map(|index| vessel::now(now, index, info.berth.as_ref())).collect()
 }
 
 fn lines(simulation: &Simulation, info: &Info) -> Vec<LineNow> {

@@ -5,38 +5,22 @@ use fenderline_contact::number::greater;
 
 use super::alarms::Input;
 use crate::cast::Cast;
-use crate::past::Sample;
+use crate::past::{Sample, ShipSample};
 
-/// The values of the pilot's ship, or, without a vessel, of the first body that floats.
+/// The values of every ship that can be conned, or, without a vessel, of the first body that floats; and the loads.
 pub(super) fn sample(of: &Input<'_>, cast: &Cast) -> Sample {
-    let simulation = of.simulation;
-    let (setup, states) = (simulation.setup(), simulation.states());
-    let vessel = cast.own.map(|own| &of.vessels[own]);
-    let body = match cast.own {
-        Some(own) => Some(setup.world.vessels[own].body),
-        None => of.info.bodies.iter().position(|body| !body.fixed),
-    };
-    let state = body.map(|body| &states[body]);
-    let ahead_mps = match (vessel, state) {
-        (Some(vessel), _) => vessel.ground_mps[0],
-        (None, Some(state)) => {
-            Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps).x
-        }
-        (None, None) => 0.0,
-    };
-    let berth = vessel.and_then(|vessel| vessel.berth.as_ref());
+    let ships = cast.ships();
+    let floats = || of.info.bodies.iter().position(|body| !body.fixed);
     let fenders = |share: fn(&crate::message::FenderNow) -> f64| {
         of.fenders.iter().map(share).fold(0.0, greater)
     };
     let lines = of.lines.iter().zip(&of.info.lines);
     Sample {
-        t_s: simulation.time_s(),
-        bow_mps: berth.map(|berth| berth.bow_mps).or(vessel.map(|vessel| vessel.bow_mps)),
-        stern_mps: berth.map(|berth| berth.stern_mps).or(vessel.map(|vessel| vessel.stern_mps)),
-        ahead_mps,
-        turn_radps: state.map_or(0.0, |state| state.yaw_rate_radps),
-        bow_m: berth.map(|berth| berth.bow_m),
-        stern_m: berth.map(|berth| berth.stern_m),
+        t_s: of.simulation.time_s(),
+        ships: match ships.is_empty() {
+            true => vec![body_sample(of, floats())],
+            false => ships.into_iter().map(|ship| ship_sample(of, ship)).collect(),
+        },
         of_energy: fenders(|fender| fender.of_energy),
         of_reaction: fenders(|fender| fender.of_reaction),
         of_working: lines
@@ -48,4 +32,27 @@ pub(super) fn sample(of: &Input<'_>, cast: &Cast) -> Sample {
             .map(|contact| libm::hypot(contact.force_n[0], contact.force_n[1]))
             .sum(),
     }
+}
+
+fn ship_sample(of: &Input<'_>, ship: usize) -> ShipSample {
+    let (now, berth) = (&of.vessels[ship], of.vessels[ship].berth.as_ref());
+    let body = of.simulation.setup().world.vessels[ship].body;
+    ShipSample {
+        bow_mps: Some(berth.map_or(now.bow_mps, |berth| berth.bow_mps)),
+        stern_mps: Some(berth.map_or(now.stern_mps, |berth| berth.stern_mps)),
+        ahead_mps: now.ground_mps[0],
+        turn_radps: of.simulation.states()[body].yaw_rate_radps,
+        bow_m: berth.map(|berth| berth.bow_m),
+        stern_m: berth.map(|berth| berth.stern_m),
+    }
+}
+
+/// The values of a body that is no vessel.
+fn body_sample(of: &Input<'_>, body: Option<usize>) -> ShipSample {
+    let state = body.map(|body| &of.simulation.states()[body]);
+    let ahead_mps = state.map_or(0.0, |state| {
+        Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps).x
+    });
+    let turn_radps = state.map_or(0.0, |state| state.yaw_rate_radps);
+    ShipSample { bow_mps: None, stern_mps: None, ahead_mps, turn_radps, bow_m: None, stern_m: None }
 }

@@ -7,13 +7,12 @@ use fenderline_sim::{Job, Pilots};
 
 use crate::action::Fault;
 use crate::berth;
-use crate::cast::Cast;
 use crate::message::{AssistNow, AssistState, AzimuthNow, RudderNow, ShareNow, VesselNow};
 use crate::session::Now;
 
 /// The present state of a vessel. Speeds over ground and through the water are those of midship; lateral speeds are those of
 /// the foremost and aftmost points of her outline.
-pub(super) fn now(all: &Now, cast: &Cast, index: usize, at: Option<&Berth>) -> VesselNow {
+pub(super) fn now(all: &Now, index: usize, at: Option<&Berth>) -> VesselNow {
     let simulation = &all.simulation;
     let setup = simulation.setup();
     let environment = &setup.world.environment;
@@ -55,11 +54,7 @@ pub(super) fn now(all: &Now, cast: &Cast, index: usize, at: Option<&Berth>) -> V
         berth: at
             .filter(|at| at.body != of.body)
             .map(|at| berth::seen_from(at, &simulation.states()[at.body], &body.outline, state)),
-        assist: vessel
-            .pilots
-            .assist
-            .as_ref()
-            .map(|pilot| assist_now(all, cast, index, &pilot.order.job)),
+        assist: vessel.pilots.assist.as_ref().map(|pilot| assist_now(all, index, &pilot.order.job)),
         faults: Fault::active(&vessel.faults),
     }
 }
@@ -68,20 +63,19 @@ pub(super) fn now(all: &Now, cast: &Cast, index: usize, at: Option<&Berth>) -> V
 const SLACK_N: f64 = 1e3;
 
 /// The order to a tug that is a vessel, in words, and how far she has carried it out.
-fn assist_now(now: &Now, cast: &Cast, tug: usize, job: &Job) -> AssistNow {
+fn assist_now(now: &Now, tug: usize, job: &Job) -> AssistNow {
     let setup = now.simulation.setup();
     let own = setup.world.vessels[tug].body;
-    let ship = cast.own.map(|ship| &setup.world.vessels[ship]);
-    let place = |at_m| {
-        let ship = ship?;
+    let place = |ship: usize, at_m| {
+        let ship = setup.world.vessels.iter().find(|vessel| vessel.body == ship)?;
         let outline = &setup.bodies[ship.body].outline;
         let place = SidePlace::nearest(at_m, outline, ship.ship.particulars.length_m)?;
         let off_m = (place.on(outline, ship.ship.particulars.length_m)? - at_m).x.abs();
         (off_m < SAME_PLACE_M).then(|| place.word())
     };
     let (word, force_n, place, state, felt_n) = match *job {
-        Job::Follow { at_m, .. } => {
-            (TugWord::StandOff, 0.0, place(at_m), AssistState::StandsOff, 0.0)
+        Job::Follow { ship, at_m, .. } => {
+            (TugWord::StandOff, 0.0, place(ship, at_m), AssistState::StandsOff, 0.0)
         }
         Job::Push(push) => {
             let word = if push.force_n > 0.0 { TugWord::Push } else { TugWord::Stop };
@@ -93,7 +87,7 @@ fn assist_now(now: &Now, cast: &Cast, tug: usize, job: &Job) -> AssistNow {
                 (true, TugWord::Stop) => AssistState::Alongside,
                 (true, _) => AssistState::Pushes,
             };
-            (word, push.force_n, place(push.at_m), state, felt_n)
+            (word, push.force_n, place(push.ship, push.at_m), state, felt_n)
         }
         Job::Pull { line, force_n, .. } => {
             let tension_n = now.simulation.lines()[line].load.tension_n;

@@ -19,8 +19,10 @@ pub struct RecordingError {
 pub enum Fault {
     /// The file cannot be read: the system's message.
     Unreadable(String),
-    /// The file does not begin like a recording, or its first line is incomplete.
+    /// The file does not begin like a recording.
     NoRecording,
+    /// The first line, which has the scenario, is cut off: nothing can be replayed.
+    NoFirstLine,
     /// Another format: its number.
     Format(String),
     /// The line is too long: the limit (bytes).
@@ -40,6 +42,9 @@ impl fmt::Display for Fault {
         match self {
             Fault::Unreadable(why) => f.write_str(why),
             Fault::NoRecording => f.write_str("it is not a recording of a session"),
+            Fault::NoFirstLine => f.write_str(
+                "the recording is cut off within its first line, which has the scenario: nothing of it can be played",
+            ),
             Fault::Format(other) => {
                 write!(f, "it has format {other}, but this program reads {FORMAT}")
             }

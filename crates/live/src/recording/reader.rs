@@ -28,8 +28,10 @@ impl<R: BufRead> RecordingReader<R> {
     /// The file is not a recording, has another format, or is damaged.
     pub fn open(input: R) -> Result<RecordingReader<R>, RecordingError> {
         let mut lines = SealedLines::new(input);
-        let Sealed::Object(first) = lines.raw(LONGEST_HEADER_BYTES)? else {
-            return Err(RecordingError { line: 1, fault: Fault::NoRecording });
+        let first = match lines.raw(LONGEST_HEADER_BYTES)? {
+            Sealed::Object(first) => first,
+            Sealed::Torn(_) => return Err(RecordingError { line: 1, fault: Fault::NoFirstLine }),
+            Sealed::Nothing => return Err(RecordingError { line: 1, fault: Fault::NoRecording }),
         };
         let number = first.strip_prefix(BEGINNING).map(|rest| {
             let digits = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());

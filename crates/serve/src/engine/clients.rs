@@ -23,7 +23,7 @@ impl Engine {
         tokens.links(&self.roles())
     }
 
-    fn roles(&self) -> Vec<Role> {
+    pub(super) fn roles(&self) -> Vec<Role> {
         let tugs = self.session.cast().tug_names().into_iter();
         let tugs = tugs.map(|tug| Role::Tugmaster { tug });
         let others = self.session.cast().other_ships().into_iter();
@@ -83,7 +83,9 @@ impl Engine {
         self.publish_frame();
     }
 
+    /// Greets all clients after a change of roles or holders, and keeps both.
     pub(super) fn greet_all(&self) {
+        self.keep_seats();
         self.clients.keys().for_each(|&client| self.greet(client));
     }
 
@@ -117,7 +119,6 @@ impl Engine {
             orders: &self.session.info().orders,
             telegraph: &self.session.info().telegraph,
             limits: COMMAND_LIMITS,
-            places: &self.session.info().places,
             mine: controls
                 .iter()
                 .filter(|control| is_mine(control))

@@ -208,8 +208,8 @@ impl Engine {
                     return Err(Refusal::new("nothing is being opened"));
                 }
             }
-            Conduct::History {} => {
-                self.send_history(client, now)?;
+            Conduct::History { vessel } => {
+                self.send_history(client, vessel.as_deref(), now)?;
                 return Ok(Done::AtTick { tick: self.session.tick(), shows: false });
             }
             Conduct::Report {} => {

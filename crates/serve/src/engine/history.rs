@@ -2,7 +2,8 @@
 
 use std::time::{Duration, Instant};
 
-use fenderline_live::{Refusal, message};
+use fenderline_live::message::Role;
+use fenderline_live::{Cast, Refusal, message};
 
 use super::Engine;
 use crate::claims::ClientId;
@@ -11,20 +12,47 @@ use crate::claims::ClientId;
 const BETWEEN: Duration = Duration::from_secs(1);
 
 impl Engine {
-    /// Sends the past up to the present tick to a client.
+    /// Sends the past up to the present tick to a client: of the ship that its role is about, or of the one that is named.
     ///
     /// # Errors
-    /// It asked a moment ago.
-    pub(super) fn send_history(&mut self, client: ClientId, now: Instant) -> Result<(), Refusal> {
+    /// It asked a moment ago; the ship is not there, or not the role's.
+    pub(super) fn send_history(
+        &mut self,
+        client: ClientId,
+        named: Option<&str>,
+        now: Instant,
+    ) -> Result<(), Refusal> {
         let Some(of) = self.clients.get_mut(&client) else { return Ok(()) };
+        let vessel = charted(&of.role, named, self.session.cast())?;
         if of.asked.is_some_and(|at| now < at + BETWEEN) {
             return Err(Refusal::new("the history was sent a moment ago"));
         }
         of.asked = Some(now);
         let (session, version) = (&self.session, self.session.history_version());
-        let text = self.history.text(version, || message::text(&session.history()).into());
+        let text = self.history.text(version, vessel, || {
+            session.history(vessel).map(|history| message::text(&history).into())
+        })?;
         // The queue of a client that does not read is full. Its connection is about to be closed for that.
         let _ = of.out.try_send(text);
         Ok(())
+    }
+}
+
+/// The vessel whose past a role gets. Fog must not be seen through by the charts of another ship: only the instructor has those
+/// of every ship.
+fn charted(role: &Role, named: Option<&str>, cast: &Cast) -> Result<Option<usize>, Refusal> {
+    let index = |name: &str| cast.vessels.iter().position(|vessel| vessel == name);
+    let own = match role {
+        Role::Pilot { vessel } => cast.ship_of(vessel),
+        Role::Tugmaster { tug } => cast.served_by(tug),
+        Role::Instructor | Role::Observer => cast.ship_of(&None),
+    };
+    match named {
+        None => Ok(own.and_then(index)),
+        Some(name) if own == Some(name) || *role == Role::Instructor => match index(name) {
+            Some(vessel) => Ok(Some(vessel)),
+            None => Err(Refusal::new(format_args!("there is no vessel `{name}`"))),
+        },
+        Some(name) => Err(Refusal::new(format_args!("the charts of {name} are not for your link"))),
     }
 }

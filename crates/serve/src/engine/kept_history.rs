@@ -1,27 +1,37 @@
-//! The text of the session's past, for pages that ask for it at the same tick.
+//! The texts of the session's past, for pages that ask for them at the same tick.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::hub::Text;
 
-/// The version of the past, and its text.
+/// A version of the past, and the texts of it by vessel.
 #[derive(Debug, Default)]
-pub(super) struct KeptHistory(Option<((usize, u64, u64), Text)>);
+pub(super) struct KeptHistory {
+    version: (usize, u64, u64),
+    texts: BTreeMap<Option<usize>, Text>,
+}
 
 impl KeptHistory {
-    /// The text of a version of the past: the one that is kept, or a new one.
-    pub(super) fn text(
+    /// The text of a version of the past of a vessel: the one that is kept, or a new one.
+    ///
+    /// # Errors
+    /// That of `write`.
+    pub(super) fn text<E>(
         &mut self,
         version: (usize, u64, u64),
-        write: impl FnOnce() -> Text,
-    ) -> Text {
-        match &self.0 {
-            Some((kept, text)) if *kept == version => Arc::clone(text),
-            _ => {
-                let text = write();
-                self.0 = Some((version, Arc::clone(&text)));
-                text
-            }
+        vessel: Option<usize>,
+        write: impl FnOnce() -> Result<Text, E>,
+    ) -> Result<Text, E> {
+        if self.version != version {
+            self.version = version;
+            self.texts.clear();
         }
+        if let Some(text) = self.texts.get(&vessel) {
+            return Ok(Arc::clone(text));
+        }
+        let text = write()?;
+        self.texts.insert(vessel, Arc::clone(&text));
+        Ok(text)
     }
 }
