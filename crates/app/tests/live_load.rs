@@ -1,11 +1,13 @@
-//! The server under load: eight clients that steer and try manoeuvres, fifty that mean it ill, at 1×, beside predictions of three
-//! ships. Run by `cargo xtask live-load`, which prints what this measures; all of it goes to 127.0.0.1.
+//! The server under load: eight clients that steer, try manoeuvres, ask for the history and order what cannot be, fifty that mean it ill, at 1×,
+//! beside predictions of three ships. Run by `cargo xtask live-load`, which prints what this measures; all of it goes to 127.0.0.1.
 
 #[path = "serve/client.rs"]
 mod client;
 #[path = "serve/server.rs"]
 mod server;
 
+use std::fmt;
+use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
@@ -24,6 +26,42 @@ const STEP_MS: f64 = 100.0;
 /// How much the server's memory may grow from the first minute (or the first fifth) on (KiB).
 const GROWTH_KIB: u64 = 20 << 10;
 
+/// Turns of a second between two questions for the history.
+const HISTORY_EVERY: u32 = 5;
+const HISTORY: &str = r#"{"type":"command","id":1000000,"action":{"do":"history"}}"#;
+/// Orders to mooring lines that are on board.
+const IMPOSSIBLE: [&str; 4] = [
+    r#"{"do":"heave","line":"head","rate_mps":0.1}"#,
+    r#"{"do":"let_go","line":"stern"}"#,
+    r#"{"do":"send","line":"forward_tow","bollard":"b3"}"#,
+    r#"{"do":"hold","line":"none"}"#,
+];
+
+/// Times (ms), sorted.
+struct Times(Vec<f64>);
+
+impl Times {
+    fn of(all: impl Iterator<Item = f64>) -> Times {
+        let mut all: Vec<f64> = all.collect();
+        all.sort_by(f64::total_cmp);
+        Times(all)
+    }
+
+    fn count(&self) -> usize {
+        self.0.len()
+    }
+}
+
+impl fmt::Display for Times {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let at = |share: f64| {
+            let last = self.0.len().saturating_sub(1);
+            self.0.get((last as f64 * share) as usize).copied().unwrap_or(f64::NAN)
+        };
+        write!(f, "median {:.1} ms, 99 % {:.1} ms, worst {:.1} ms", at(0.5), at(0.99), at(1.0))
+    }
+}
+
 /// What a client that steers saw.
 #[derive(Default)]
 struct Saw {
@@ -35,6 +73,13 @@ struct Saw {
     /// Trials that were shown to their horizon, and the time until their first answer (ms).
     trials: u64,
     shown_ms: Vec<f64>,
+    /// Times until an answer with the history (ms), and the longest history (samples).
+    history_ms: Vec<f64>,
+    samples: usize,
+    /// Wall time between two predictions (ms).
+    between_ms: Vec<f64>,
+    /// Impossible orders to mooring lines that were refused.
+    impossible: u64,
     /// From tick to page (ms), sorted at the end.
     delays_ms: Vec<f64>,
     last: Value,
@@ -78,6 +123,7 @@ async fn load(length: Duration) {
         all.push(client.await.expect("a client that behaves stays"));
     }
     let late_kib = server.memory_kib();
+    let times = server.thread_times_s("simulation");
     let mut deeds = 0;
     for one in hostile {
         deeds += one.await.unwrap_or(0);
@@ -123,6 +169,27 @@ async fn load(length: Duration) {
         share(0.99),
         share(1.0)
     );
+    let histories = Times::of(all.iter().flat_map(|saw| saw.history_ms.iter().copied()));
+    println!(
+        "histories            {}, of up to {} samples; until the answer {histories}",
+        histories.count(),
+        all.iter().map(|saw| saw.samples).max().unwrap_or(0)
+    );
+    let between = Times::of(all.iter().flat_map(|saw| saw.between_ms.iter().copied()));
+    println!("between predictions  {between}");
+    println!(
+        "impossible mooring   {} refused with a reason",
+        all.iter().map(|saw| saw.impossible).sum::<u64>()
+    );
+    if let (Some([cpu_s, waited_s]), Some(ticks)) = (times, ticks.as_f64()) {
+        let per_tick = |s: f64| 1e3 * s / ticks;
+        println!(
+            "simulation's thread  {:.2} ms of a processor for each tick of {STEP_MS} ms; it waited {:.2} ms for one (load of the machine: {})",
+            per_tick(cpu_s),
+            per_tick(waited_s),
+            fs::read_to_string("/proc/loadavg").unwrap_or_default().trim_end()
+        );
+    }
     println!("memory               {} MiB, then {} MiB", early_kib >> 10, late_kib >> 10);
     // Late is half a step; missed is a tick that began after the next one was due.
     let latest_ms = last["run"]["latest_ms"].as_f64().expect("a number");
@@ -149,6 +216,8 @@ async fn steer(server: &Server, role: &str, until: Instant) -> Saw {
     let mut turn = 0_u32;
     // When a trial was asked for whose first answer has not come.
     let mut asked: Option<Instant> = None;
+    // When the history was asked for that has not come, and when the last prediction came.
+    let (mut remembers, mut predicted) = (None, None);
     while Instant::now() < until {
         let message = client.any().await;
         match message["type"].as_str() {
@@ -157,11 +226,19 @@ async fn steer(server: &Server, role: &str, until: Instant) -> Saw {
                 let ships = message["paths"].as_array().map_or(0, Vec::len);
                 assert_eq!(ships, 3, "{message}");
                 saw.predictions += 1;
+                let now = Instant::now();
+                let before = predicted.replace(now);
+                saw.between_ms.extend(before.map(|at| (now - at).as_secs_f64() * 1e3));
                 continue;
             }
             Some("trial") => {
                 saw.shown_ms.extend(asked.take().map(|at| at.elapsed().as_secs_f64() * 1e3));
                 saw.trials += u64::from(message["complete"] == true);
+                continue;
+            }
+            Some("history") => {
+                saw.history_ms.extend(remembers.take().map(|at| at.elapsed().as_secs_f64() * 1e3));
+                saw.samples = saw.samples.max(message["t_s"].as_array().map_or(0, Vec::len));
                 continue;
             }
             _ => continue,
@@ -175,6 +252,18 @@ async fn steer(server: &Server, role: &str, until: Instant) -> Saw {
         }
         next += Duration::from_secs(1);
         turn += 1;
+        if turn.is_multiple_of(HISTORY_EVERY) {
+            remembers = Some(Instant::now());
+            client.send(HISTORY).await;
+            continue;
+        }
+        if role == "pilot" {
+            // Nothing of it can be: the line is on board, the bollard is far, a line of another name.
+            let action = IMPOSSIBLE[turn as usize % IMPOSSIBLE.len()];
+            let answer = client.ask(serde_json::from_str(action).expect("JSON")).await;
+            assert!(answer["reason"].is_string(), "{action}: {answer}");
+            saw.impossible += 1;
+        }
         let share = f64::from(turn % 20) / 20.0 - 0.5;
         let tug = role.strip_prefix("master of ");
         let action = match (role, turn % 3) {

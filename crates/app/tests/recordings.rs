@@ -159,8 +159,7 @@ fn the_simulation_goes_on_while_a_long_recording_is_opened_and_its_progress_is_s
         assert!(refused.contains("stopped"), "{refused}");
         let answer = instructor.ask(json!({ "do": "stop_opening" })).await;
         assert_eq!(answer["type"], "refused");
-        let recorded = fs::read_dir(server.sessions()).expect("a folder").count();
-        assert_eq!(recorded, 1, "what was stopped leaves no recording");
+        assert_eq!(server.recordings().len(), 1, "what was stopped leaves no recording");
         let loaded = instructor.load("long.session.jsonl").await;
         assert_eq!((&loaded["tick"], &loaded["run"]["paused"]), (&json!(LONG_TICKS), &json!(true)));
         assert!(loaded["run"]["opening"].is_null());

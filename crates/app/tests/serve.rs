@@ -1,9 +1,15 @@
 //! `fenderline serve` over real sockets: roles, claims, what is shown, and everybody who means it ill.
 
+#[path = "serve/alarms.rs"]
+mod alarms;
 #[path = "serve/client.rs"]
 mod client;
+#[path = "serve/mooring.rs"]
+mod mooring;
 #[path = "serve/people.rs"]
 mod people;
+#[path = "serve/restart.rs"]
+mod restart;
 #[path = "serve/server.rs"]
 mod server;
 #[path = "serve/trial.rs"]
@@ -170,7 +176,11 @@ fn the_instructor_pauses_rewinds_branches_and_loads() {
             assert_eq!(instructor.ask(bad.clone()).await["type"], "refused", "{bad}");
         }
         assert_eq!(instructor.ask(json!({ "do": "save", "name": "mine" })).await["type"], "ack");
-        assert!(server.sessions().join("mine.session.jsonl").is_file());
+        let mine = server.sessions().join("mine.session.jsonl");
+        let before = std::fs::read(&mine).expect("it is saved");
+        let again = instructor.ask(json!({ "do": "save", "name": "mine" })).await;
+        assert!(reason(&again).contains("there is a session named mine already"), "{again}");
+        assert_eq!(std::fs::read(&mine).expect("it is there"), before, "it is not saved over");
         let loaded = instructor.load("harbour.toml").await;
         assert_eq!((&loaded["tick"], &loaded["run"]["paused"]), (&json!(0), &json!(true)));
         // The saved session goes on where it ended.

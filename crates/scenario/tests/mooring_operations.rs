@@ -203,6 +203,33 @@ fn what_cannot_be_done_with_a_line_now_is_refused_with_the_reason() {
     assert!(matches!(why(of, &heave), OrderError::LineAboard { .. }));
 }
 
+/// In one step, before the first order is carried out.
+#[test]
+fn two_orders_to_a_line_in_one_step_are_checked_one_after_the_other() {
+    let of = &mut berth(&[]);
+    let give = |of: &mut Simulation, action: &Action| {
+        of.check_now(action).expect("it can be carried out");
+        order(of, action.clone());
+    };
+    let (head, spring) = (send(of, "head", "far"), send(of, "spring", "far"));
+    let (heave, let_go) =
+        (winch(of, "head", OrderName::Heave, 0.1), plain(of, "head", OrderName::LetGo));
+    let why = |of: &Simulation, action: &Action| of.check_now(action).expect_err("refused");
+    give(of, &head);
+    assert!(matches!(why(of, &head), OrderError::LineUnderWay { .. }));
+    assert!(matches!(why(of, &heave), OrderError::LineUnderWay { .. }));
+    // The bollard takes one line.
+    assert!(matches!(why(of, &spring), OrderError::BollardTaken { .. }));
+    give(of, &let_go);
+    assert!(matches!(why(of, &let_go), OrderError::LineAboard { .. }));
+    assert!(matches!(why(of, &heave), OrderError::LineAboard { .. }));
+    give(of, &spring);
+    let events = of.step().expect("a step").world_events.len();
+    assert_eq!(events, 0, "all three are carried out");
+    assert!(matches!(why(of, &spring), OrderError::LineUnderWay { .. }));
+    of.check_now(&send(of, "head", "near")).expect("it is on board");
+}
+
 #[test]
 fn a_line_that_was_let_go_is_hauled_in_before_it_is_sent_again() {
     let of = &mut berth(&[]);

@@ -13,6 +13,7 @@ const LATEST_EVENTS = 20;
 
 interface Row {
   row: HTMLElement;
+  time: HTMLElement;
   text: HTMLElement;
   ack: HTMLButtonElement;
   alarm: Alarm;
@@ -52,6 +53,12 @@ export class Alarms implements View {
     }
     this.role = hello.role;
     for (const alarm of frame.alarms) this.stand(alarm);
+    // In the server's order, so that a page that was loaded again shows the same as the others.
+    frame.alarms.forEach(({ key }, place) => {
+      const row = this.standing.get(key)?.row;
+      const there = this.list.children[place];
+      if (row && row !== there) this.list.insertBefore(row, there ?? null);
+    });
     for (const event of frame.events) this.note(event.t_s, event.text);
     setClass(this.none, "hidden", this.standing.size > 0);
     const open = frame.alarms.filter((alarm) => !alarm.acknowledged);
@@ -88,19 +95,20 @@ export class Alarms implements View {
   private stand(alarm: Alarm): void {
     let there = this.standing.get(alarm.key);
     if (!there) {
-      const text = h("span", { class: "alarm-text" });
+      const [time, text] = [h("time", {}), h("span", { class: "alarm-text" })];
       const ack = button("Ack", () => this.acknowledge(alarm.key));
       there = {
-        row: h("li", {}, h("time", {}, clock(alarm.since_s)), text, ack),
+        row: h("li", {}, time, text, ack),
+        time,
         text,
         ack,
         alarm,
       };
       this.standing.set(alarm.key, there);
-      this.list.prepend(there.row);
       this.noteAlarm(alarm);
     } else if (there.alarm.level === "caution" && alarm.level === "alarm") this.noteAlarm(alarm);
     there.alarm = alarm;
+    setText(there.time, clock(alarm.since_s));
     setText(there.text, alarm.stands ? alarm.text : `${alarm.text} (over; not acknowledged)`);
     for (const level of ["alarm", "caution"] as const)
       setClass(there.row, level, alarm.level === level);

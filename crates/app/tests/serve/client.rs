@@ -205,6 +205,19 @@ impl Client {
         self.hellos.last().expect("one at least").clone()
     }
 
+    /// The first greeting, from the latest so far on, that is as wanted.
+    pub(crate) async fn hello_with(&mut self, is_wanted: impl Fn(&Value) -> bool) -> Value {
+        in_time("a greeting as wanted", async {
+            loop {
+                if let Some(hello) = self.hellos.last().filter(|hello| is_wanted(hello)) {
+                    return hello.clone();
+                }
+                self.hear().await;
+            }
+        })
+        .await
+    }
+
     /// Goes without a word.
     pub(crate) fn vanish(self) {
         drop(self.socket);

@@ -6,11 +6,12 @@ pub(crate) mod limited;
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::Read as _;
+use std::io::{BufRead as _, BufReader, Read as _};
 use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Arc, Mutex};
 
 use limited::Lines;
 
@@ -22,6 +23,8 @@ pub(crate) struct Server {
     folder: PathBuf,
     recording: PathBuf,
     links: BTreeMap<String, String>,
+    /// What it has said on its standard error so far.
+    said: Arc<Mutex<String>>,
     pub(crate) port: u16,
     /// Where chart programs connect, if it was asked for.
     pub(crate) nmea: Option<SocketAddr>,
@@ -59,7 +62,30 @@ impl Server {
         Server::start_by(program(), session, options)
     }
 
-    fn start_by(mut command: Command, session: Option<&Path>, options: &[&str]) -> Server {
+    /// Kills it, and starts it again with its own recording, folder and port.
+    pub(crate) fn killed_and_started_again(mut self, options: &[&str]) -> Server {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+        let (folder, recording) = (std::mem::take(&mut self.folder), self.recording.clone());
+        Server::start_at(program(), folder, &recording, self.port, options)
+    }
+
+    /// Links of all roles, as paths.
+    pub(crate) fn links(&self) -> &BTreeMap<String, String> {
+        &self.links
+    }
+
+    /// The file of its recording.
+    pub(crate) fn recording(&self) -> &Path {
+        &self.recording
+    }
+
+    /// What it has said on its standard error so far.
+    pub(crate) fn said(&self) -> String {
+        self.said.lock().expect("no panic").clone()
+    }
+
+    fn start_by(command: Command, session: Option<&Path>, options: &[&str]) -> Server {
         let number = NEXT.fetch_add(1, Ordering::Relaxed);
         let name = format!("fenderline-serve-{}-{number}", std::process::id());
         let folder = std::env::temp_dir().join(name);
@@ -68,7 +94,17 @@ impl Server {
         fs::write(folder.join("page/assets/a.js"), "1").expect("written");
         let scene = folder.join("harbour.toml");
         fs::copy(scenario(), &scene).expect("copied");
-        command.arg("serve").arg(session.unwrap_or(&scene)).args(["--port", "0"]).args(options);
+        Server::start_at(command, folder, session.unwrap_or(&scene), 0, options)
+    }
+
+    fn start_at(
+        mut command: Command,
+        folder: PathBuf,
+        session: &Path,
+        port: u16,
+        options: &[&str],
+    ) -> Server {
+        command.arg("serve").arg(session).args(["--port", &port.to_string()]).args(options);
         command.arg("--page").arg(folder.join("page"));
         command.arg("--sessions").arg(folder.join("sessions"));
         let mut child =
@@ -92,13 +128,16 @@ impl Server {
                 links.insert(role.trim().to_owned(), format!("/{path}"));
             }
         }
-        // Its later messages are read and dropped, so that it does not wait for a reader.
-        let mut errors = child.stderr.take().expect("piped");
+        // Its later messages are read, so that it does not wait for a reader.
+        let errors = BufReader::new(child.stderr.take().expect("piped"));
+        let said = Arc::new(Mutex::new(String::new()));
+        let heard = Arc::clone(&said);
         std::thread::spawn(move || {
-            let mut said = String::new();
-            let _ = errors.read_to_string(&mut said);
+            for line in errors.lines().map_while(Result::ok) {
+                *heard.lock().expect("no panic") += &(line + "\n");
+            }
         });
-        Server { child, folder, recording, links, port, nmea }
+        Server { child, folder, recording, links, said, port, nmea }
     }
 
     /// The link of a role, as a path.
@@ -110,12 +149,32 @@ impl Server {
         self.folder.join("sessions")
     }
 
+    /// The recordings in its folder.
+    pub(crate) fn recordings(&self) -> Vec<PathBuf> {
+        let files = fs::read_dir(self.sessions()).expect("a folder").flatten();
+        let files = files.map(|entry| entry.path());
+        files.filter(|path| path.to_string_lossy().ends_with(".session.jsonl")).collect()
+    }
+
     /// The memory that it holds (KiB); 0 where the system does not tell.
     pub(crate) fn memory_kib(&self) -> u64 {
         let status = fs::read_to_string(format!("/proc/{}/status", self.child.id()));
         let status = status.unwrap_or_default();
         let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"));
         line.and_then(|line| line.split_whitespace().next()?.parse().ok()).unwrap_or(0)
+    }
+
+    /// The processor time of its thread of this name, and the time for which that was ready but had to wait for a processor (s);
+    /// `None` where the system does not tell.
+    pub(crate) fn thread_times_s(&self, name: &str) -> Option<[f64; 2]> {
+        let tasks = fs::read_dir(format!("/proc/{}/task", self.child.id())).ok()?;
+        let mut tasks = tasks.flatten().map(|task| task.path());
+        let is_it = |task: &PathBuf| {
+            fs::read_to_string(task.join("comm")).is_ok_and(|comm| comm.trim_end() == name)
+        };
+        let text = fs::read_to_string(tasks.find(is_it)?.join("schedstat")).ok()?;
+        let mut numbers = text.split_whitespace().map(|word| word.parse::<f64>().ok());
+        Some([1e-9 * numbers.next()??, 1e-9 * numbers.next()??])
     }
 
     fn end(&mut self) -> String {
@@ -150,8 +209,8 @@ impl Server {
     pub(crate) fn stop_and_check(mut self) {
         assert!(self.child.try_wait().expect("its state").is_none(), "it ended by itself");
         self.end();
-        for entry in fs::read_dir(self.sessions()).expect("a folder").flatten() {
-            let said = replay(&entry.path());
+        for session in self.recordings() {
+            let said = replay(&session);
             assert!(said.contains("the same bits"), "{said}");
         }
     }

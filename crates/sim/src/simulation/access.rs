@@ -240,13 +240,16 @@ impl Simulation {
     }
 
     /// Checks that an order can be carried out in the present state: not if its line is on board or has parted, if the bollard is
-    /// taken or out of reach, if the anchor is home, down or lost, or if a station pilot uses the tug. This check does not apply to orders for a later time.
+    /// taken or out of reach, if the anchor is home, down or lost, or if a station pilot uses the tug. Orders to lines that wait for the
+    /// next step count as carried out. This check does not apply to orders for a later time.
     ///
     /// # Errors
     /// Why the order cannot be carried out.
     pub fn check_now(&self, action: &Action) -> Result<(), OrderError> {
+        let times_s = (self.time_s(), self.setup.step_s);
+        let lines = self.world.lines_after_orders(&self.setup.world, times_s);
         let of_line = |line: usize, is_let_go: bool| {
-            let Some(own) = self.world.lines.get(line) else { return Ok(()) };
+            let Some(own) = lines.get(line) else { return Ok(()) };
             let line = self.setup.world.lines[line].line.name.clone();
             if own.aboard {
                 return Err(OrderError::LineAboard { line });
@@ -266,6 +269,7 @@ impl Simulation {
             Action::Line(line, LineAction::Winch(_)) => of_line(*line, false),
             Action::Line(line, LineAction::LetGo) => of_line(*line, true),
             Action::Line(line, LineAction::Send { bollard }) => self.world.may_send(
+                &lines,
                 &self.setup.world,
                 &self.states,
                 self.time_s(),

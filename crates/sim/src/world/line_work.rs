@@ -1,11 +1,36 @@
 //! The work of the line handlers: which lines may be sent to which bollard, and which line they take next.
 
+use std::borrow::Cow;
+
 use fenderline_contact::BodyState;
 
 use super::line::{Mooring, MooringSetup};
 use super::setup::WorldSetup;
 use super::shore::Shore;
-use crate::order::OrderError;
+use crate::order::{Action, LineAction, Order, OrderError};
+
+/// The lines as they will be when orders are carried out; the present ones if there is no order to a line.
+pub(crate) fn after_orders<'l, 'o>(
+    lines: &'l [Mooring],
+    setup: &WorldSetup,
+    orders: impl Iterator<Item = &'o Order>,
+    t_s: f64,
+) -> Cow<'l, [Mooring]> {
+    let mut after = Cow::Borrowed(lines);
+    for order in orders {
+        match order.action {
+            Action::Line(line, LineAction::LetGo) => {
+                after.to_mut()[line].let_go(&setup.lines[line], t_s);
+            }
+            // One that is not on board then is not sent.
+            Action::Line(line, LineAction::Send { bollard }) if after[line].aboard => {
+                after.to_mut()[line].send(bollard, t_s);
+            }
+            Action::Line(..) | Action::Vessel(..) | Action::Tug(..) => {}
+        }
+    }
+    after
+}
 
 /// Checks that a line can be sent to a bollard now.
 ///

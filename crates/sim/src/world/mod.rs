@@ -23,6 +23,8 @@ mod shore;
 mod tug;
 mod vessel;
 
+use std::borrow::Cow;
+
 use fenderline_contact::{BodyState, Contact, Rotation, Wrench};
 
 use self::azimuth_pilot::Stream;
@@ -308,9 +310,21 @@ impl World {
         }
     }
 
-    /// Checks that a line can be sent to a bollard at a time, both by index.
+    /// The lines as they will be when the orders that wait for the step at a time are carried out: of two orders in one step the
+    /// second must not be taken as if there were no first.
+    pub(crate) fn lines_after_orders(
+        &self,
+        setup: &WorldSetup,
+        (t_s, step_s): (f64, f64),
+    ) -> Cow<'_, [Mooring]> {
+        let waiting = self.orders[self.taken..].iter().take_while(|o| o.at_s < t_s + step_s);
+        line_work::after_orders(&self.lines, setup, waiting, t_s)
+    }
+
+    /// Checks that a line can be sent to a bollard at a time, both by index, with `lines` as the lines are then.
     pub(crate) fn may_send(
         &self,
+        lines: &[Mooring],
         setup: &WorldSetup,
         states: &[BodyState],
         t_s: f64,
@@ -318,7 +332,7 @@ impl World {
     ) -> Result<(), OrderError> {
         let level_m = setup.environment.tide.level_m(t_s);
         let shore = Shore { fixed: &self.fixed, level_m, afloat: &self.afloat };
-        line_work::may_send(&self.lines, setup, (states, shore), line, bollard)
+        line_work::may_send(lines, setup, (states, shore), line, bollard)
     }
 
     /// Checks that an order to an anchor can be carried out in the present state.
@@ -381,7 +395,7 @@ impl World {
                 }
                 Action::Line(line, LineAction::Send { bollard }) => {
                     let (line, to) = (*line, *bollard);
-                    if self.may_send(setup, states, t_s, (line, to)).is_ok() {
+                    if self.may_send(&self.lines, setup, states, t_s, (line, to)).is_ok() {
                         self.lines[line].send(to, t_s);
                     } else {
                         let kind = WorldEventKind::LineNotMadeFast;
