@@ -77,6 +77,8 @@ export class App implements Page {
   private plannedEvents: PlannedNow[] = [];
   private tabs: Tab[] = [];
   private groups: Group[] = [];
+  /** The group of controls that is shown where there is room for one; kept when they are built anew. */
+  private shownGroup = "";
   /** Kept over a reload. */
   private shownTab = sessionStorage.getItem("tab") ?? "";
   /** The reason that the server gave when it closed the connection. */
@@ -432,12 +434,14 @@ export class App implements Page {
         "aria-pressed": "false",
       }),
     );
-    const choose = (chosen: Group) =>
+    const choose = (chosen: Group) => {
+      this.shownGroup = chosen.name;
       groups.forEach((group, i) => {
         setClass(group.root, "shown", group === chosen);
         const own = buttons[i];
         if (own) setAttribute(own, "aria-pressed", String(group === chosen));
       });
+    };
     const nothing =
       hello.role.name === "observer"
         ? "You watch: an observer gives no commands."
@@ -455,7 +459,8 @@ export class App implements Page {
         : [h("div", { class: "groups" }, ...groups.map((group) => group.root))]),
     );
     this.held.replaceChildren(...groups.flatMap((group) => group.held ?? []));
-    if (groups[0]) choose(groups[0]);
+    const first = groups.find(({ name }) => name === this.shownGroup) ?? groups[0];
+    if (first) choose(first);
   }
 
   private show(name: string): void {

@@ -125,7 +125,7 @@ fn what_cannot_be_done_with_a_line_is_answered_with_the_reason_and_nothing_is_lo
         refused(&mut pilot, send("fore_breast", bollard), "takes 1 line and has as many").await;
         until(&mut pilot, "head", "fast").await;
         refused(&mut pilot, send("head", "b8"), "not on board: let it go first").await;
-        for rate_mps in [0.0, -0.1, 1e9] {
+        for rate_mps in [-0.1, 1e9] {
             refused(&mut pilot, winch("heave", "head", rate_mps), "must be between").await;
         }
         // Two hands again: both are obeyed, the later one stays.
