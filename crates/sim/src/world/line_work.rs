@@ -26,7 +26,7 @@ pub(crate) fn after_orders<'l, 'o>(
             Action::Line(line, LineAction::Send { bollard }) if after[line].aboard => {
                 after.to_mut()[line].send(bollard, t_s);
             }
-            Action::Line(..) | Action::Vessel(..) | Action::Tug(..) => {}
+            Action::Line(..) | Action::Vessel(..) | Action::Tug(..) | Action::Anchor(..) => {}
         }
     }
     after
