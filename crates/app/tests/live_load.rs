@@ -217,7 +217,7 @@ async fn steer(server: &Server, role: &str, until: Instant) -> Saw {
     // When a trial was asked for whose first answer has not come.
     let mut asked: Option<Instant> = None;
     // When the history was asked for that has not come, and when the last prediction came.
-    let (mut remembers, mut predicted) = (None, None);
+    let (mut remembers, mut predicted): (Option<Instant>, Option<Instant>) = (None, None);
     while Instant::now() < until {
         let message = client.any().await;
         match message["type"].as_str() {
