@@ -225,6 +225,16 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
 }
 
 #[test]
+fn a_passage_has_the_fields_of_the_protocol() {
+    let near = "passing.kcs.time=\"30 s\"";
+    let mut session = support::open("scenarios/live/moored_while_a_ship_passes.toml", &[near]);
+    support::go(&mut session, 1);
+    let (frame, _) = messages(&session);
+    let known = interfaces(&protocol());
+    each(&frame, "passages").for_each(|value| has_fields(value, "PassageNow", &known));
+}
+
+#[test]
 fn the_chart_has_the_fields_and_words_of_the_protocol() {
     let file = "scenarios/live/harbour.toml";
     let text = std::fs::read_to_string(support::repository(file)).expect("the scenario");
