@@ -14,7 +14,6 @@ use fenderline_campaign::store::TABLE_PARQUET;
 use fenderline_campaign::table::Table;
 use fenderline_report::plot::{fixed, significant};
 
-use super::report::REPORT;
 use crate::documents::Pdf;
 use crate::failure::Failure;
 use crate::output::write_whole;
@@ -34,7 +33,7 @@ fn counted(runs: &Runs, plan: &DowntimePlan, table: &Table) -> Result<DowntimeTa
     DowntimeTable::of(plan, table, &limits, Confidence::USUAL).map_err(|why| refused(&why))
 }
 
-/// Writes tables and report of a finished downtime.
+/// Writes tables and report (under the name `report`) of a finished downtime.
 ///
 /// # Errors
 /// The table, or the disk; a browser that fails.
@@ -42,7 +41,7 @@ pub(super) fn write(
     runs: &Runs,
     plan: &DowntimePlan,
     file: &Path,
-    folder: &Path,
+    (folder, report): (&Path, &str),
     pdf: Option<&Pdf>,
 ) -> Result<(), Failure> {
     let table = table(folder)?;
@@ -76,7 +75,7 @@ pub(super) fn write(
         replay: &|row| format!("fenderline campaign replay {} {}", file.display(), row + 1),
     });
     let page = page.map_err(|why| refused(&why))?;
-    write_whole(&folder.join(REPORT), page.as_bytes())?;
+    write_whole(&folder.join(report), page.as_bytes())?;
     match pdf {
         Some(pdf) => pdf.write(&page),
         None => Ok(()),
@@ -104,19 +103,18 @@ pub(super) fn printed(runs: &Runs, plan: &DowntimePlan, folder: &Path) -> Result
         let _ = writeln!(text, "  {:>8} h  {}", fixed(reason.hours, 0), reason.name);
     }
     if let Some(check) = &counted.check
-        && let (Some(disagree), Some(lost)) = (&check.disagree, &check.lost_as_they_are)
+        && let Some(disagree) = &check.disagree
     {
         let _ = writeln!(
             text,
-            "of {} hours run as they are {} do not agree with their state: {} % ({} to {} %); {} % ({} to {} %) are lost",
+            "of {} hours run as they are {} do not agree with their state: {} % ({} to {} %); {} would be lost more, {} fewer",
             check.compared,
             check.by_state_alone + check.as_it_is_alone,
             percent(Some(disagree.value)),
             percent(Some(disagree.interval.low)),
             percent(Some(disagree.interval.high)),
-            percent(Some(lost.value)),
-            percent(Some(lost.interval.low)),
-            percent(Some(lost.interval.high)),
+            check.as_it_is_alone,
+            check.by_state_alone,
         );
     }
     let _ = writeln!(text, "hours lost: {}", folder.join(DOWNTIME_CSV).display());

@@ -58,7 +58,7 @@ pub(super) fn write(
     pdf: Option<&Pdf>,
 ) -> Result<(), Failure> {
     if let Some(plan) = runs.downtime() {
-        return downtime::write(runs, plan, file, folder, pdf);
+        return downtime::write(runs, plan, file, (folder, REPORT), pdf);
     }
     let refused = |why: &dyn core::fmt::Display| Failure::input(format_args!("error: {why}"));
     let table = Table::open(&folder.join(TABLE_PARQUET)).map_err(|why| refused(&why))?;

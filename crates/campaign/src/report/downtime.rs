@@ -63,7 +63,8 @@ pub fn downtime_page(of: &DowntimeReport<'_>) -> Result<String, TableError> {
 }
 
 fn hours(hours: f64) -> String {
-    if hours >= 100.0 || hours == 0.0 { fixed(hours, 0) } else { significant(hours, 3) }
+    let is_whole = hours == libm::trunc(hours);
+    if hours >= 100.0 || is_whole { fixed(hours, 0) } else { significant(hours, 3) }
 }
 
 fn percent(share: Option<f64>) -> String {
@@ -99,8 +100,10 @@ fn headline(of: &DowntimeReport<'_>) -> Markup {
             }
             "."
         }
-        @if let Some(own) = of.counted.check.as_ref().and_then(|check| check.lost_as_they_are.as_ref()) {
-            p { "Of hours drawn at random and run as they are, " (band(own)) " are lost." }
+        @if let Some((check, own)) = of.counted.check.as_ref().and_then(|check| Some((check, check.disagree.as_ref()?))) {
+            p { "Of " (counted(check.compared as u64, "hour", "hours")) " drawn at random and run as they are, "
+                (check.as_it_is_alone + check.by_state_alone) " do not agree with their state: " (band(own)) "; " (check.as_it_is_alone)
+                " would be lost more, " (check.by_state_alone) " fewer." }
         }
         @if all.not_run > 0.0 {
             p { strong class="over" { (hours(all.not_run)) " h could not be run" }
@@ -205,7 +208,10 @@ fn check(of: &DowntimeReport<'_>) -> Markup {
             @if let Some(own) = &check.lost_as_they_are {
                 li { "Lost as they are: " (band(own)) "; by their states: "
                     (percent(Some((check.both + check.by_state_alone) as f64 / check.compared as f64))) " % of the same hours, and "
-                    (percent(of.counted.all.share())) " % of all." }
+                    (percent(of.counted.all.share())) " % of all."
+                    @if of.counted.all.share().is_some_and(|share| !own.interval.holds(share)) {
+                        " The draw has another share of lost hours than the whole by its states: compare both ways of the same hours, or draw more."
+                    } }
             }
             li { "The difference has two causes: what putting hours together leaves out, and chance: an hour near a limit exceeds it with some waves \
                 and gusts and not with others." }
