@@ -351,6 +351,16 @@ impl Memory {
         self.last_step_s = elapsed_s;
     }
 
+    /// Writes for each body, in the order in which bodies were added, the time by which the engine's velocity of the body precedes its
+    /// position: half of the last sub-step of [`crate::advance_in_place`] (s). It is 0 before the first step, and −1 for
+    /// fixed bodies and those whose velocity the host gave. A load that depends on places acts in the middle of the time from
+    /// this velocity to that of the next step.
+    pub fn velocity_lags_into(&self, model: &Model, lags_s: &mut Vec<f64>) {
+        lags_s.clear();
+        let lag_of = |&rank: &u32| self.behind_s.get(rank as usize).copied().unwrap_or(0.0);
+        lags_s.extend(model.rank_of.iter().map(lag_of));
+    }
+
     /// Becomes a copy of `other`, without allocation where the buffers are large enough.
     pub fn copy_from(&mut self, other: &Memory) {
         self.fingerprint = other.fingerprint;

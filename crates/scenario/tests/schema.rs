@@ -410,7 +410,10 @@ fn full() -> Json {
                 "from": "d", "fairlead": [70, 2], "fairlead_height": 8, "to": "b", "bollard": [0, 0],
                 "bollard_height": 3, "rope": "hmpe", "break_load": "1000 kN",
                 "tail": { "rope": "nylon", "break_load": "1300 kN", "length": 11 },
-                "pretension": "50 kN", "winch": true, "made_fast": 3
+                "pretension": "50 kN", "winch": true, "made_fast": 3,
+                "constant_tension": {
+                    "tension": "50 kN", "band": 0.2, "heaving_speed": "0.2 m/s", "paying_out_speed": "0.3 m/s"
+                }
             },
             "breast": {
                 "from": "d", "fairlead": [70, 2], "to": "b", "bollard": [0, 0], "rope": "wire",
@@ -791,6 +794,8 @@ fn examples_are_accepted() {
                 "/exercise/lines",
                 // A boat's speed goes with a boat.
                 "/line_handling/boat",
+                // A constant tension goes with a winch.
+                "/line/spring/winch",
             ];
             if !conflicts.contains(&pointer.as_str()) {
                 assert!(accepted(&changed), "{pointer} = {example}");

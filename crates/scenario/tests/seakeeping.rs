@@ -432,7 +432,6 @@ fn a_barge_on_linear_moorings_moves_as_the_frequency_domain_says() {
     let springs: [f64; 3] = [4e5, 6e6, 2e9];
     let (step_s, heading) = (0.1, 2);
     let motion = Motion::new(&ship, step_s);
-    let plane_mass = data.plane_mass();
     for w in [0.4, 0.6, 0.9] {
         let (_, added, damping) =
             data.radiation().find(|(at, ..)| (at - w).abs() < 1e-9).expect("a frequency");
@@ -464,8 +463,8 @@ fn a_barge_on_linear_moorings_moves_as_the_frequency_domain_says() {
                 force[index] -= springs[k] * place[k];
             }
             let load = motion.predict(&mut state, &attitude, velocity, &StepLoad { force, acts_s });
-            let change =
-                fenderline_sim::seakeeping::matrix::solve(&plane_mass, &load).expect("mass");
+            let change = fenderline_sim::seakeeping::matrix::solve(motion.plane_mass(), &load)
+                .expect("mass");
             for k in 0..3 {
                 velocity[k] += acts_s * change[k];
                 place[k] += step_s * velocity[k];
@@ -511,7 +510,6 @@ fn a_moored_barge_has_her_natural_periods() {
     };
     let step_s = 0.2;
     let motion = Motion::new(&ship, step_s);
-    let plane_mass = data.plane_mass();
     for (own, index) in [0, 1, 5].into_iter().enumerate() {
         let mut natural = 0.2;
         for _ in 0..50 {
@@ -530,8 +528,8 @@ fn a_moored_barge_has_her_natural_periods() {
                 force[index] -= springs[k] * place[k];
             }
             let load = motion.predict(&mut state, &attitude, velocity, &StepLoad { force, acts_s });
-            let change =
-                fenderline_sim::seakeeping::matrix::solve(&plane_mass, &load).expect("mass");
+            let change = fenderline_sim::seakeeping::matrix::solve(motion.plane_mass(), &load)
+                .expect("mass");
             let before = place[own];
             for k in 0..3 {
                 velocity[k] += acts_s * change[k];

@@ -45,7 +45,7 @@ use crate::setup::{Integrator, Load, Method, Setup};
 use crate::statistics::Statistics;
 use crate::summary::Summaries;
 use crate::verdict::{Watch, starts_inside};
-use crate::world::{VesselSetup, VesselState, World};
+use crate::world::{VesselSetup, VesselState, World, motions};
 
 /// A simulation run. A clone continues independently from the same state.
 #[derive(Clone, Debug)]
@@ -85,7 +85,8 @@ impl Simulation {
     pub fn new(setup: Setup) -> Result<Simulation, SetupError> {
         let steps_total = count_steps(&setup)?;
         setup.loads.iter().try_for_each(|load| check_load(load, &setup))?;
-        let inertias = inertias(&setup)?;
+        let motions = motions(&setup.world, setup.step_s);
+        let inertias = inertias(&setup, &motions)?;
         let mut model = build_model(&setup, &inertias, Fenders::MeetSlices)?;
         let states = setup.initial_states();
         setup.world.environment.check().map_err(SetupError::Environment)?;
@@ -95,7 +96,7 @@ impl Simulation {
         let mut loads = setup.loads.clone();
         sort_loads(&mut loads);
         let mut memory = Memory::new(&model);
-        let world = World::new(&setup.world, &setup.bodies, &states, setup.step_s);
+        let world = World::new(&setup.world, &setup.bodies, &states, (&motions, setup.step_s));
         let mut sides = Sides::new(&setup);
         let heights = world.heights(&setup.world, (0.0, setup.step_s));
         sides.renew(&setup, (&mut model, &mut memory), &states, &heights);
@@ -172,14 +173,15 @@ impl Simulation {
     /// Sums everything but contact on each body: loads of the set-up and of the host, vessels, tugs, lines, anchors.
     fn gather_loads(&mut self, t_s: f64) {
         let (step_s, velocity_time_s) = (self.setup.step_s, self.velocity_time_s());
-        let Buffers { loads, plain_loads, external, before, .. } = &mut self.buffers;
+        let Buffers { loads, plain_loads, external, before, lags_s, .. } = &mut self.buffers;
+        self.memory.velocity_lags_into(&self.model, lags_s);
         gather_loads(&self.loads, t_s, step_s, loads);
         add_external(external, loads);
         plain_loads.clone_from(loads);
         // The engine's leapfrog starts with a half step of the velocities.
         let acts_s = if self.index == 0 { 0.5 * step_s } else { step_s };
         let times = (t_s, velocity_time_s, step_s, acts_s);
-        self.world.step(&self.setup.world, &self.states, times, loads);
+        self.world.step(&self.setup.world, (&self.states, lags_s), times, loads);
         before.clone_from(&self.states);
     }
 

@@ -368,6 +368,59 @@ fn a_line_is_passive_round_a_closed_path() {
     }
 }
 
+/// A constant-tension winch: within its speed the tension stays in the band; faster, it leaves the band until the brake renders.
+#[test]
+fn a_constant_tension_winch_keeps_the_band_within_its_speed_and_its_brake() {
+    let automatic =
+        ConstantTension { tension_n: 100e3, band: 0.1, heave_mps: 0.2, pay_out_mps: 0.2 };
+    let winch = Winch { constant_tension: Some(automatic), ..Winch::of_design(MBL_N, 100.0) };
+    let render_n = winch.render_n;
+    let made =
+        setup(hmpe_with_tail(), InboardEnd::Winch(winch), InitialLength::FromPretension(100e3));
+    let (line, start) = Line::new(made, &ends(50.0)).unwrap();
+    let tensions = |speed_mps: f64| {
+        let (mut state, mut all_n) = (start, Vec::new());
+        for k in 0..200 {
+            let gone_m = 5.0 * (speed_mps / 5.0 * 0.1 * f64::from(k)).sin();
+            let load = line.step(&mut state, &ends(50.0 + gone_m), WinchOrder::Hold, 0.1);
+            all_n.push(load.tension_n);
+        }
+        all_n
+    };
+    let slow = tensions(0.15);
+    assert!(slow.iter().all(|n| (89.99e3..110.01e3).contains(n)), "{slow:?}");
+    // Both edges are met: out and in.
+    assert!(slow.iter().any(|n| (n - 110e3).abs() < 1.0));
+    assert!(tensions(-0.15).iter().any(|n| (n - 90e3).abs() < 1.0));
+    let fast = tensions(2.0);
+    let most_n = fast.iter().fold(0.0_f64, |most, &n| most.max(n));
+    assert!(most_n > 150e3 && most_n <= render_n * (1.0 + 1e-9), "{most_n} {render_n}");
+    // An order of the crew comes first.
+    let mut state = start;
+    line.step(&mut state, &ends(50.0), WinchOrder::Heave(0.1), 0.1);
+    assert!(state.length_m < start.length_m);
+}
+
+#[test]
+fn numbers_of_a_constant_tension_winch_out_of_range_are_refused() {
+    let good = ConstantTension { tension_n: 100e3, band: 0.1, heave_mps: 0.2, pay_out_mps: 0.2 };
+    let refused = |automatic: ConstantTension| {
+        let winch = Winch { constant_tension: Some(automatic), ..Winch::of_design(MBL_N, 100.0) };
+        let made = setup(hmpe_with_tail(), InboardEnd::Winch(winch), InitialLength::Outboard(60.0));
+        Line::new(made, &ends(50.0)).unwrap_err().to_string()
+    };
+    for (bad, what) in [
+        (ConstantTension { tension_n: f64::NAN, ..good }, "set tension"),
+        (ConstantTension { band: 0.95, ..good }, "band"),
+        (ConstantTension { tension_n: 0.6 * MBL_N, ..good }, "upper edge"),
+        (ConstantTension { heave_mps: -1.0, ..good }, "heaving"),
+        (ConstantTension { pay_out_mps: 1e9, ..good }, "paying out"),
+    ] {
+        let message = refused(bad);
+        assert!(message.contains(what), "{message}");
+    }
+}
+
 #[test]
 fn a_copied_state_replays_to_the_bit() {
     let winch = InboardEnd::Winch(Winch::of_design(MBL_N, 100.0));

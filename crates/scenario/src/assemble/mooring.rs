@@ -3,7 +3,7 @@
 use fenderline_contact::Vec2;
 use fenderline_sim::environment::Tide;
 use fenderline_sim::mooring::{
-    InboardEnd, InitialLength, LineKind, LineSetup, Rope, RopeCurve, Tail, Winch,
+    ConstantTension, InboardEnd, InitialLength, LineKind, LineSetup, Rope, RopeCurve, Tail, Winch,
 };
 use fenderline_sim::{BodySetup, BollardSetup, LineEnd, LineHandling, MooringSetup};
 
@@ -59,7 +59,10 @@ impl Assembly<'_, '_> {
             .item("tail")
             .map(Item::table)
             .map(|tail| Tail { rope: rope(tail), length_m: *tail.given("length").number() });
-        let winch = Winch::of_design(break_load_n, 100.0);
+        let winch = Winch {
+            constant_tension: self.constant_tension(table)?,
+            ..Winch::of_design(break_load_n, 100.0)
+        };
         let setup = MooringSetup {
             line: LineSetup {
                 name: name.to_owned(),
@@ -84,6 +87,23 @@ impl Assembly<'_, '_> {
             setup.check_at_start(bodies, tide).map_err(|error| self.wrong(table, &error))?;
         }
         Ok(setup)
+    }
+
+    fn constant_tension(&self, table: &Table) -> Checked<Option<ConstantTension>> {
+        let Some(item) = table.item("constant_tension") else { return Ok(None) };
+        if !table.given("winch").flag() {
+            let path = table.path_of("constant_tension");
+            let error =
+                self.sources.error(&item.key_span, &path, format!("`{path}` needs `winch = true`"));
+            return Err(error.with_help("a line on bitts is held until it parts"));
+        }
+        let number = |name: &str| *item.table().given(name).number();
+        Ok(Some(ConstantTension {
+            tension_n: number("tension"),
+            band: number("band"),
+            heave_mps: number("heaving_speed"),
+            pay_out_mps: number("paying_out_speed"),
+        }))
     }
 
     /// The end of a line that is made fast by itself.

@@ -110,6 +110,13 @@ pub(super) static LINE: TableSpec = TableSpec {
             &["true"],
         ),
         key(
+            "constant_tension",
+            Kind::Table(&CONSTANT_TENSION),
+            Means("the brake holds the line"),
+            "The winch holds a tension by itself; it needs `winch = true`.",
+            &[],
+        ),
+        key(
             "rope_length",
             Kind::Quantity(LENGTH),
             Is("220"),
@@ -127,7 +134,10 @@ pub(super) static LINE: TableSpec = TableSpec {
             ] })
         };
         json!({
-            "allOf": [either("fairlead", "fairlead_height", "chock")],
+            "allOf": [either("fairlead", "fairlead_height", "chock"), {
+                "if": { "required": ["constant_tension"] },
+                "then": { "required": ["winch"], "properties": { "winch": { "const": true } } }
+            }],
             "if": { "required": ["to"] },
             "then": {
                 "oneOf": [{ "required": ["length"] }, { "required": ["pretension"] }],
@@ -139,6 +149,44 @@ pub(super) static LINE: TableSpec = TableSpec {
             }
         })
     }),
+};
+
+static CONSTANT_TENSION: TableSpec = TableSpec {
+    what: "a constant-tension winch",
+    doc: "A winch that pays out above a band about its set tension, and heaves in below it. Its brake renders at 60 % of the break load, as \
+          that of other winches. Orders to heave or to pay out come first, until the order to hold. The default values are \
+          assumptions, not from a source.",
+    keys: &[
+        key(
+            "tension",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
+            Refused,
+            "The set tension.",
+            &["\"150 kN\""],
+        ),
+        key(
+            "band",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 0.9 }),
+            Is("0.1"),
+            "Half of the width of the band in which it stands still, as a share of the set tension.",
+            &["0.2"],
+        ),
+        key(
+            "heaving_speed",
+            Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.0, high: 20.0 }),
+            Is("0.25"),
+            "The largest speed of heaving in.",
+            &["\"0.2 m/s\""],
+        ),
+        key(
+            "paying_out_speed",
+            Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.0, high: 20.0 }),
+            Is("0.25"),
+            "The largest speed of paying out.",
+            &["\"0.3 m/s\""],
+        ),
+    ],
+    rules: None,
 };
 
 static TAIL: TableSpec = TableSpec {

@@ -92,7 +92,7 @@ pub(crate) struct Sides {
     undo: Vec<Undo>,
 }
 
-/// Where fenders and hulls are in height, in the middle of a step.
+/// Where fenders and hulls are in height in a step.
 #[derive(Clone, Copy)]
 pub(crate) struct Heights<'a> {
     pub(crate) shore: Shore<'a>,
@@ -103,10 +103,12 @@ pub(crate) struct Heights<'a> {
 }
 
 impl Heights<'_> {
-    /// Heave, roll and pitch of a vessel in the middle of the step; still for other bodies.
+    /// Heave, roll and pitch of a vessel in the middle of the step; still for other bodies. With hydrodynamic data they are those
+    /// at its start: of the leapfrog, in which contact acts there. Half a step ahead, a roll against a fender would feed energy.
     fn motion(&self, vessel: Option<usize>) -> HullMotion {
         vessel.map_or(HullMotion::default(), |index| {
-            self.vessels[index].motion_after(0.5 * self.step_s)
+            let vessel = &self.vessels[index];
+            vessel.motion_after(if vessel.seaway.is_some() { 0.0 } else { 0.5 * self.step_s })
         })
     }
 

@@ -7,7 +7,7 @@ use super::ends::{LineEnds, Span};
 use super::error::MooringError;
 use super::rope::Rope;
 use super::setup::{InboardEnd, InitialLength, LineKind, LineSetup, Tail, check};
-use super::winch::{Winch, WinchOrder, WinchReport};
+use super::winch::{ConstantTension, Winch, WinchOrder, WinchReport};
 use crate::range::OutOfRange;
 
 /// The state of a line, as plain data.
@@ -116,6 +116,11 @@ impl Line {
         step_s: f64,
     ) -> WinchReport {
         let mut report = WinchReport::default();
+        if order == WinchOrder::Hold
+            && let Some(automatic) = &winch.constant_tension
+        {
+            self.hold_tension(automatic, state, ends, step_s);
+        }
         let wanted_m = state.length_m + winch.ordered_m(order, step_s, &mut report);
         if wanted_m < state.length_m {
             let shortest_m = match self.length_for(winch.stall_n, ends) {
@@ -136,6 +141,30 @@ impl Line {
         }
         report.drum_empty = winch.reserve_m > 0.0 && state.length_m >= self.longest_m;
         report
+    }
+
+    /// A constant-tension winch moves the line towards its band, as fast as it can.
+    fn hold_tension(
+        &self,
+        automatic: &ConstantTension,
+        state: &mut LineState,
+        ends: &LineEnds,
+        step_s: f64,
+    ) {
+        let tension_n = self.load(state.length_m, ends).tension_n;
+        let [low_n, high_n] = automatic.edges_n();
+        if tension_n > high_n {
+            let most_m = lesser(state.length_m + automatic.pay_out_mps * step_s, self.longest_m);
+            let wanted_m = self.length_for(high_n, ends).unwrap_or(most_m);
+            state.length_m = bounded(wanted_m, state.length_m, greater(most_m, state.length_m));
+        } else if tension_n < low_n {
+            let least_m = greater(
+                state.length_m - automatic.heave_mps * step_s,
+                self.setup.kind.shortest_m(),
+            );
+            let wanted_m = self.length_for(low_n, ends).unwrap_or(state.length_m);
+            state.length_m = bounded(wanted_m, lesser(least_m, state.length_m), state.length_m);
+        }
     }
 
     /// Length outboard at the start (m).

@@ -44,4 +44,4 @@ pub use error::{MooringError, RopeError};
 pub use line::{Line, LineLoad, LineState};
 pub use rope::{Rope, RopeCurve};
 pub use setup::{InboardEnd, InitialLength, LineKind, LineSetup, Tail};
-pub use winch::{Winch, WinchOrder, WinchReport};
+pub use winch::{ConstantTension, Winch, WinchOrder, WinchReport};

@@ -15,12 +15,45 @@ pub struct Winch {
     pub rate_mps: f64,
     /// Rope on the drum at the start (m).
     pub reserve_m: f64,
+    /// What holds a tension where the order is [`WinchOrder::Hold`]; `None`: the brake holds the line.
+    pub constant_tension: Option<ConstantTension>,
+}
+
+/// The automatic of a constant-tension winch: it pays out above a band about the set tension, down to the band, and heaves in
+/// below it, up to the band. Faster motions than its speeds leave the tension outside the band. The brake renders as that of other
+/// winches.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ConstantTension {
+    /// The set tension (N).
+    pub tension_n: f64,
+    /// Half of the width of the band, as a share of the set tension: at or above 0 and below 1.
+    pub band: f64,
+    /// The largest speed of heaving in (m/s).
+    pub heave_mps: f64,
+    /// The largest speed of paying out (m/s).
+    pub pay_out_mps: f64,
+}
+
+impl ConstantTension {
+    /// The edges of the band (N).
+    pub(super) fn edges_n(&self) -> [f64; 2] {
+        [-self.band, self.band].map(|band| self.tension_n * (1.0 + band))
+    }
+
+    fn check(&self, render_n: f64) -> Result<(), OutOfRange> {
+        within("set tension of the winch [N]", self.tension_n, 1.0, 1e9)?;
+        within("band of the winch's tension", self.band, 0.0, 0.9)?;
+        within("upper edge of the winch's tension [N]", self.edges_n()[1], 1.0, render_n)?;
+        within("speed of heaving in [m/s]", self.heave_mps, 0.0, 20.0)?;
+        within("speed of paying out [m/s]", self.pay_out_mps, 0.0, 20.0)?;
+        Ok(())
+    }
 }
 
 /// The order to a winch for a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum WinchOrder {
-    /// Brake on.
+    /// Brake on; a constant-tension winch holds its tension.
     #[default]
     Hold,
     /// Heave in (m/s).
@@ -54,6 +87,7 @@ impl Winch {
             stall_n: 0.3 * ship_design_mbl_n,
             rate_mps: 0.25,
             reserve_m,
+            constant_tension: None,
         }
     }
 
@@ -62,7 +96,7 @@ impl Winch {
         within("stall tension of the winch [N]", self.stall_n, 0.0, 1e9)?;
         within("rate of the winch [m/s]", self.rate_mps, 0.0, 20.0)?;
         within("rope on the drum [m]", self.reserve_m, 0.0, 1e5)?;
-        Ok(())
+        self.constant_tension.map_or(Ok(()), |automatic| automatic.check(self.render_n))
     }
 
     /// Length that an order moves in a step, positive outboard (m), within the winch's maximum rate.

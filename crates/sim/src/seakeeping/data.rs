@@ -169,28 +169,6 @@ impl Hydrodynamics {
         self.frequencies_radps.iter().copied().zip(matrices).map(|(w, (a, b))| (w, a, b))
     }
 
-    /// The mass matrix with which the engine moves her in the plane, over surge, sway and yaw: that of a ship who is free in
-    /// heave, roll and pitch (M_pp − M_pq M_qq⁻¹ M_qp), without the coupling of surge with sway and yaw.
-    #[must_use]
-    pub fn plane_mass(&self) -> [[f64; 3]; 3] {
-        let total = self.total_mass();
-        let (plane, upright) = (PLANE, UPRIGHT);
-        let own: [[f64; 3]; 3] =
-            std::array::from_fn(|i| std::array::from_fn(|j| total[upright[i]][upright[j]]));
-        let mut mass: [[f64; 3]; 3] =
-            std::array::from_fn(|i| std::array::from_fn(|j| total[plane[i]][plane[j]]));
-        for column in 0..3 {
-            let coupling: [f64; 3] = std::array::from_fn(|k| total[upright[k]][plane[column]]);
-            let Some(follows) = super::matrix::solve(&own, &coupling) else { continue };
-            for (row, mass) in mass.iter_mut().enumerate() {
-                let lost: f64 = (0..3).map(|k| total[plane[row]][upright[k]] * follows[k]).sum();
-                mass[column] -= lost;
-            }
-        }
-        let coupling = 0.5 * (mass[1][2] + mass[2][1]);
-        [[mass[0][0], 0.0, 0.0], [0.0, mass[1][1], coupling], [0.0, coupling, mass[2][2]]]
-    }
-
     /// Her retardation function.
     #[must_use]
     pub fn retardation(&self) -> Retardation {

@@ -10,8 +10,9 @@ use core::f64::consts::{FRAC_PI_6, PI};
 use fenderline_contact::number::lesser;
 use fenderline_contact::{Rotation, Vec2};
 
-use super::data::Hydrodynamics;
+use super::data::{Hydrodynamics, PLANE};
 use super::matrix::Six;
+use super::sub_steps::SubSteps;
 use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::environment::waves::{Complex, DriftHull, Sea};
 
@@ -51,6 +52,8 @@ struct Wave {
     phase_rad: f64,
     number_radpm: Vec2,
     direction: usize,
+    /// sin²(ωh/2).
+    squared_sine: f64,
     /// Exciting force by heading: its mean over a step, weighted as the step weights accelerations.
     excitation: Vec<[Complex; 6]>,
     /// Mean drift over the amplitude (N/m, N/m, N), by heading.
@@ -136,7 +139,8 @@ impl WaveForces {
             .iter()
             .map(|wave| {
                 let theta = 0.5 * wave.frequency_radps * step_s;
-                let mean = if theta < 1e-6 { 1.0 } else { libm::sin(theta) / theta };
+                let sine = libm::sin(theta);
+                let mean = if theta < 1e-6 { 1.0 } else { sine / theta };
                 let scale = wave.amplitude_m * mean * mean;
                 let count = excitation.rad.len();
                 let forces = (0..count).map(|heading| {
@@ -161,6 +165,7 @@ impl WaveForces {
                     phase_rad: wave.phase_rad,
                     number_radpm: wave.number_radpm,
                     direction: wave.direction,
+                    squared_sine: sine * sine,
                     excitation: forces.collect(),
                     drift: drifts.collect(),
                 }
@@ -175,8 +180,15 @@ impl WaveForces {
         }
     }
 
-    /// The forces on a ship with a place of her centre of gravity and a heading.
-    pub(crate) fn at(&self, gravity_m: Vec2, heading_rad: f64, t_s: f64) -> WaveLoad {
+    /// The forces on a ship with a place of her centre of gravity and a heading, in a step that begins at a time (s).
+    pub(crate) fn at(
+        &self,
+        gravity_m: Vec2,
+        heading_rad: f64,
+        t_s: f64,
+        sub_steps: SubSteps,
+    ) -> WaveLoad {
+        let t_s = t_s + sub_steps.ahead_s;
         let place_m = gravity_m + Rotation::from_angle(heading_rad).apply(self.origin_m);
         let mut load = WaveLoad::default();
         let (mut with_drift, mut plain) = ([Complex::default(); 3], Complex::default());
@@ -195,11 +207,13 @@ impl WaveForces {
                 wave.frequency_radps * t_s - wave.number_radpm.dot(place_m) + wave.phase_rad;
             let (cos, sin) = (libm::cos(angle), libm::sin(angle));
             let (low, high) = (&wave.excitation[heading.low], &wave.excitation[heading.high]);
+            let gain = sub_steps.gain(wave.squared_sine);
             for (k, sum) in load.excitation.iter_mut().enumerate() {
                 let re = low[k].re + heading.share * (high[k].re - low[k].re);
                 let im = low[k].im + heading.share * (high[k].im - low[k].im);
                 let side = if heading.side < 0.0 { MIRROR[k] } else { 1.0 };
-                *sum += side * (re * cos - im * sin);
+                let gain = if PLANE.contains(&k) { gain } else { 1.0 };
+                *sum += side * gain * (re * cos - im * sin);
             }
             let heading = here(&mut of_drift, &self.drift);
             let (low, high) = (&wave.drift[heading.low], &wave.drift[heading.high]);
@@ -266,6 +280,7 @@ mod tests {
                     phase_rad: 5.0 * libm::sin(7.0 * k),
                     number_radpm: Vec2 { x: 0.02 + 0.001 * k, y: 0.004 },
                     direction: 0,
+                    squared_sine: 0.0,
                     excitation: vec![[Complex::default(); 6]; 2],
                     drift: vec![drift.map(|of| of * amplitude_m); 2],
                 }
@@ -280,7 +295,7 @@ mod tests {
         };
         let place_m = Vec2 { x: 12.0, y: -7.0 };
         for t_s in [0.0, 3.0, 417.0] {
-            let found = sea.at(place_m, 0.0, t_s).drift;
+            let found = sea.at(place_m, 0.0, t_s, SubSteps::default()).drift;
             for (k, found) in found.into_iter().enumerate() {
                 let mut expected = 0.0;
                 for one in &sea.waves {

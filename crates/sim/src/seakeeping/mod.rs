@@ -10,6 +10,7 @@
 //! | `least_squares.rs`, `matrix.rs` | linear algebra |
 //! | `forces.rs` | excitation, mean drift and slow drift of a sea |
 //! | `motion.rs` | the time step |
+//! | `sub_steps.rs` | when loads act, where contact takes several sub-steps |
 //! | `place.rs` | the place at which the waves are felt |
 //!
 //! `docs/design/at_the_berth.md` has the reasons.
@@ -24,6 +25,7 @@ mod memory;
 mod motion;
 mod place;
 mod retardation;
+mod sub_steps;
 
 use std::sync::Arc;
 
@@ -34,6 +36,7 @@ pub use memory::Memory;
 pub use motion::{Motion, MotionState, StepLoad};
 pub(crate) use place::SlowPlace;
 pub use retardation::Retardation;
+pub(crate) use sub_steps::SubSteps;
 
 /// The names of the six motions.
 pub const MOTIONS: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"];

@@ -20,6 +20,9 @@ use super::matrix::{Matrix6, Six, plus, solve, times};
 use super::memory::{Bank, Memory};
 use crate::attitude::{Attitude, AttitudeLoad};
 
+/// The largest part of a contact's impulse that is guessed a step ahead. At a third it would ring under a rigid contact.
+const SMALL_PART: f64 = 0.25;
+
 /// The equation of a ship for one time step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
@@ -40,13 +43,16 @@ pub struct MotionState {
     without_contact: Six,
     /// Impulses in the plane that the last step left (N·s, N·m·s).
     left: [f64; 3],
+    /// The part of them that is ahead of what contact has done.
+    ahead: [f64; 3],
 }
 
 impl MotionState {
     pub(crate) fn copy_from(&mut self, other: &MotionState) {
-        let MotionState { memory, before, without_contact, left } = self;
+        let MotionState { memory, before, without_contact, left, ahead } = self;
         memory.copy_from(&other.memory);
-        (*before, *without_contact, *left) = (other.before, other.without_contact, other.left);
+        (*before, *without_contact) = (other.before, other.without_contact);
+        (*left, *ahead) = (other.left, other.ahead);
     }
 }
 
@@ -69,8 +75,18 @@ impl Motion {
         let mut damping = bank.rest;
         let critical = 2.0 * (data.restoring[3][3] * mass[3][3]).sqrt();
         damping[3][3] += ship.roll_damping * critical;
-        let plane_mass = data.plane_mass();
-        Motion { mass, restoring: data.restoring, damping, bank, plane_mass, step_s }
+        let restoring = data.restoring;
+        let mut motion =
+            Motion { mass, restoring, damping, bank, plane_mass: [[0.0; 3]; 3], step_s };
+        motion.plane_mass = free_plane_mass(&motion.sides(step_s).0);
+        motion
+    }
+
+    /// The matrix with which the engine moves her, over surge, sway and yaw: what a push in the plane meets of a ship who is free
+    /// to heave, roll and pitch, with what the water answers within the step (kg, kg·m, kg·m²).
+    #[must_use]
+    pub fn plane_mass(&self) -> &[[f64; 3]; 3] {
+        &self.plane_mass
     }
 
     /// The state of a ship that has moved with a steady velocity for long: surge, sway and yaw through the water.
@@ -166,7 +182,7 @@ impl Motion {
         });
         let upright = solve(&own, &right).unwrap_or_else(|| unreachable!("mass is positive"));
         // What the engine's matrix has not seen of both changes.
-        state.left = std::array::from_fn(|i| {
+        let left: [f64; 3] = std::array::from_fn(|i| {
             let row = &left_side[PLANE[i]];
             (0..3)
                 .map(|j| {
@@ -175,6 +191,7 @@ impl Motion {
                 })
                 .sum()
         });
+        self.leave(state, left, by_contact);
         let mut after = state.without_contact;
         for k in 0..3 {
             after[PLANE[k]] = velocity[k];
@@ -186,6 +203,24 @@ impl Motion {
             motion.rate = after[index];
             motion.value += self.step_s * after[index];
         }
+    }
+
+    /// Leaves an impulse in the plane to the next step, where contact changed the velocities.
+    ///
+    /// There it is late by a step, which would feed energy: moments of fenders are mostly of restoring forces. So where it is a
+    /// small part of what contact did, the next step's is guessed to change as much again, and what was too much is taken
+    /// back in the step after. A large part would ring.
+    fn leave(&self, state: &mut MotionState, left: [f64; 3], by_contact: [f64; 3]) {
+        let size = |impulse: [f64; 3]| -> f64 {
+            (0..3).map(|k| impulse[k] * impulse[k] / self.plane_mass[k][k]).sum()
+        };
+        let contact = self
+            .plane_mass
+            .map(|row| row.iter().zip(by_contact).map(|(mass, change)| mass * change).sum::<f64>());
+        let is_small = size(left) <= SMALL_PART * SMALL_PART * size(contact);
+        let ahead = if is_small { left } else { [0.0; 3] };
+        state.left = std::array::from_fn(|k| left[k] + ahead[k] - state.ahead[k]);
+        state.ahead = ahead;
     }
 
     /// The matrices of the velocities after and before the step.
@@ -205,4 +240,24 @@ impl Motion {
             load.acts_s * (load.force[k] - stiff[k] - 0.5 * (now[k] + ahead[k]))
         })
     }
+}
+
+/// The matrix of the plane of a ship who is free in heave, roll and pitch (M_pp − M_pq M_qq⁻¹ M_qp), without the coupling of surge
+/// with sway and yaw, which the engine has not.
+fn free_plane_mass(total: &Matrix6) -> [[f64; 3]; 3] {
+    let block = |rows: [usize; 3], columns: [usize; 3]| -> [[f64; 3]; 3] {
+        rows.map(|row| columns.map(|column| total[row][column]))
+    };
+    let (own, couplings) = (block(UPRIGHT, UPRIGHT), block(UPRIGHT, PLANE));
+    let mut mass = block(PLANE, PLANE);
+    for column in 0..3 {
+        let coupling = couplings.map(|row| row[column]);
+        let follows = solve(&own, &coupling).unwrap_or_else(|| unreachable!("mass is positive"));
+        for (row, mass) in mass.iter_mut().enumerate() {
+            let lost: f64 = (0..3).map(|k| total[PLANE[row]][UPRIGHT[k]] * follows[k]).sum();
+            mass[column] -= lost;
+        }
+    }
+    let coupling = 0.5 * (mass[1][2] + mass[2][1]);
+    [[mass[0][0], 0.0, 0.0], [0.0, mass[1][1], coupling], [0.0, coupling, mass[2][2]]]
 }

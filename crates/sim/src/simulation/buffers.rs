@@ -25,6 +25,8 @@ pub(super) struct Buffers {
     pub(super) trial: Vec<BodyState>,
     /// States before the step.
     pub(super) before: Vec<BodyState>,
+    /// By how much velocities of the engine lag behind places (s).
+    pub(super) lags_s: Vec<f64>,
     /// Mean velocities of the step.
     pub(super) mean: Vec<MeanVelocity>,
     /// The current at the body (m/s).
@@ -54,6 +56,7 @@ impl Buffers {
             rates: std::array::from_fn(|_| vec![Rate::default(); count]),
             trial: states.to_vec(),
             before: states.to_vec(),
+            lags_s: vec![0.0; count],
             mean: vec![MeanVelocity::default(); count],
             currents_mps: vec![Vec2::ZERO; count],
             stage_contacts: Default::default(),

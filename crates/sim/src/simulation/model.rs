@@ -1,5 +1,7 @@
 //! From a set-up to the inertias of its bodies and the contact model.
 
+use std::sync::Arc;
+
 use fenderline_contact::{Body, BodyId, BodyState, Fender, MaterialId, Model, Pair, Panel};
 
 use crate::chain::tension_chains;
@@ -7,7 +9,9 @@ use crate::error::SetupError;
 use crate::fender::FenderSetup;
 use crate::order::check_order;
 use crate::rigid_body::{Inertia, initial_state};
+use crate::seakeeping::Motion;
 use crate::setup::{BodySetup, Integrator, Method, Setup};
+use crate::world::{mass_matrix, motions};
 
 impl Setup {
     /// The contact model of these bodies alone, for hosts that move their bodies themselves and use only the
@@ -24,7 +28,8 @@ impl Setup {
         if let Some(body) = self.bodies.iter().find(|body| body.dolphin.is_some()) {
             return Err(SetupError::DolphinOfHost { body: body.name.clone() });
         }
-        build_model(self, &inertias(self)?, Fenders::MeetOutlines)
+        let motions = motions(&self.world, self.step_s);
+        build_model(self, &inertias(self, &motions)?, Fenders::MeetOutlines)
     }
 
     /// The initial states of the bodies, in the order of the set-up.
@@ -34,8 +39,11 @@ impl Setup {
     }
 }
 
-/// The inertia of each body; that of a vessel comes from her manoeuvring model.
-pub(super) fn inertias(setup: &Setup) -> Result<Vec<Inertia>, SetupError> {
+/// The inertia of each body; that of a vessel comes from her motion by hydrodynamic data, or from her manoeuvring model.
+pub(super) fn inertias(
+    setup: &Setup,
+    motions: &[Option<Arc<Motion>>],
+) -> Result<Vec<Inertia>, SetupError> {
     let engine_moves =
         setup.method == Method::Coupled && setup.integrator == Integrator::SemiImplicit;
     let of_body = |body: &BodySetup| match &body.dolphin {
@@ -49,7 +57,7 @@ pub(super) fn inertias(setup: &Setup) -> Result<Vec<Inertia>, SetupError> {
     }
     let mut inertias: Vec<Inertia> = setup.bodies.iter().map(of_body).collect();
     let density_kgpm3 = setup.world.environment.water_density_kgpm3;
-    for vessel in &setup.world.vessels {
+    for (vessel, motion) in setup.world.vessels.iter().zip(motions) {
         if setup.bodies.get(vessel.body).is_none_or(|body| body.mass.is_none()) {
             return Err(SetupError::BadBody { owner: "vessel", body: vessel.body });
         }
@@ -59,7 +67,10 @@ pub(super) fn inertias(setup: &Setup) -> Result<Vec<Inertia>, SetupError> {
         if vessel.seakeeping.is_some() && !engine_moves {
             return Err(SetupError::SeakeepingNeedsEngine { body: vessel.body });
         }
-        inertias[vessel.body] = Inertia::of_vessel(&vessel.mass_matrix(density_kgpm3));
+        inertias[vessel.body] = Inertia::of_vessel(&match motion {
+            Some(motion) => *motion.plane_mass(),
+            None => mass_matrix(&vessel.ship, density_kgpm3),
+        });
     }
     for tug in &setup.world.tugs {
         if tug.vessel >= setup.world.vessels.len() {

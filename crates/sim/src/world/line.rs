@@ -148,12 +148,13 @@ impl Mooring {
         self.sent.is_some_and(|sent| sent.fast_at_s.is_none()) && t_s >= self.hauled_in_s
     }
 
-    /// Makes the line fast at its time, moves the winch, and adds its forces to the bodies at both ends.
+    /// Makes the line fast at its time, moves the winch, and adds its forces to the bodies at both ends. It pulls between the
+    /// places of the bodies in `met`, which may be ahead of their states.
     pub(crate) fn step(
         &mut self,
         index: usize,
         (setup, bollards): (&MooringSetup, &[BollardSetup]),
-        (states, shore): (&[BodyState], Shore<'_>),
+        (states, met, shore): (&[BodyState], &[BodyState], Shore<'_>),
         (t_s, step_s): (f64, f64),
         loads: &mut [Wrench],
         events: &mut Vec<WorldEvent>,
@@ -162,7 +163,7 @@ impl Mooring {
             return;
         }
         let Some(end) = self.end(setup, bollards) else { return };
-        let ends = setup.ends(end, states, shore);
+        let ends = setup.ends(end, met, shore);
         if let Some(sent) = self.sent {
             if sent.fast_at_s.is_none_or(|at_s| t_s + step_s <= at_s) {
                 return;

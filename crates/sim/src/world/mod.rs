@@ -24,6 +24,7 @@ mod tug;
 mod vessel;
 
 use std::borrow::Cow;
+use std::sync::Arc;
 
 use fenderline_contact::{BodyState, Contact, Rotation, Wrench};
 
@@ -41,6 +42,7 @@ use crate::hull::{Heights, HullTouch, place_m};
 use crate::hydro::Force;
 use crate::order::{Action, AnchorAction, LineAction, Order, OrderError};
 use crate::passing;
+use crate::seakeeping::{Motion, SubSteps};
 use crate::setup::BodySetup;
 
 pub use anchor::{AnchorAtWork, AnchorSetup, AnchorStart};
@@ -69,6 +71,10 @@ pub(crate) struct World {
     banks: Vec<Force>,
     /// For each vessel, what is constant of its motion by hydrodynamic data.
     seaways: Vec<Option<Seaway>>,
+    /// For each vessel, the matrix with which the engine moves her, over surge, sway and yaw (kg, kg·m, kg·m²).
+    masses: Vec<[[f64; 3]; 3]>,
+    /// The bodies as lines meet them: see [`World::look_ahead`]. Empty without hydrodynamic data.
+    ahead: Vec<BodyState>,
     /// For each body, how it is afloat; empty without hydrodynamic data.
     afloat: Vec<Option<Afloat>>,
     pub(crate) lines: Vec<Mooring>,
@@ -94,14 +100,21 @@ impl World {
         setup: &WorldSetup,
         bodies: &[BodySetup],
         states: &[BodyState],
-        step_s: f64,
+        (motions, step_s): (&[Option<Arc<Motion>>], f64),
     ) -> World {
         let water = setup.environment.density();
         let seaways: Vec<Option<Seaway>> = setup
             .vessels
             .iter()
-            .map(|vessel| Seaway::new(vessel, &setup.environment, step_s))
+            .zip(motions)
+            .map(|(vessel, motion)| {
+                Seaway::new(vessel, motion.as_ref()?, &setup.environment, step_s)
+            })
             .collect();
+        let masses = setup.vessels.iter().zip(motions).map(|(vessel, motion)| match motion {
+            Some(motion) => *motion.plane_mass(),
+            None => mass_matrix(&vessel.ship, setup.environment.water_density_kgpm3),
+        });
         let mut orders = setup.orders.clone();
         orders.sort_by(|one, other| one.at_s.total_cmp(&other.at_s));
         World {
@@ -111,6 +124,8 @@ impl World {
             water_inertia: vec![WaterInertia::default(); setup.vessels.len()],
             passing: vec![Force::default(); setup.vessels.len()],
             banks: vec![Force::default(); setup.vessels.len()],
+            masses: masses.collect(),
+            ahead: Vec::new(),
             seaways,
             lines: setup.lines.iter().map(Mooring::new).collect(),
             anchors: setup.anchors.iter().map(AnchorAtWork::new).collect(),
@@ -171,7 +186,7 @@ impl World {
     pub(crate) fn step(
         &mut self,
         setup: &WorldSetup,
-        states: &[BodyState],
+        (states, lags_s): (&[BodyState], &[f64]),
         (t_s, velocity_time_s, step_s, acts_s): (f64, f64, f64, f64),
         loads: &mut [Wrench],
     ) {
@@ -224,8 +239,12 @@ impl World {
             let mut forces = vessel.forces(own, here, around, times);
             forces.passing = self.passing[index];
             forces.banks = forces.banks + self.banks[index];
-            let water_inertia =
-                vessel.water_inertia(here, &setup.environment, (velocity_time_s, step_s));
+            let water_inertia = vessel.water_inertia(
+                here,
+                &setup.environment,
+                &self.masses[index],
+                (velocity_time_s, step_s),
+            );
             let wrench = vessel.wrench(&forces, &water_inertia, state);
             loads[vessel.body].force_n += wrench.force_n;
             loads[vessel.body].moment_nm += wrench.moment_nm;
@@ -241,21 +260,23 @@ impl World {
             loads[vessel.body].moment_nm += wrench.moment_nm;
         }
         self.find_afloat(setup, states.len());
+        self.look_ahead(setup, (states, lags_s), step_s);
         let level_m = setup.environment.tide.level_m(t_s);
         let shore = Shore { fixed: &self.fixed, level_m, afloat: &self.afloat };
-        line_work::take_lines(&mut self.lines, setup, (states, shore), t_s);
+        let met = if self.ahead.is_empty() { states } else { self.ahead.as_slice() };
+        line_work::take_lines(&mut self.lines, setup, (met, shore), t_s);
         for &index in &self.order.lines {
             let (mooring, line) = (&mut self.lines[index], &setup.lines[index]);
             let (times, events) = ((t_s, step_s), &mut self.events);
             let of = (line, setup.bollards.as_slice());
-            mooring.step(index, of, (states, shore), times, loads, events);
+            mooring.step(index, of, (states, met, shore), times, loads, events);
         }
         for &index in &self.order.anchors {
             let (own, of) = (&mut self.anchors[index], &setup.anchors[index]);
             let water = (&setup.environment, t_s, step_s);
             own.step(index, (of, setup), (states, shore), water, loads, &mut self.events);
         }
-        self.load_seaways(setup, states, (t_s, acts_s), loads);
+        self.load_seaways(setup, (states, lags_s), (t_s, step_s, acts_s), loads);
     }
 
     /// Finds how the bodies with hydrodynamic data are afloat.
@@ -270,12 +291,36 @@ impl World {
         }
     }
 
+    /// Finds where the bodies with hydrodynamic data are in the middle of the time for which loads act: see
+    /// [`crate::seakeeping::SubSteps`]. Lines pull there.
+    fn look_ahead(
+        &mut self,
+        setup: &WorldSetup,
+        (states, lags_s): (&[BodyState], &[f64]),
+        step_s: f64,
+    ) {
+        self.ahead.clear();
+        if self.seaways.iter().all(Option::is_none) {
+            return;
+        }
+        self.ahead.extend_from_slice(states);
+        for (vessel, seaway) in setup.vessels.iter().zip(&self.seaways) {
+            if seaway.is_none() {
+                continue;
+            }
+            let state = &mut self.ahead[vessel.body];
+            let ahead_s = SubSteps::of(step_s, lags_s[vessel.body]).ahead_s;
+            state.position_m += state.velocity_mps * ahead_s;
+            state.heading_rad += state.yaw_rate_radps * ahead_s;
+        }
+    }
+
     /// Replaces the load of vessels with hydrodynamic data by the one that gives their motion in six degrees of freedom.
     fn load_seaways(
         &mut self,
         setup: &WorldSetup,
-        states: &[BodyState],
-        times: (f64, f64),
+        (states, lags_s): (&[BodyState], &[f64]),
+        (t_s, step_s, acts_s): (f64, f64, f64),
         loads: &mut [Wrench],
     ) {
         for index in 0..setup.vessels.len() {
@@ -306,6 +351,8 @@ impl World {
             let stream_mps = self.water_inertia[index].current_mps;
             let load = &mut loads[vessel.body];
             let given = (&*load, &upright, stream_mps);
+            let sub_steps = SubSteps::of(step_s, lags_s[vessel.body]);
+            let times = (t_s, acts_s, sub_steps);
             *load = seaway.load((vessel, own, forces), body, given, times);
         }
     }
@@ -479,6 +526,14 @@ impl World {
             state.attitude = state.attitude.after(&float.hydrostatics, &load, step_s);
         }
     }
+}
+
+/// For each vessel, her motion by hydrodynamic data in steps of a length (s); `None` without data.
+pub(crate) fn motions(setup: &WorldSetup, step_s: f64) -> Vec<Option<Arc<Motion>>> {
+    let of = |vessel: &VesselSetup| {
+        vessel.seakeeping.as_ref().map(|ship| Arc::new(Motion::new(ship, step_s)))
+    };
+    setup.vessels.iter().map(of).collect()
 }
 
 /// The vessels at the start of a run.

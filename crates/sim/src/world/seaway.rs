@@ -9,7 +9,7 @@ use super::vessel::{HullMotion, VesselForces, VesselSetup, VesselState};
 use crate::attitude::{Attitude, AttitudeLoad};
 use crate::hydro::Force;
 use crate::seakeeping::{
-    DriftSource, Motion, MotionState, SlowPlace, StepLoad, WaveForces, WaveLoad,
+    DriftSource, Motion, MotionState, SlowPlace, StepLoad, SubSteps, WaveForces, WaveLoad,
 };
 
 /// What is constant in a run for a vessel with hydrodynamic data.
@@ -43,6 +43,7 @@ impl Seaway {
     /// `None` for a vessel without hydrodynamic data.
     pub(super) fn new(
         vessel: &VesselSetup,
+        motion: &Arc<Motion>,
         environment: &Environment,
         step_s: f64,
     ) -> Option<Seaway> {
@@ -59,7 +60,7 @@ impl Seaway {
         };
         let waves = environment.sea.as_ref();
         Some(Seaway {
-            motion: Arc::new(Motion::new(ship, step_s)),
+            motion: Arc::clone(motion),
             waves: waves.map(|sea| Arc::new(WaveForces::new(&ship.data, sea, drift, step_s))),
         })
     }
@@ -74,12 +75,12 @@ impl Seaway {
         }
     }
 
-    /// The forces of the waves at a time.
-    fn wave_load(&self, state: &SeawayState, t_s: f64) -> WaveLoad {
+    /// The forces of the waves at a time, for loads that act in sub-steps.
+    fn wave_load(&self, state: &SeawayState, t_s: f64, sub_steps: SubSteps) -> WaveLoad {
         let SlowPlace { position_m, heading_rad, .. } = state.place;
         self.waves
             .as_ref()
-            .map_or(WaveLoad::default(), |waves| waves.at(position_m, heading_rad, t_s))
+            .map_or(WaveLoad::default(), |waves| waves.at(position_m, heading_rad, t_s, sub_steps))
     }
 
     /// The load on her body in a step. `load` is that of everything else but contact, and `upright` what acts on heave, roll
@@ -89,14 +90,14 @@ impl Seaway {
         own: (&VesselSetup, &mut VesselState, &mut VesselForces),
         body: &BodyState,
         (load, upright, stream_mps): (&Wrench, &AttitudeLoad, Vec2),
-        (t_s, acts_s): (f64, f64),
+        (t_s, acts_s, sub_steps): (f64, f64, SubSteps),
     ) -> Wrench {
         let (vessel, vessel_state, forces) = own;
         let attitude = vessel_state.attitude;
         let Some(state) = &mut vessel_state.seaway else { return *load };
         (state.heading_rad, state.stream_mps, state.acts_s) =
             (body.heading_rad, stream_mps, acts_s);
-        let waves = self.wave_load(state, t_s);
+        let waves = self.wave_load(state, t_s, sub_steps);
         let axes = Rotation::from_angle(body.heading_rad);
         let given = axes.apply_inverse(load.force_n);
         let [drift_x, drift_y, drift_n] = waves.drift;

@@ -534,11 +534,12 @@ impl VesselSetup {
     ///
     /// Accelerating water accelerates her: M (v̇ − DU/Dt) = W, by the pressure gradient on the displaced water and the added
     /// mass in the relative acceleration (Auton, Hunt & Prud'homme 1988, recalled, for a body that is small compared with the
-    /// scale of the current). So M·DU/Dt is added; it is zero in a steady uniform current.
+    /// scale of the current). So M·DU/Dt is added, with the `mass` that the engine moves; it is zero in a steady uniform current.
     pub(crate) fn water_inertia(
         &self,
         (state, velocity): (&BodyState, &Velocity),
         environment: &Environment,
+        mass: &[[f64; 3]; 3],
         (t_s, step_s): (f64, f64),
     ) -> WaterInertia {
         let &Velocity { surge_mps: u, sway_mps: v, yaw_radps: r } = velocity;
@@ -555,7 +556,7 @@ impl VesselSetup {
             environment.water_acceleration(state.position_m, (t_s, step_s), draught_m);
         let attitude = Rotation::from_angle(state.heading_rad);
         let own = attitude.apply_inverse(acceleration);
-        let [[surge_kg, ..], [_, sway_kg, _], [_, coupling_kgm, _]] = self.mass_matrix(density);
+        let [[surge_kg, ..], [_, sway_kg, _], [_, coupling_kgm, _]] = *mass;
         WaterInertia {
             coriolis,
             current_mps: environment.current(state.position_m, t_s, draught_m),
@@ -563,16 +564,6 @@ impl VesselSetup {
                 force_n: attitude.apply(vec2(surge_kg * own.x, sway_kg * own.y)),
                 moment_nm: coupling_kgm * own.y,
             },
-        }
-    }
-
-    /// The mass matrix with which the engine moves her, over surge, sway and yaw about the centre of gravity (kg, kg·m, kg·m²):
-    /// that of her hydrodynamic data, or that of her hull.
-    #[must_use]
-    pub fn mass_matrix(&self, density_kgpm3: f64) -> [[f64; 3]; 3] {
-        match &self.seakeeping {
-            Some(ship) => ship.data.plane_mass(),
-            None => mass_matrix(&self.ship, density_kgpm3),
         }
     }
 
