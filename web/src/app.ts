@@ -29,6 +29,7 @@ import { button, h, setAttribute, setClass, setText } from "./ui/dom";
 import { Sound } from "./sound";
 import { clock, fixed, spoken } from "./units";
 import { Alarms } from "./views/alarms";
+import { Anchors } from "./views/anchors";
 import { Conditions } from "./views/conditions";
 import { Conning } from "./views/conning";
 import { Docking } from "./views/docking";
@@ -322,11 +323,14 @@ export class App implements Page {
     const plan = new Plan(this.live, this.trial);
     this.plan = plan;
     this.alarms = new Alarms(this, (open, worst) => this.alarmed(open, worst), this.sound.toggles);
+    const anchors: [string, string | null, View][] =
+      hello.anchors.length > 0 ? [["Anchors", "q", new Anchors(this, hello)]] : [];
     const views: [string, string | null, View][] = [
       ["Docking", "d", new Docking(this, hello)],
       ["Conning", "c", new Conning(this.live)],
       ["Fenders", "e", new Fenders(hello)],
       ["Lines", "w", new Lines(this, hello)],
+      ...anchors,
       ["Charts", "g", new Strips(this.history)],
       ["Alarms", "a", this.alarms],
       ["Verdict", "r", new Verdict()],

@@ -34,6 +34,7 @@ export interface Hello {
   vessels: VesselInfo[];
   fenders: FenderInfo[];
   lines: LineInfo[];
+  anchors: AnchorInfo[];
   bollards: BollardInfo[];
   tugs: TugInfo[];
   traffic: TrafficInfo[];
@@ -271,6 +272,20 @@ export interface LineInfo {
   winch_mps: number | null;
 }
 
+/** An anchor with its chain. */
+export interface AnchorInfo {
+  name: string;
+  /** The body of the ship that carries it. */
+  ship: number;
+  hawse_m: Pair;
+  /** Length of its chain [m]. */
+  chain_m: number;
+  mass_kg: number;
+  breaking_n: number;
+  /** Tension at which the brake of the windlass renders. */
+  brake_n: number;
+}
+
 /** A bollard to which lines can be sent. */
 export interface BollardInfo {
   name: string;
@@ -329,6 +344,7 @@ export interface Frame {
   fenders: FenderNow[];
   contacts: ContactNow[];
   lines: LineNow[];
+  anchors: AnchorNow[];
   tugs: TugNow[];
   /** Of each ship in `Hello.traffic`; she is where her track says. `null`: this page does not see her in the fog. */
   traffic: (BodyNow | null)[];
@@ -495,6 +511,31 @@ export interface LineNow {
   /** Time until it is fast [s]; `null` while it waits for line handlers or is not under way. */
   fast_in_s: number | null;
   winch: "hold" | "heave" | "pay_out";
+}
+
+export interface AnchorNow {
+  state: "housed" | "hanging" | "on_bottom" | "lost";
+  /** Where it lies; `null` unless it is on the bottom. */
+  place_m: Pair | null;
+  /** Chain out [m]. */
+  chain_m: number;
+  /** At the hawse pipe. */
+  tension_n: number;
+  /** What anchor and chain hold against a horizontal pull. */
+  holding_n: number;
+  on_bottom_m: number;
+  /** Direction of the chain from the bow; `null` where it leads straight down. */
+  lead_rad: number | null;
+  dragging: boolean;
+  dragged_m: number;
+  windlass: "hold" | "let_go" | "veer" | "heave";
+  /** The chain that shall be out [m]; `null` while the brake holds. */
+  to_m: number | null;
+  /** The windlass cannot heave against the tension. */
+  stalled: boolean;
+  /** As the forecastle reports it: "2 shackles out, leads 11 o'clock, medium stay". */
+  report: string;
+  faults: AnchorFault[];
 }
 
 export interface TugNow {
@@ -752,12 +793,15 @@ export type OtherAction =
   | { do: "wind"; speed_mps: number; from_rad: number; over_s?: number }
   | { do: "current"; speed_mps: number; to_rad: number; over_s?: number }
   | { do: "part_line"; line: string }
+  | { do: "anchor_fault"; anchor: string; fault: AnchorFault; on: boolean }
   /** A vector tug drops out, or comes back. */
   | { do: "tug_out"; tug: string; on: boolean }
   /** Plans weather or a fault for a time of the run. */
   | { do: "plan"; at_s: number; event: OtherAction }
   | { do: "cancel_planned"; id: number }
   | { do: "fault"; vessel: string; fault: Fault; on: boolean };
+
+export type AnchorFault = "windlass_failed" | "does_not_bite";
 
 export type Fault =
   "rudder_stuck" | "follow_up_lost" | "engine_lost" | "thrusters_lost" | "blackout";

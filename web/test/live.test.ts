@@ -17,6 +17,7 @@ function frame(tick: number, north: number, paused = false): Frame {
     fenders: [],
     contacts: [],
     lines: [],
+    anchors: [],
     tugs: [],
     traffic: [],
     passages: [],

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use fenderline_live::{Action, Fault, Level, OtherAction, Repeat, SessionLog};
+use fenderline_live::{Action, AnchorFault, Fault, Level, OtherAction, Repeat, SessionLog};
 use fenderline_report::plot::{fixed, plain};
 use fenderline_report::run_page::{addressee, order_text};
 use fenderline_results::{LogKind, LogLine, RecordedSession};
@@ -155,6 +155,13 @@ fn words_of(action: &Action, setup: &Setup) -> String {
             format!("current {} m/s towards {}{over}", plain(*speed_mps, 3), degrees(*to_rad))
         }
         Action::Other(OtherAction::PartLine { line }) => format!("line {line} parts"),
+        Action::Other(OtherAction::AnchorFault { anchor, fault, on }) => {
+            let what = match fault {
+                AnchorFault::WindlassFailed => "the windlass has no power",
+                AnchorFault::DoesNotBite => "does not bite",
+            };
+            format!("anchor {anchor}: {what}, {}", if *on { "begins" } else { "ends" })
+        }
         Action::Other(OtherAction::TugOut { tug, on }) => {
             format!("{tug}: {}", if *on { "drops out" } else { "comes back" })
         }

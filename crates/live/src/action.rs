@@ -1,5 +1,6 @@
 //! The commands to the simulation. They are recorded.
 
+use fenderline_sim::anchor::AnchorFaults;
 use fenderline_sim::environment::current::Current;
 use fenderline_sim::environment::wind::MeanWind;
 use fenderline_sim::order::{Lead, OrderName, SidePlace, TugWord, TugWords};
@@ -56,6 +57,8 @@ pub enum OtherAction {
     },
     /// A line parts.
     PartLine { line: String },
+    /// A fault of an anchor or its windlass begins or ends.
+    AnchorFault { anchor: String, fault: AnchorFault, on: bool },
     /// A vector tug drops out, or comes back.
     TugOut { tug: String, on: bool },
     /// Plans a change of the weather or a fault for a time.
@@ -94,6 +97,7 @@ impl OtherAction {
             | OtherAction::Visibility { .. }
             | OtherAction::Fault { .. }
             | OtherAction::PartLine { .. }
+            | OtherAction::AnchorFault { .. }
             | OtherAction::TugOut { .. } => true,
             OtherAction::Tug { .. }
             | OtherAction::Plan { .. }
@@ -178,6 +182,38 @@ impl<'de> Deserialize<'de> for Action {
             return NamedOrder::from_json(order, map).map(Action::Order).map_err(D::Error::custom);
         }
         serde_json::from_value(Value::Object(map)).map(Action::Other).map_err(D::Error::custom)
+    }
+}
+
+/// A fault of an anchor: see [`fenderline_sim::anchor::AnchorFaults`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum AnchorFault {
+    /// The windlass has no power.
+    WindlassFailed,
+    /// The anchor holds as a dragging anchor does.
+    DoesNotBite,
+}
+
+impl AnchorFault {
+    /// The faults of an anchor that are on.
+    #[must_use]
+    pub fn active(faults: &AnchorFaults) -> Vec<AnchorFault> {
+        [
+            (faults.windlass_failed, AnchorFault::WindlassFailed),
+            (faults.does_not_bite, AnchorFault::DoesNotBite),
+        ]
+        .into_iter()
+        .filter_map(|(on, fault)| on.then_some(fault))
+        .collect()
+    }
+
+    /// Switches the fault on or off.
+    pub(crate) fn switch(self, faults: &mut AnchorFaults, on: bool) {
+        match self {
+            AnchorFault::WindlassFailed => faults.windlass_failed = on,
+            AnchorFault::DoesNotBite => faults.does_not_bite = on,
+        }
     }
 }
 

@@ -16,7 +16,7 @@ use crate::refusal::Refusal;
 use crate::script::{self, Flow, Ramp};
 use crate::session::Now;
 
-/// The vessels, tugs and lines under manual control: the scenario's later orders to them are cancelled.
+/// The vessels, tugs, lines and anchors under manual control: the scenario's later orders to them are cancelled.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ManualControl(BTreeSet<Target>);
 
@@ -70,6 +70,16 @@ pub(crate) fn carry_out(action: &Action, cast: &Cast, now: &mut Now) -> Result<b
             if !now.simulation.part_line(index) {
                 return Err(Refusal::new(format_args!("{line} is not fast: it cannot part")));
             }
+            Ok(false)
+        }
+        Action::Other(OtherAction::AnchorFault { anchor, fault, on }) => {
+            let mut anchors = now.simulation.setup().world.anchors.iter();
+            let index = anchors.position(|setup| setup.gear.name == *anchor);
+            let index =
+                index.ok_or_else(|| Refusal::new(format_args!("there is no anchor `{anchor}`")))?;
+            let mut faults = now.simulation.anchors()[index].state.faults;
+            fault.switch(&mut faults, *on);
+            now.simulation.set_anchor_faults(index, faults).map_err(Refusal::new)?;
             Ok(false)
         }
         Action::Other(OtherAction::TugOut { tug, on }) => {

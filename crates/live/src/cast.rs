@@ -185,6 +185,7 @@ impl Cast {
                 | OtherAction::Visibility { .. }
                 | OtherAction::Fault { .. }
                 | OtherAction::PartLine { .. }
+                | OtherAction::AnchorFault { .. }
                 | OtherAction::TugOut { .. }
                 | OtherAction::Plan { .. }
                 | OtherAction::CancelPlanned { .. } => Helm::World,

@@ -1,4 +1,4 @@
-//! The constant data of a scenario for pages: hulls, machinery, fenders, lines, tugs, orders.
+//! The constant data of a scenario for pages: hulls, machinery, fenders, lines, anchors, tugs, orders.
 
 use fenderline_contact::Vec2;
 use fenderline_contact::number::lesser;
@@ -6,14 +6,16 @@ use fenderline_sim::berth::Berth;
 use fenderline_sim::mooring::InboardEnd;
 use fenderline_sim::order::{OrderName, SidePlace, TargetKind, Word, towline};
 use fenderline_sim::passing::PassingSetup;
-use fenderline_sim::{BollardSetup, LineEnd, MooringSetup, Setup, TugSetup, VesselSetup};
+use fenderline_sim::{
+    AnchorSetup, BollardSetup, LineEnd, MooringSetup, Setup, TugSetup, VesselSetup,
+};
 
 use crate::berth;
 use crate::cast::Cast;
 use crate::chart_info::chart_infos;
 use crate::message::{
-    AzimuthInfo, BodyInfo, BollardInfo, ChartInfo, FenderInfo, LineEndInfo, LineInfo, OrderInfo,
-    Pair, TelegraphInfo, ThrusterInfo, TrafficInfo, TugInfo, VesselInfo,
+    AnchorInfo, AzimuthInfo, BodyInfo, BollardInfo, ChartInfo, FenderInfo, LineEndInfo, LineInfo,
+    OrderInfo, Pair, TelegraphInfo, ThrusterInfo, TrafficInfo, TugInfo, VesselInfo,
 };
 use crate::order_info::{order_infos, telegraph};
 
@@ -33,6 +35,8 @@ pub struct Info {
     pub fenders: Vec<FenderInfo>,
     /// As in [`crate::message::Hello`].
     pub lines: Vec<LineInfo>,
+    /// As in [`crate::message::Hello`].
+    pub anchors: Vec<AnchorInfo>,
     /// As in [`crate::message::Hello`].
     pub bollards: Vec<BollardInfo>,
     /// As in [`crate::message::Hello`].
@@ -79,6 +83,7 @@ impl Info {
                 .collect(),
             fenders: fenders.collect(),
             lines: world.lines.iter().map(line_info).collect(),
+            anchors: world.anchors.iter().map(|anchor| anchor_info(anchor, setup)).collect(),
             bollards: world.bollards.iter().map(bollard_info).collect(),
             tugs: world.tugs.iter().map(|tug| tug_info(tug, &world.vessels)).collect(),
             traffic: world.flow.passing.iter().map(traffic_info).collect(),
@@ -170,6 +175,19 @@ fn line_info(line: &MooringSetup) -> LineInfo {
             InboardEnd::Winch(winch) => Some(lesser(MANUAL_WINCH_MPS, winch.rate_mps)),
             InboardEnd::Bitts => None,
         },
+    }
+}
+
+fn anchor_info(anchor: &AnchorSetup, setup: &Setup) -> AnchorInfo {
+    let gear = &anchor.gear;
+    AnchorInfo {
+        name: gear.name.clone(),
+        ship: setup.world.vessels[anchor.vessel].body,
+        hawse_m: pair(anchor.hawse_m),
+        chain_m: gear.chain_length_m,
+        mass_kg: gear.mass_kg,
+        breaking_n: gear.chain().break_load_n(),
+        brake_n: gear.windlass.brake_n,
     }
 }
 

@@ -43,7 +43,7 @@ mod trial;
 mod watched;
 mod word;
 
-pub use action::{Action, COMMAND_LIMITS, CommandLimits, Fault, OtherAction};
+pub use action::{Action, AnchorFault, COMMAND_LIMITS, CommandLimits, Fault, OtherAction};
 pub use alarm_book::{Alarm, AlarmBook, Level};
 pub use approach::{ApproachLimit, Light};
 pub use berth::berth_info;

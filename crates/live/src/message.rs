@@ -4,7 +4,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::action::{CommandLimits, Fault, OtherAction};
+use crate::action::{AnchorFault, CommandLimits, Fault, OtherAction};
 use crate::approach::Light;
 use crate::request::Control;
 
@@ -26,6 +26,7 @@ pub struct Hello<'a> {
     pub vessels: &'a [VesselInfo],
     pub fenders: &'a [FenderInfo],
     pub lines: &'a [LineInfo],
+    pub anchors: &'a [AnchorInfo],
     pub bollards: &'a [BollardInfo],
     pub tugs: &'a [TugInfo],
     pub traffic: &'a [TrafficInfo],
@@ -250,6 +251,18 @@ pub struct LineInfo {
     pub winch_mps: Option<f64>,
 }
 
+/// An anchor with its chain.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AnchorInfo {
+    pub name: String,
+    pub ship: usize,
+    pub hawse_m: Pair,
+    pub chain_m: f64,
+    pub mass_kg: f64,
+    pub breaking_n: f64,
+    pub brake_n: f64,
+}
+
 /// A bollard to which lines can be sent.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BollardInfo {
@@ -298,6 +311,7 @@ pub struct Frame {
     pub fenders: Vec<FenderNow>,
     pub contacts: Vec<ContactNow>,
     pub lines: Vec<LineNow>,
+    pub anchors: Vec<AnchorNow>,
     pub tugs: Vec<TugNow>,
     /// `None`: hidden by fog.
     pub traffic: Vec<Option<[f64; 6]>>,
@@ -521,6 +535,28 @@ pub struct LineNow {
     /// Time until it is fast (s); `null` while it waits for line handlers or is not under way.
     pub fast_in_s: Option<f64>,
     pub winch: &'static str,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AnchorNow {
+    pub state: &'static str,
+    /// Where it lies; `null` unless it is on the bottom.
+    pub place_m: Option<Pair>,
+    pub chain_m: f64,
+    pub tension_n: f64,
+    pub holding_n: f64,
+    pub on_bottom_m: f64,
+    /// Direction of the chain from the bow; `null` where it leads straight down.
+    pub lead_rad: Option<f64>,
+    pub dragging: bool,
+    pub dragged_m: f64,
+    pub windlass: &'static str,
+    /// The chain that shall be out (m); `null` while the brake holds.
+    pub to_m: Option<f64>,
+    pub stalled: bool,
+    /// As it is reported from the forecastle.
+    pub report: String,
+    pub faults: Vec<AnchorFault>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

@@ -85,6 +85,7 @@ impl Watched {
             vessels: &info.vessels,
             fenders: &info.fenders,
             lines: &info.lines,
+            anchors: &info.anchors,
             bollards: &info.bollards,
             tugs: &info.tugs,
             traffic: &info.traffic,

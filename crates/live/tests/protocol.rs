@@ -113,6 +113,7 @@ fn messages(session: &Session) -> (Value, Value) {
         vessels: &info.vessels,
         fenders: &info.fenders,
         lines: &info.lines,
+        anchors: &info.anchors,
         bollards: &info.bollards,
         tugs: &info.tugs,
         traffic: &info.traffic,
@@ -141,6 +142,7 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
         "scenarios/berth/alongside_with_two_tugs.toml",
         &[
             "line.head.made_fast=\"0 s\"",
+            "anchor={ port = { on = \"ship\", side = \"port\", hawse_height = 8, mass = 8000, chain_diameter = 0.076, chain_length = 300 } }",
             "exercise={ vessel = \"ship\", goal = \"alongside\", limit = { fender = { most = 0, points = 1 } } }",
         ],
     );
@@ -168,6 +170,7 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
         ("fenders", "FenderNow"),
         ("contacts", "ContactNow"),
         ("lines", "LineNow"),
+        ("anchors", "AnchorNow"),
         ("tugs", "TugNow"),
         ("alarms", "Alarm"),
     ] {
@@ -178,6 +181,7 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
         ("vessels", "VesselInfo"),
         ("fenders", "FenderInfo"),
         ("lines", "LineInfo"),
+        ("anchors", "AnchorInfo"),
         ("tugs", "TugInfo"),
         ("orders", "OrderInfo"),
         ("telegraph", "TelegraphInfo"),

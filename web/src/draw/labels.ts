@@ -16,6 +16,7 @@ export enum Rank {
   Tug,
   Measure,
   Line,
+  Anchor,
   Bollard,
   Minute,
   Detail,

@@ -1,7 +1,7 @@
 /** The instructor's weather and faults. */
 import { Visibility } from "../controls/visibility";
 import type { Page } from "../page";
-import type { Fault, Frame, Hello, Pair } from "../protocol";
+import type { AnchorFault, Fault, Frame, Hello, Pair } from "../protocol";
 import { button, h, setAttribute, setText, sureButton } from "../ui/dom";
 import { Ring } from "../ui/ring";
 import { KNOT_MPS, fixed, heading, spoken, toKnots } from "../units";
@@ -14,6 +14,11 @@ const FAULTS: { fault: Fault; text: string }[] = [
   { fault: "engine_lost", text: "Engine lost" },
   { fault: "thrusters_lost", text: "Thrusters lost" },
   { fault: "blackout", text: "Blackout" },
+];
+
+const ANCHOR_FAULTS: { fault: AnchorFault; text: string }[] = [
+  { fault: "windlass_failed", text: "Windlass fails" },
+  { fault: "does_not_bite", text: "Does not bite" },
 ];
 
 /** A flow of air or water. "Set" sends speed and direction together, so that a half-turned ring changes nothing yet. */
@@ -101,6 +106,12 @@ export class Conditions implements View {
     on: boolean;
   }[] = [];
   private readonly tugs: { root: HTMLButtonElement; on: boolean }[];
+  private readonly anchors: {
+    anchor: number;
+    fault: AnchorFault;
+    on: boolean;
+    root: HTMLButtonElement;
+  }[] = [];
   readonly planned: Planned;
   private frame: Frame | null = null;
   readonly root: HTMLElement;
@@ -158,6 +169,32 @@ export class Conditions implements View {
     const tugRows = hello.tugs.map(({ name }, i) =>
       h("div", { class: "fault-row" }, h("b", {}, spoken(name)), this.tugs[i]?.root),
     );
+    const anchorRows = hello.anchors.map(({ name }, anchor) => {
+      const buttons = ANCHOR_FAULTS.map(({ fault, text }) => {
+        const entry = {
+          anchor,
+          fault,
+          on: false,
+          root: button(
+            text,
+            () => void planned.happen({ do: "anchor_fault", anchor: name, fault, on: !entry.on }),
+            {
+              name: `Anchor ${spoken(name)}: ${text}`,
+              "aria-pressed": "false",
+              class: "fault",
+            },
+          ),
+        };
+        this.anchors.push(entry);
+        return entry.root;
+      });
+      return h(
+        "div",
+        { class: "fault-row" },
+        h("b", {}, `Anchor ${spoken(name)}`),
+        h("div", { class: "row" }, ...buttons),
+      );
+    });
     const lines = hello.lines.map(({ name }) =>
       sureButton(
         spoken(name),
@@ -184,6 +221,7 @@ export class Conditions implements View {
       ...faults,
       ...tugRows,
       lines.length > 0 && lineRow,
+      ...anchorRows,
       planned.root,
     );
   }
@@ -195,6 +233,10 @@ export class Conditions implements View {
     this.current.tick(frame.current.speed_mps, frame.current.to_rad);
     for (const entry of this.faults) {
       entry.on = frame.vessels[entry.vessel]?.faults.includes(entry.fault) ?? false;
+      setAttribute(entry.root, "aria-pressed", String(entry.on));
+    }
+    for (const entry of this.anchors) {
+      entry.on = frame.anchors[entry.anchor]?.faults.includes(entry.fault) ?? false;
       setAttribute(entry.root, "aria-pressed", String(entry.on));
     }
     this.tugs.forEach((entry, i) => {

@@ -1,6 +1,7 @@
 /** The plan: an electronic chart of the harbour around the ship. */
 import { drawChart, drawChartMarks } from "../draw/chart";
 import { drawFog } from "../draw/fog";
+import { drawAnchors } from "../draw/anchors";
 import * as scene from "../draw/scene";
 import { type Box, type Label, type Placed, Rank, place } from "../draw/labels";
 import { drawPassages } from "../draw/passages";
@@ -205,6 +206,7 @@ export class Plan implements View {
     scene.drawFenders(all);
     scene.drawBollards(all);
     scene.drawLines(all);
+    drawAnchors(all);
     scene.drawVectorTugs(all);
     scene.drawContacts(all);
     drawPassages(all);

@@ -33,6 +33,8 @@ export function eventWords(event: OtherAction): string {
       return `${spoken(event.vessel)}: ${event.fault.replaceAll("_", " ")}${event.on ? "" : " ends"}`;
     case "part_line":
       return `line ${spoken(event.line)} parts`;
+    case "anchor_fault":
+      return `anchor ${spoken(event.anchor)}: ${event.fault.replaceAll("_", " ")}${event.on ? "" : " ends"}`;
     case "tug_out":
       return `${spoken(event.tug)} ${event.on ? "drops out" : "comes back"}`;
     default:

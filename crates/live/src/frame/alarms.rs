@@ -2,6 +2,7 @@
 
 use fenderline_contact::number::greater;
 use fenderline_sim::Simulation;
+use fenderline_sim::anchor::{AnchorPosition, LostBy};
 
 use crate::alarm_book::{Alarm, FENDER, Level, TOUCH};
 use crate::approach::{ApproachLimit, Light};
@@ -42,6 +43,7 @@ pub(super) fn causes(of: &Input<'_>) -> Vec<Alarm> {
     for (vessel, ship, text) in of.passages.cautions(of.simulation) {
         all.push(caution("passing", &[vessel, ship], text));
     }
+    anchors(of, &mut all);
     for (tug, now) in of.info.tugs.iter().zip(of.tugs) {
         if now.out {
             all.push(alarm("tug out", &[&tug.name], format!("Tug {} has dropped out", tug.name)));
@@ -137,6 +139,33 @@ fn contacts(of: &Input<'_>, all: &mut Vec<Alarm>) {
         let touch = alarm(TOUCH, &[one, two], text);
         if all.iter().all(|other| other.key != touch.key) {
             all.push(touch);
+        }
+    }
+}
+
+/// An anchor that has dragged farther is an alarm (m): a few metres while a ship brings up are usual. Our choice.
+const DRAGGED_M: f64 = 5.0;
+
+fn anchors(of: &Input<'_>, all: &mut Vec<Alarm>) {
+    let setups = &of.simulation.setup().world.anchors;
+    for (setup, now) in setups.iter().zip(of.simulation.anchors()) {
+        let name = &*setup.gear.name;
+        let called = fenderline_sim::called("Anchor", name);
+        match now.state.position {
+            AnchorPosition::Lost(LostBy::Parted) => {
+                all.push(alarm("anchor", &[name], format!("{called}: the chain has parted")));
+            }
+            AnchorPosition::Lost(LostBy::RanOut) => {
+                all.push(alarm("anchor", &[name], format!("{called}: the chain has run out")));
+            }
+            _ if now.state.dragging && now.state.dragged_m > DRAGGED_M => {
+                all.push(alarm("anchor", &[name], format!("{called} drags")));
+            }
+            _ => {}
+        }
+        if now.state.faults.windlass_failed {
+            let text = format!("{called}: the windlass has no power");
+            all.push(alarm("windlass", &[name], text));
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The frame: everything that pages display after a tick.
 
 mod alarms;
+mod anchor;
 mod board;
 mod fog;
 mod passage;
@@ -117,6 +118,7 @@ pub(crate) fn frame(now: &Now, cast: &Cast, info: &Info, at_ms: u64, run: RunSta
         fenders,
         contacts: contacts.to_vec(),
         lines: lines(simulation, info),
+        anchors: anchor::now(simulation),
         tugs: tugs(simulation),
         traffic: traffic::now(simulation).into_iter().map(Some).collect(),
         passages: now.seen.passages().messages(),

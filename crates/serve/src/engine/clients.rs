@@ -113,6 +113,7 @@ impl Engine {
             vessels: &self.session.info().vessels,
             fenders: &self.session.info().fenders,
             lines: &self.session.info().lines,
+            anchors: &self.session.info().anchors,
             bollards: &self.session.info().bollards,
             tugs: &self.session.info().tugs,
             traffic: &self.session.info().traffic,
