@@ -50,6 +50,7 @@ impl Plan {
                         }
                         @for ends_m in &self.harbour.banks { (harbour::bank(*ends_m, &map)) }
                         @for line in &self.harbour.lines { (harbour::line(line, &map)) }
+                        @for chain_m in &self.harbour.anchors { (harbour::anchor(*chain_m, &map)) }
                         @for tug in &self.harbour.tugs { (harbour::tug(tug, &map)) }
                         @for (text, at) in self.texts().zip(text_places(self, &map)) {
                             @if let Some((x, y)) = at { (named(text, x, y)) }

@@ -16,6 +16,8 @@ pub struct Harbour {
     pub chart: Vec<ChartFeature>,
     /// Mooring lines.
     pub lines: Vec<LineDrawn>,
+    /// Chains of anchors on the bottom, from hawse pipe to anchor (m).
+    pub anchors: Vec<[Vec2; 2]>,
     /// Tugs that are forces.
     pub tugs: Vec<TugDrawn>,
     /// Banks, from end to end (m).
@@ -85,6 +87,19 @@ pub(super) fn line(line: &LineDrawn, map: &Map) -> Markup {
         path d=(format!("M{x0:.1},{y0:.1}L{x1:.1},{y1:.1}")) fill="none" stroke=(stroke)
             stroke-width=(width) stroke-dasharray=(dashes) {}
         circle cx=(format!("{x1:.1}")) cy=(format!("{y1:.1}")) r="2.4" fill="#222" {}
+    }
+}
+
+/// An anchor on the bottom, with its chain.
+pub(super) fn anchor(chain_m: [Vec2; 2], map: &Map) -> Markup {
+    let [(x0, y0), (x1, y1)] = chain_m.map(|end| map.px(end));
+    html! {
+        path d=(format!("M{x0:.1},{y0:.1}L{x1:.1},{y1:.1}")) fill="none" stroke="#333"
+            stroke-width="1.6" stroke-dasharray="5 3" {}
+        g transform=(format!("translate({x1:.1} {y1:.1})")) fill="none" stroke="#222" stroke-width="1.6" {
+            circle cx="0" cy="-6" r="1.8" {}
+            path d="M0,-4V7M-4,-2H4M-6,3Q-5,7 0,7Q5,7 6,3" {}
+        }
     }
 }
 

@@ -226,6 +226,7 @@ mod tests {
             harbour: Harbour {
                 chart: Vec::new(),
                 lines: (0..24).map(line).collect(),
+                anchors: Vec::new(),
                 tugs: (0..6).map(tug).collect(),
                 banks: Vec::new(),
                 passing: Vec::new(),

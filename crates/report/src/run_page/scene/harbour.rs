@@ -36,6 +36,28 @@ fn lines(outcome: &Outcome<'_>, states: &[BodyState]) -> Vec<LineDrawn> {
     drawn.collect()
 }
 
+/// Chains of the anchors that are on the bottom at the end of the run, from hawse pipe to anchor (m), with their names.
+pub(super) fn anchors<'o>(outcome: &'o Outcome<'_>) -> impl Iterator<Item = ([Vec2; 2], &'o str)> {
+    let world = &outcome.setup.world;
+    let all = world.anchors.iter().zip(&outcome.world.anchors);
+    all.filter_map(|(anchor, totals)| {
+        let body = world.vessels[anchor.vessel].body;
+        let hawse_m = outcome.states[body].pose().apply(anchor.hawse_m);
+        Some(([hawse_m, totals.place_m()?], anchor.gear.name.as_str()))
+    })
+}
+
+/// Names of these anchors, beside them.
+pub(super) fn anchor_names<'o>(outcome: &'o Outcome<'_>) -> impl Iterator<Item = Label> {
+    anchors(outcome).map(|([hawse_m, place_m], name)| {
+        let east = if place_m.y < hawse_m.y { -1.0 } else { 1.0 };
+        Label {
+            place: Place::Beside { point_m: place_m, side: vec2(0.0, east) },
+            text: format!("anchor {}", shortened(name, NAME_LENGTH)),
+        }
+    })
+}
+
 /// Tugs as a view draws them.
 fn tugs(setup: &Setup, marks: &[TugMark]) -> Vec<TugDrawn> {
     let drawn = marks.iter().map(|mark| {
@@ -64,6 +86,7 @@ pub(super) fn around(outcome: &Outcome<'_>, recorder: &Recorder, frame: Frame) -
     Harbour {
         chart: charted_in(&setup.world.chart.features, frame),
         lines: Vec::new(),
+        anchors: anchors(outcome).map(|(chain_m, _)| chain_m).collect(),
         tugs: tugs(setup, marks),
         banks: banks(&setup.world.environment),
         passing: passing(outcome),
@@ -221,6 +244,7 @@ pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) ->
         harbour: Harbour {
             chart: charted_in(&setup.world.chart.features, frame),
             lines: lines.clone(),
+            anchors: anchors(outcome).map(|(chain_m, _)| chain_m).collect(),
             tugs: tugs(setup, &marks),
             banks: banks(&setup.world.environment),
             passing: Vec::new(),

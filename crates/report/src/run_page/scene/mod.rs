@@ -132,6 +132,10 @@ fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Ma
     let frame = harbour::passing(outcome).iter().fold(frame, |frame, ship| {
         Frame::around(ship.outline_m.iter().copied()).map_or(frame, |ship| frame.with(ship))
     });
+    // Anchors on the bottom at the end of the run.
+    let frame = harbour::anchors(outcome).fold(frame, |frame, (chain_m, _)| {
+        Frame::around(chain_m.into_iter()).map_or(frame, |chain| frame.with(chain))
+    });
     let note = if setup.bodies.len() > drawn.len() {
         format!("{} of {} bodies are drawn.", drawn.len(), setup.bodies.len())
     } else if berth.is_some() {
@@ -147,7 +151,9 @@ fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Ma
     let fenders = boxes(outcome, pressed_m, shown);
     let passing = harbour::passing_names(outcome);
     let of_chart = chart_labels(&setup.world.chart.features, frame);
-    let labels = names(outcome, shown).into_iter().chain(labels).chain(passing).chain(of_chart);
+    let anchors = harbour::anchor_names(outcome);
+    let labels = names(outcome, shown).into_iter().chain(labels).chain(passing).chain(anchors);
+    let labels = labels.chain(of_chart);
     Plan {
         title,
         frame,
