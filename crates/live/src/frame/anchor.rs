@@ -67,7 +67,7 @@ fn report(now: &AnchorAtWork, heading_rad: f64) -> String {
     let plural = if shackles == "1" { "" } else { "s" };
     let mut parts = vec![format!("{shackles} shackle{plural} out")];
     if state.position == AnchorPosition::Hanging {
-        parts.push("aweigh".to_owned());
+        parts.push("off the bottom".to_owned());
         return parts.join(", ");
     }
     if let Some(lead_rad) = load.lead_rad(heading_rad) {
@@ -110,6 +110,6 @@ mod tests {
         assert_eq!(report(&now, 0.0), "2 shackles out, up and down");
         let home = AnchorAtWork { state: AnchorState::housed(), load: AnchorLoad::default() };
         assert_eq!(report(&home, 0.0), "home");
-        assert_eq!([-3.14, -1.57, 0.0, 1.57, 3.14].map(clock), [6, 9, 12, 3, 6]);
+        assert_eq!([-3.1, -1.6, 0.0, 1.6, 3.1].map(clock), [6, 9, 12, 3, 6]);
     }
 }

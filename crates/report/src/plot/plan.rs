@@ -196,6 +196,7 @@ mod tests {
             }],
             harbour: Harbour {
                 chart: Vec::new(),
+                anchors: vec![[frame.low, frame.high]],
                 lines: vec![LineDrawn {
                     ends_m: [frame.low, frame.high],
                     share: 0.6,

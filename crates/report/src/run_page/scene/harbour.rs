@@ -48,7 +48,7 @@ pub(super) fn anchors<'o>(outcome: &'o Outcome<'_>) -> impl Iterator<Item = ([Ve
 }
 
 /// Names of these anchors, beside them.
-pub(super) fn anchor_names<'o>(outcome: &'o Outcome<'_>) -> impl Iterator<Item = Label> {
+pub(super) fn anchor_names(outcome: &Outcome<'_>) -> impl Iterator<Item = Label> {
     anchors(outcome).map(|([hawse_m, place_m], name)| {
         let east = if place_m.y < hawse_m.y { -1.0 } else { 1.0 };
         Label {

@@ -134,7 +134,7 @@ fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Ma
     });
     // Anchors on the bottom at the end of the run.
     let frame = harbour::anchors(outcome).fold(frame, |frame, (chain_m, _)| {
-        Frame::around(chain_m.into_iter()).map_or(frame, |chain| frame.with(chain))
+        Frame::around(chain_m).map_or(frame, |chain| frame.with(chain))
     });
     let note = if setup.bodies.len() > drawn.len() {
         format!("{} of {} bodies are drawn.", drawn.len(), setup.bodies.len())
