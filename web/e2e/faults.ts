@@ -60,7 +60,10 @@ export const sizes = (page: Page): Promise<string[]> =>
       const card = each.closest(".card")?.getBoundingClientRect();
       if (card && (box.right > card.right + 1 || box.left < card.left - 1))
         found.push(`${name} sticks out of its card`);
-      if (box.right > innerWidth + 1 || box.left < -1) found.push(`${name} is out of the page`);
+      // The row of tabs scrolls by its arrows.
+      const scrolls = each.closest(".tab-list") !== null;
+      if (!scrolls && (box.right > innerWidth + 1 || box.left < -1))
+        found.push(`${name} is out of the page`);
     }
     for (const each of document.querySelectorAll<HTMLElement>(
       "html, body, #app, .view.shown, .controls, .groups",

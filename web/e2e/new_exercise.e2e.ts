@@ -96,6 +96,22 @@ test("an exercise is saved over another only after a question", async () => {
   expect(readFileSync(made, "utf8")).toContain('title = "Second try"');
 });
 
+test("it takes the berth of another scenario", async () => {
+  await instructor.bringToFront();
+  await field("Title").fill("A tanker at the berth of the bulk carrier");
+  await field("File name").fill("same_berth");
+  await field("Berth").selectOption("berthing.toml");
+  expect(await field("Length of the quay").isVisible()).toBe(false);
+  await instructor.screenshot({ path: join(SHOTS, "new_exercise_berth.png") });
+  await save();
+  await saved().filter({ hasText: "Saved as same_berth.toml" }).waitFor();
+  const text = readFileSync(join(folder, "same_berth.toml"), "utf8");
+  expect(text).toContain("the berth of berthing.toml");
+  expect(text).toContain("[body.quay]");
+  expect(text).not.toContain("forward_tug");
+  await field("Berth").selectOption("");
+});
+
 test("it opens from the gallery, and fog hides its tugs from the pilot alone", async () => {
   await instructor.getByRole("tab", { name: "Session" }).click();
   const load = instructor.getByRole("button", { name: "Open Second try", exact: true });

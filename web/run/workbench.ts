@@ -5,6 +5,7 @@ import { Live, structure } from "../src/live";
 import { PALETTE_NAMES, type PaletteName, applyPalette } from "../src/palette";
 import type { Frame, Hello } from "../src/protocol";
 import { button, h, setAttribute, setClass, setText } from "../src/ui/dom";
+import { TabRow } from "../src/ui/tab_row";
 import { Fenders } from "../src/views/fenders";
 import { Plan } from "../src/views/plan";
 import { Strips } from "../src/views/strips";
@@ -50,6 +51,7 @@ export class Workbench {
   private files: Record<string, string> = {};
   private plan: Plan | null = null;
   private tabs: Tab[] = [];
+  private tabRow: TabRow | null = null;
   private shownTab = "Fenders";
   private built = "";
   private timer = 0;
@@ -374,12 +376,8 @@ export class Workbench {
       name: "Panel over the whole page",
       class: "widen",
     });
-    const list = h(
-      "div",
-      { class: "tab-list", role: "tablist", "aria-label": "Views" },
-      ...this.tabs.map((tab) => tab.button),
-    );
-    this.panel.replaceChildren(h("div", { class: "tabs" }, list, size));
+    this.tabRow = new TabRow(this.tabs.map((tab) => tab.button));
+    this.panel.replaceChildren(h("div", { class: "tabs" }, this.tabRow.root, size));
     for (const { name, view } of this.tabs) {
       view.root.classList.add("view");
       view.root.setAttribute("role", "tabpanel");
@@ -395,6 +393,7 @@ export class Workbench {
     for (const tab of this.tabs) {
       setClass(tab.view.root, "shown", tab.name === name);
       setAttribute(tab.button, "aria-selected", String(tab.name === name));
+      if (tab.name === name) this.tabRow?.reveal(tab.button);
     }
     const { frame, hello } = this.live;
     if (frame && hello) this.tabs.find((tab) => tab.name === name)?.view.tick(frame, hello);

@@ -13,6 +13,7 @@ import { NameBadge } from "./name";
 import { ON_PAGE, isOrder, unknownOrders } from "./orders";
 import type { Page } from "./page";
 import { PastRequests } from "./past";
+import { Placing } from "./placing";
 import { PALETTE_NAMES, type PaletteName, applyPalette } from "./palette";
 import {
   type Action,
@@ -26,6 +27,7 @@ import {
 } from "./protocol";
 import { Trial } from "./trial";
 import { button, h, setAttribute, setClass, setText } from "./ui/dom";
+import { TabRow } from "./ui/tab_row";
 import { Sound } from "./sound";
 import { clock, fixed, spoken } from "./units";
 import { Alarms } from "./views/alarms";
@@ -37,7 +39,9 @@ import { Exercise } from "./views/exercise";
 import { Fenders } from "./views/fenders";
 import { Lines } from "./views/lines";
 import { NewExerciseView } from "./views/new_exercise";
+import { Place } from "./views/place";
 import { Plan } from "./views/plan";
+import { SaveExercise } from "./views/save_exercise";
 import { Session } from "./views/session";
 import { Strips } from "./views/strips";
 import { TrialView } from "./views/trial";
@@ -71,12 +75,19 @@ export class App implements Page {
   /** The program is of another version than this page. */
   private outdated = false;
   private newExercise: NewExerciseView | null = null;
+  private readonly saveExercise = new SaveExercise(this);
+  private place: Place | null = null;
+  private readonly placing = new Placing(
+    (action) => this.order(action),
+    () => this.place?.changed(),
+  );
   private plan: Plan | null = null;
   private trialView: TrialView | null = null;
   private alarms: Alarms | null = null;
   private conditions: Conditions | null = null;
   private plannedEvents: PlannedNow[] = [];
   private tabs: Tab[] = [];
+  private tabRow: TabRow | null = null;
   private groups: Group[] = [];
   /** The group of controls that is shown where there is room for one; kept when they are built anew. */
   private shownGroup = "";
@@ -320,7 +331,8 @@ export class App implements Page {
   }
 
   private buildStage(hello: Hello): void {
-    const plan = new Plan(this.live, this.trial);
+    const isInstructor = hello.role.name === "instructor";
+    const plan = new Plan(this.live, this.trial, isInstructor ? this.placing : null);
     this.plan = plan;
     this.alarms = new Alarms(this, (open, worst) => this.alarmed(open, worst), this.sound.toggles);
     const anchors: [string, string | null, View][] =
@@ -337,13 +349,24 @@ export class App implements Page {
     ];
     if (hello.exercise) views.push(["Exercise", "y", new Exercise(this, hello, hello.exercise)]);
     this.conditions = null;
-    if (hello.role.name === "instructor") {
+    this.place = null;
+    if (isInstructor) {
       this.conditions = new Conditions(this, hello);
       this.conditions.planned.heard(this.plannedEvents);
-      views.unshift(
-        ["Session", null, new Session(this, hello)],
+      const own: typeof views = [
+        ["Session", null, new Session(this, hello, this.saveExercise)],
         ["Weather, faults", null, this.conditions],
-      );
+      ];
+      if (hello.vessels.length > 0) {
+        this.place = new Place(this, this.placing, hello, () => plan.standStill());
+        own.push(["Place ships", null, this.place]);
+      }
+      if (hello.library) {
+        // Kept when the gallery changes, so that nobody loses what is filled in.
+        this.newExercise ??= new NewExerciseView(this, hello.library);
+        own.push(["New exercise", null, this.newExercise]);
+      }
+      views.unshift(...own);
     }
     this.trialView = null;
     this.trial.end();
@@ -363,11 +386,6 @@ export class App implements Page {
         }),
       );
     }
-    if (hello.library) {
-      // Kept when the gallery changes, so that nobody loses what is filled in.
-      this.newExercise ??= new NewExerciseView(this, hello.library);
-      views.push(["New exercise", null, this.newExercise]);
-    }
     this.tabs = views.map(([name, key, view]) => ({
       name,
       key,
@@ -381,6 +399,9 @@ export class App implements Page {
         { role: "tab", name, "aria-selected": "false" },
       ),
     }));
+    // The trial is opened from the plan.
+    const inRow = this.tabs.flatMap((tab) => (tab.name === "Trial" ? [] : [tab.button]));
+    this.tabRow = new TabRow(inRow);
     const size = button("⤢", () => this.widen(), {
       name: "Panel over the whole page (X)",
       class: "widen",
@@ -389,17 +410,7 @@ export class App implements Page {
       "section",
       { class: "panel", "aria-label": "Panel" },
       h("h2", { class: "unseen" }, "Views"),
-      h(
-        "div",
-        { class: "tabs" },
-        h(
-          "div",
-          { class: "tab-list", role: "tablist", "aria-label": "Views" },
-          // The trial is opened from the plan.
-          ...this.tabs.flatMap((tab) => (tab.name === "Trial" ? [] : [tab.button])),
-        ),
-        size,
-      ),
+      h("div", { class: "tabs" }, this.tabRow.root, size),
     );
     for (const { name, view } of this.tabs) {
       view.root.classList.add("view");
@@ -477,6 +488,9 @@ export class App implements Page {
     // Does not wait for the next tick: there is none while the session is paused.
     if (this.live.frame && this.live.hello)
       this.tabs.find((tab) => tab.name === name)?.view.tick(this.live.frame, this.live.hello);
+    this.place?.shown(name === "Place ships");
+    const shown = this.tabs.find((tab) => tab.name === name);
+    if (shown) this.tabRow?.reveal(shown.button);
   }
 
   /** While a trial is on, the controls give no orders: they say so. */
@@ -543,6 +557,7 @@ export class App implements Page {
       // Alarms are counted even if their tab is not shown.
       if (name === this.shownTab || name === "Alarms") view.tick(frame, hello);
     }
+    this.place?.shown(this.shownTab === "Place ships");
   }
 
   private draw(now_ms: number): void {
@@ -630,7 +645,7 @@ export class App implements Page {
       return;
     const target = event.target as HTMLElement;
     // Sliders and text fields keep their own keys.
-    if (target.matches("input[type=text], select, textarea")) return;
+    if (target.matches("input[type=text], input[type=number], select, textarea")) return;
     if (target.matches("input[type=range]") && event.key.startsWith("Arrow")) return;
     const key =
       event.key === "=" ? "+" : event.key.length === 1 ? event.key.toLowerCase() : event.key;

@@ -49,7 +49,8 @@ export interface Hello {
   /** The holder of each control; `null`: it is free. */
   claims: { control: Control; holder: string | null; connected: boolean }[];
   /** Scenarios that the instructor can open. */
-  gallery: { file: string; title: string; text: string }[];
+  /** `berth`: what a new exercise can take of it, in words. */
+  gallery: { file: string; title: string; text: string; berth: string | null }[];
   /** The berth: a line [m] and the side of the water, on a body (a quay, a ship). Distances are to this line. */
   berth: { body: number; from: Pair; to: Pair; facing: Pair } | null;
   depth_m: number | null;
@@ -95,6 +96,8 @@ export interface NewExercise {
     fender_spacing_m: number;
     bollard_spacing_m: number;
   };
+  /** File of the gallery whose berth is taken in place of `berth`. */
+  berth_of: string | null;
   ship: {
     vessel: string;
     side: "port" | "starboard";
@@ -418,6 +421,8 @@ export interface VesselNow {
   /** For a tug that is a vessel: her order at the ship. */
   assist: AssistNow | null;
   faults: Fault[];
+  /** Thrusters and azimuth units that have tripped, by name. */
+  tripped: string[];
 }
 
 /**
@@ -787,7 +792,7 @@ export type OtherAction =
   | { do: "note"; text?: string }
   /** The speed limit at the fenders, of docking board and alarms: by pilot and instructor. */
   /** `null`: clear. */
-  | { do: "visibility"; distance_m: number | null }
+  | { do: "visibility"; distance_m: number | null; over_s?: number }
   | { do: "approach_limit"; speed_mps: number }
   /** At once, or over a time. */
   | { do: "wind"; speed_mps: number; from_rad: number; over_s?: number }
@@ -799,9 +804,23 @@ export type OtherAction =
   /** Plans weather or a fault for a time of the run. */
   | { do: "plan"; at_s: number; event: OtherAction }
   | { do: "cancel_planned"; id: number }
-  | { do: "fault"; vessel: string; fault: Fault; on: boolean };
+  | { do: "fault"; vessel: string; fault: Fault; on: boolean }
+  /** One thruster or azimuth unit trips, or comes back. */
+  | { do: "thruster_out"; vessel: string; thruster: string; on: boolean }
+  /** Places a ship before the first step: her centre of gravity. Refused with the reason where she cannot be. */
+  | { do: "place"; vessel: string; at_m: Pair; heading_rad: number; ahead_mps?: number }
+  /** Saves the present state as an exercise of the gallery, as `create` does a new one. */
+  | { do: "save_exercise"; name: string; title: string; replace: boolean };
 
 export type AnchorFault = "windlass_failed" | "does_not_bite";
 
+/** Those of frozen instruments are only sent to instructors: their own page shows the truth. */
 export type Fault =
-  "rudder_stuck" | "follow_up_lost" | "engine_lost" | "thrusters_lost" | "blackout";
+  | "rudder_stuck"
+  | "follow_up_lost"
+  | "engine_lost"
+  | "thrusters_lost"
+  | "blackout"
+  | "heading_frozen"
+  | "speed_frozen"
+  | "position_frozen";

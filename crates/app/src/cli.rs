@@ -270,9 +270,10 @@ pub(crate) struct ServeArgs {
     /// UDP address to send NMEA 0183 and AIS sentences to, such as 127.0.0.1:10110
     #[arg(long, value_name = "ADDR:PORT")]
     pub(crate) nmea_udp: Option<SocketAddr>,
-    /// Latitude and longitude of the scenario's origin in these sentences (degrees)
-    #[arg(long, value_name = "LAT,LON", default_value = "0,0", value_parser = origin, allow_hyphen_values = true)]
-    pub(crate) origin: ChartOrigin,
+    /// Latitude and longitude of the scenario's origin in these sentences (degrees); by default that of the scenario's chart,
+    /// and 0,0 without one
+    #[arg(long, value_name = "LAT,LON", value_parser = origin, allow_hyphen_values = true)]
+    pub(crate) origin: Option<ChartOrigin>,
     /// Override one key of the scenario, such as environment.wind.speed="9 m/s"; repeatable
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub(crate) set: Vec<String>,

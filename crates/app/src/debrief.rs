@@ -10,19 +10,20 @@ use crate::interrupt::Interrupt;
 use crate::played::Start;
 use crate::session::Recorded;
 
-/// The page that `fenderline report` makes of a recording: from the name of its file and its bytes. Prints nothing.
+/// The page that `fenderline report` makes of a recording: from the name of its file and its bytes, of a branch. Prints nothing.
 ///
 /// # Errors
 /// Why there is no report, for the page: a recording that cannot be replayed; `stop` was set.
 pub(crate) fn debrief(
     name: &str,
     recording: &[u8],
+    branch: usize,
     stop: &Arc<AtomicBool>,
 ) -> Result<String, String> {
     let stopped = || "the report was stopped".to_owned();
     let made = || -> Result<Option<String>, Failure> {
         let replayed = fenderline_serve::replay_bytes(recording, || stop.load(Ordering::Relaxed))?;
-        let start = Start::of_session(Recorded::of(replayed, name, None, &[])?)?;
+        let start = Start::of_session(Recorded::of(replayed, name, Some(branch), &[])?)?;
         let played = start.play_quietly(&Interrupt::asked_by(stop))?;
         let is_whole = played.interrupted.is_none();
         Ok(is_whole.then(|| run_page::render(&played.outcome(), &played.recorder)))

@@ -4,6 +4,7 @@
 //! commands; `man` makes completions and manual pages; `load` reads a scenario; `interrupt` handles Ctrl-C;
 //! `output` writes the result files, `documents` PDF and workbook; `provider` exchanges data with other programs that apply forces to bodies.
 
+mod branches;
 mod campaign;
 mod check;
 mod cli;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use fenderline_live::Repeat;
+use fenderline_live::{Repeat, Session};
 use fenderline_report::run_page::Recorder;
 use fenderline_results::{
     EstimateError, Events, Interrupted, Outcome, ProviderNotices, RecordedSession, WorldTotals,
@@ -12,6 +12,7 @@ use fenderline_sim::exercise::{Assessment, ExerciseSetup};
 use fenderline_sim::{Energy, FenderSummary, Finding, OutputPlan, Setup, Simulation, StepRecord};
 use fenderline_validate::errors_of;
 
+use crate::branches::outcomes;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::load::{file_name, load};
@@ -37,7 +38,7 @@ enum Driven {
     /// The scenario alone, with its orders.
     Scenario(Box<Simulation>, Option<Assessment>),
     /// The people who steered a recorded session, from this set-up on: an instructor changes wind and current.
-    Session(Box<Repeat>, RecordedSession, Box<Setup>),
+    Session(Box<Repeat>, RecordedSession, Box<Setup>, Box<Session>),
 }
 
 impl Driven {
@@ -103,9 +104,9 @@ impl Start {
     /// # Errors
     /// A set-up that cannot be simulated.
     pub(crate) fn of_session(recorded: Recorded) -> Result<Start, Failure> {
-        let Recorded { scenario, scenario_file, repeat, about } = recorded;
+        let Recorded { scenario, scenario_file, repeat, session, about } = recorded;
         Start::of(scenario, scenario_file, |setup, _| {
-            Ok(Driven::Session(Box::new(repeat), about, Box::new(setup)))
+            Ok(Driven::Session(Box::new(repeat), about, Box::new(setup), Box::new(session)))
         })
     }
 
@@ -206,11 +207,12 @@ impl Start {
                 let is_done = simulation.is_done();
                 (*simulation, exercise, None, is_done, None)
             }
-            Driven::Session(mut repeat, mut about, setup) => {
+            Driven::Session(mut repeat, mut about, setup, session) => {
                 let progress = progress(repeat.steps_total());
                 step_through(&mut repeat, &mut each, interrupt, progress)?;
                 let exercise = repeat.exercise().cloned();
                 about.log = lines_of(repeat.log(), exercise.as_ref(), repeat.simulation().setup());
+                about.beside = outcomes(&session, interrupt)?;
                 (repeat.simulation().clone(), exercise, Some(about), repeat.is_done(), Some(setup))
             }
         };

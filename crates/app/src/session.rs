@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use fenderline_live::{Action, AnchorFault, Fault, Level, OtherAction, Repeat, SessionLog};
+use fenderline_live::{
+    Action, AnchorFault, Fault, Level, OtherAction, Repeat, Session, SessionLog,
+};
 use fenderline_report::plot::{fixed, plain};
 use fenderline_report::run_page::{addressee, order_text};
 use fenderline_results::{LogKind, LogLine, RecordedSession};
@@ -26,7 +28,9 @@ pub(crate) struct Recorded {
     /// Name of the scenario's file.
     pub(crate) scenario_file: String,
     pub(crate) repeat: Repeat,
-    /// Without its log.
+    /// The whole session, for its other branches.
+    pub(crate) session: Session,
+    /// Without its log and its other branches.
     pub(crate) about: RecordedSession,
 }
 
@@ -60,7 +64,7 @@ impl Recorded {
         let mut scenario = session.source().scenario_with(overrides).map_err(Failure::input)?;
         let scenario_file = session.source().file.clone();
         let branch = branch.unwrap_or(session.current_branch());
-        let repeat = Repeat::of(session, branch)
+        let repeat = Repeat::of(session.clone(), branch)
             .map_err(|why| Failure::input(format_args!("error: {file}: {why}")))?;
         scenario.output = scenario.output_of_steps(repeat.steps_total());
         let about = RecordedSession {
@@ -69,8 +73,9 @@ impl Recorded {
             branches,
             missing_at_end: incomplete,
             log: Vec::new(),
+            beside: Vec::new(),
         };
-        Ok(Recorded { scenario, scenario_file, repeat, about })
+        Ok(Recorded { scenario, scenario_file, repeat, session, about })
     }
 }
 
@@ -174,10 +179,25 @@ fn words_of(action: &Action, setup: &Setup) -> String {
             let ends = if *on { "" } else { " ends" };
             format!("{vessel}: {}{ends}", fault_words(*fault))
         }
-        Action::Other(OtherAction::Visibility { distance_m }) => match distance_m {
-            Some(distance_m) => format!("visibility {distance_m:.0} m"),
-            None => "visibility clear".to_owned(),
-        },
+        Action::Other(OtherAction::Visibility { distance_m, over_s }) => {
+            let over = over_words(*over_s);
+            match distance_m {
+                Some(distance_m) => format!("visibility {distance_m:.0} m{over}"),
+                None => format!("visibility clear{over}"),
+            }
+        }
+        Action::Other(OtherAction::ThrusterOut { vessel, thruster, on }) => {
+            format!("{vessel}: thruster {thruster} {}", if *on { "trips" } else { "comes back" })
+        }
+        Action::Other(OtherAction::Place {
+            vessel, at_m: [north_m, east_m], heading_rad, ..
+        }) => {
+            let (north, east) = (fixed(*north_m, 1), fixed(*east_m, 1));
+            format!(
+                "{vessel} placed at {north} m north, {east} m east, heading {}",
+                degrees(*heading_rad)
+            )
+        }
         Action::Other(OtherAction::ApproachLimit { speed_mps }) => {
             format!("speed limit at the fenders {} m/s", plain(*speed_mps, 3))
         }
@@ -212,10 +232,13 @@ fn fault_words(fault: Fault) -> &'static str {
         Fault::EngineLost => "engine lost",
         Fault::ThrustersLost => "thrusters lost",
         Fault::Blackout => "blackout",
+        Fault::HeadingFrozen => "heading frozen",
+        Fault::SpeedFrozen => "speeds frozen",
+        Fault::PositionFrozen => "position frozen",
     }
 }
 
-/// Over what time wind or current changes; nothing where it changes at once.
+/// Over what time the weather changes; nothing where it changes at once.
 fn over_words(over_s: f64) -> String {
     if over_s > 0.0 { format!(" over {} s", plain(over_s, 0)) } else { String::new() }
 }

@@ -4,6 +4,7 @@ use fenderline_sim::anchor::AnchorFaults;
 use fenderline_sim::environment::current::Current;
 use fenderline_sim::environment::wind::MeanWind;
 use fenderline_sim::order::{Lead, OrderName, SidePlace, TugWord, TugWords};
+use fenderline_sim::{Change, Fault};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
@@ -65,13 +66,31 @@ pub enum OtherAction {
     Plan { at_s: f64, event: Box<OtherAction> },
     /// Cancels a planned event, by its number.
     CancelPlanned { id: u64 },
-    /// Sets how far people see; without a distance it is clear. Fog hides ships, and changes nothing in the simulated world.
+    /// Sets how far people see, at once or over a time; without a distance it is clear. Fog hides ships, and changes nothing in the
+    /// simulated world.
     Visibility {
         #[serde(default)]
         distance_m: Option<f64>,
+        #[serde(default, skip_serializing_if = "is_zero")]
+        over_s: f64,
     },
     /// A fault on a vessel begins or ends.
-    Fault { vessel: String, fault: Fault, on: bool },
+    Fault {
+        vessel: String,
+        #[serde(with = "crate::word")]
+        fault: Fault,
+        on: bool,
+    },
+    /// One thruster or azimuth unit of a vessel trips, or comes back.
+    ThrusterOut { vessel: String, thruster: String, on: bool },
+    /// Places a vessel before the first step: her centre of gravity and heading, and her speed ahead where it is given.
+    Place {
+        vessel: String,
+        at_m: Pair,
+        heading_rad: f64,
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        ahead_mps: Option<f64>,
+    },
     /// Sets the speed limit at the fenders: a greater closing speed is an alarm.
     ApproachLimit { speed_mps: f64 },
     /// Acknowledges the alarm with this key. The simulated world does not change.
@@ -96,10 +115,12 @@ impl OtherAction {
             | OtherAction::Current { .. }
             | OtherAction::Visibility { .. }
             | OtherAction::Fault { .. }
+            | OtherAction::ThrusterOut { .. }
             | OtherAction::PartLine { .. }
             | OtherAction::AnchorFault { .. }
             | OtherAction::TugOut { .. } => true,
             OtherAction::Tug { .. }
+            | OtherAction::Place { .. }
             | OtherAction::Plan { .. }
             | OtherAction::CancelPlanned { .. }
             | OtherAction::ApproachLimit { .. }
@@ -124,7 +145,7 @@ pub struct CommandLimits {
     pub approach_limit_mps: Pair,
     /// Simulated time over wall time.
     pub pace: Pair,
-    /// Time over which wind or current changes (s).
+    /// Time over which wind, current or visibility changes (s).
     pub over_s: Pair,
     /// How far a trial looks ahead (s).
     pub trial_s: Pair,
@@ -135,10 +156,10 @@ pub const COMMAND_LIMITS: CommandLimits = CommandLimits {
     tug_power: [0.0, 1.0],
     wind_mps: [0.0, MeanWind::FASTEST_MPS],
     current_mps: [0.0, Current::FASTEST_MPS],
-    visibility_m: [50.0, 50e3],
+    visibility_m: Change::VISIBILITY_M,
     approach_limit_mps: ApproachLimit::LIMITS_MPS,
     pace: [0.1, 20.0],
-    over_s: [0.0, 7200.0],
+    over_s: [0.0, Change::LONGEST_S],
     trial_s: [10.0, 1200.0],
 };
 
@@ -213,50 +234,6 @@ impl AnchorFault {
         match self {
             AnchorFault::WindlassFailed => faults.windlass_failed = on,
             AnchorFault::DoesNotBite => faults.does_not_bite = on,
-        }
-    }
-}
-
-/// A fault of a vessel: see [`fenderline_sim::Faults`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Fault {
-    /// The rudder stays where it is; azimuth units do not turn.
-    RudderStuck,
-    /// The rudder runs to its stop on the side of the order.
-    FollowUpLost,
-    /// Shaft and azimuth units give no thrust.
-    EngineLost,
-    /// Tunnel thrusters give no thrust.
-    ThrustersLost,
-    /// All of these.
-    Blackout,
-}
-
-impl Fault {
-    /// The faults of a vessel that are on.
-    #[must_use]
-    pub fn active(faults: &fenderline_sim::Faults) -> Vec<Fault> {
-        [
-            (faults.rudder_stuck, Fault::RudderStuck),
-            (faults.follow_up_lost, Fault::FollowUpLost),
-            (faults.engine_lost, Fault::EngineLost),
-            (faults.thrusters_lost, Fault::ThrustersLost),
-            (faults.blackout, Fault::Blackout),
-        ]
-        .into_iter()
-        .filter_map(|(on, fault)| on.then_some(fault))
-        .collect()
-    }
-
-    /// Switches the fault on or off.
-    pub(crate) fn switch(self, faults: &mut fenderline_sim::Faults, on: bool) {
-        match self {
-            Fault::RudderStuck => faults.rudder_stuck = on,
-            Fault::FollowUpLost => faults.follow_up_lost = on,
-            Fault::EngineLost => faults.engine_lost = on,
-            Fault::ThrustersLost => faults.thrusters_lost = on,
-            Fault::Blackout => faults.blackout = on,
         }
     }
 }

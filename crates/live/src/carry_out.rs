@@ -2,9 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use fenderline_contact::{Vec2, vec2};
-use fenderline_sim::environment::current::Current;
-use fenderline_sim::environment::wind::{MeanWind, Wind, WindProfile};
 use fenderline_sim::order::{Target, TugWord, TugWords, Word as _};
 use fenderline_sim::{Action as SimAction, Order, Setup, Simulation};
 
@@ -13,15 +10,12 @@ use crate::approach::ApproachLimit;
 use crate::cast::Cast;
 use crate::limits::LONGEST_NOTE;
 use crate::refusal::Refusal;
-use crate::script::{self, Flow, Ramp};
 use crate::session::Now;
+use crate::{frozen, place, script, world_change};
 
 /// The vessels, tugs, lines and anchors under manual control: the scenario's later orders to them are cancelled.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ManualControl(BTreeSet<Target>);
-
-/// The largest angle that is accepted as a direction (rad).
-const LARGEST_ANGLE_RAD: f64 = 100.0;
 
 /// Carries a command out; it takes effect at the next step. The first manual order to a vessel, tug or line drops the
 /// scenario's later timed orders to it; the result is true if there were any.
@@ -40,38 +34,6 @@ pub(crate) fn carry_out(action: &Action, cast: &Cast, now: &mut Now) -> Result<b
             let action = tug_order(tug, &words, cast, &now.simulation)?;
             order(action, now)
         }
-        Action::Other(OtherAction::Wind { speed_mps, from_rad, over_s }) => {
-            let to = Flow { speed_mps: *speed_mps, direction_rad: *from_rad };
-            change_wind(to, *over_s, now).map(|()| false)
-        }
-        Action::Other(OtherAction::Current { speed_mps, to_rad, over_s }) => {
-            let to = Flow { speed_mps: *speed_mps, direction_rad: *to_rad };
-            change_current(to, *over_s, cast, now).map(|()| false)
-        }
-        Action::Other(OtherAction::Visibility { distance_m }) => {
-            if let Some(distance_m) = distance_m {
-                within("visibility [m]", *distance_m, COMMAND_LIMITS.visibility_m)?;
-            }
-            now.visibility_m = *distance_m;
-            Ok(false)
-        }
-        Action::Other(OtherAction::Fault { vessel, fault, on }) => {
-            let index = vessel_named(now.simulation.setup(), vessel)?;
-            let mut faults = now.simulation.vessels()[index].faults;
-            fault.switch(&mut faults, *on);
-            now.simulation.set_faults(index, faults).map_err(Refusal::new)?;
-            Ok(false)
-        }
-        Action::Other(OtherAction::PartLine { line }) => {
-            let lines = &now.simulation.setup().world.lines;
-            let index = lines.iter().position(|setup| setup.line.name == *line);
-            let index =
-                index.ok_or_else(|| Refusal::new(format_args!("there is no line `{line}`")))?;
-            if !now.simulation.part_line(index) {
-                return Err(Refusal::new(format_args!("{line} is not fast: it cannot part")));
-            }
-            Ok(false)
-        }
         Action::Other(OtherAction::AnchorFault { anchor, fault, on }) => {
             let mut anchors = now.simulation.setup().world.anchors.iter();
             let index = anchors.position(|setup| setup.gear.name == *anchor);
@@ -82,13 +44,9 @@ pub(crate) fn carry_out(action: &Action, cast: &Cast, now: &mut Now) -> Result<b
             now.simulation.set_anchor_faults(index, faults).map_err(Refusal::new)?;
             Ok(false)
         }
-        Action::Other(OtherAction::TugOut { tug, on }) => {
-            let index = cast.tugs.iter().position(|name| name == tug);
-            let index = index.ok_or_else(|| {
-                Refusal::new(format_args!("`{tug}` is no vector tug; other tugs have faults"))
-            })?;
-            now.simulation.set_tug_out(index, *on).map_err(Refusal::new)?;
-            Ok(false)
+        Action::Other(OtherAction::Place { vessel, at_m, heading_rad, ahead_mps }) => {
+            let index = world_change::vessel_named(cast, vessel)?;
+            place::place(index, (*at_m, *heading_rad), *ahead_mps, cast, now).map(|()| false)
         }
         Action::Other(OtherAction::Plan { at_s, event }) => {
             script::plan(event, *at_s, cast, now).map(|()| false)
@@ -105,58 +63,22 @@ pub(crate) fn carry_out(action: &Action, cast: &Cast, now: &mut Now) -> Result<b
             Ok(false)
         }
         Action::Other(OtherAction::Note { text }) => check_note(text).map(|()| false),
+        Action::Other(
+            change @ (OtherAction::Wind { .. }
+            | OtherAction::Current { .. }
+            | OtherAction::Visibility { .. }
+            | OtherAction::Fault { .. }
+            | OtherAction::ThrusterOut { .. }
+            | OtherAction::PartLine { .. }
+            | OtherAction::TugOut { .. }),
+        ) => {
+            if let Some(change) = world_change::resolve(change, cast, now.simulation.setup())? {
+                now.simulation.change(&change).map_err(Refusal::new)?;
+                frozen::renew(&mut now.frozen, &now.simulation);
+            }
+            Ok(false)
+        }
     }
-}
-
-/// Changes the mean wind at once, or over a time (s).
-fn change_wind(to: Flow, over_s: f64, now: &mut Now) -> Result<(), Refusal> {
-    within("time of the change [s]", over_s, COMMAND_LIMITS.over_s)?;
-    let Flow { speed_mps, direction_rad: from_rad } = to;
-    let t_s = now.simulation.time_s();
-    let before = now.simulation.setup().world.environment.wind.as_ref();
-    let changed = |speed_mps| match before {
-        Some(wind) => wind.changed_to(speed_mps, from_rad),
-        None => Wind::steady(MeanWind { speed_mps, from_rad, profile: WindProfile::Uniform }),
-    };
-    let changed_now = changed(speed_mps).map_err(Refusal::new)?;
-    if over_s == 0.0 {
-        now.simulation.set_wind(Some(changed_now));
-        now.script.wind = None;
-        return Ok(());
-    }
-    let (speed_mps, direction_rad) = before.map_or((0.0, from_rad), |wind| wind.mean_at(t_s));
-    if before.is_none() {
-        let calm = changed(0.0).map_err(Refusal::new)?;
-        now.simulation.set_wind(Some(calm));
-    }
-    now.script.wind = Some(Ramp::new(Flow { speed_mps, direction_rad }, to, t_s, over_s));
-    Ok(())
-}
-
-/// Changes the current to a uniform one, at once or over a time (s). It begins as the current is at the own ship.
-fn change_current(to: Flow, over_s: f64, cast: &Cast, now: &mut Now) -> Result<(), Refusal> {
-    within("speed of the current [m/s]", to.speed_mps, COMMAND_LIMITS.current_mps)?;
-    let angles = [-LARGEST_ANGLE_RAD, LARGEST_ANGLE_RAD];
-    within("direction of the current", to.direction_rad, angles)?;
-    within("time of the change [s]", over_s, COMMAND_LIMITS.over_s)?;
-    if over_s == 0.0 {
-        let direction = vec2(libm::cos(to.direction_rad), libm::sin(to.direction_rad));
-        let current = Current::uniform(direction * to.speed_mps).map_err(Refusal::new)?;
-        now.simulation.set_current(Some(current));
-        now.script.current = None;
-        return Ok(());
-    }
-    let (simulation, t_s) = (&now.simulation, now.simulation.time_s());
-    let world = &simulation.setup().world;
-    let (at_m, draught_m) = cast.own.map_or((Vec2::ZERO, 0.0), |own| {
-        let ship = &world.vessels[own];
-        (simulation.states()[ship.body].position_m, ship.ship.particulars.draught_m)
-    });
-    let current = world.environment.current.as_ref();
-    let water = current.map_or(Vec2::ZERO, |current| current.velocity(at_m, t_s, draught_m));
-    let from = Flow { speed_mps: water.length(), direction_rad: libm::atan2(water.y, water.x) };
-    now.script.current = Some(Ramp::new(from, to, t_s, over_s));
-    Ok(())
 }
 
 /// Gives an order that takes effect at the next step, and drops the scenario's timed orders to the same target.

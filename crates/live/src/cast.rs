@@ -41,7 +41,7 @@ pub enum Helm {
     Of(Control),
     /// A line, with the vessels at its ends; an anchor, with the vessel that carries it.
     Line(Vec<String>),
-    /// Weather and faults.
+    /// Weather, faults, and the places of ships before the start.
     World,
     /// The docking board and the alarms of an approach.
     Board,
@@ -184,6 +184,8 @@ impl Cast {
                 | OtherAction::Current { .. }
                 | OtherAction::Visibility { .. }
                 | OtherAction::Fault { .. }
+                | OtherAction::ThrusterOut { .. }
+                | OtherAction::Place { .. }
                 | OtherAction::PartLine { .. }
                 | OtherAction::AnchorFault { .. }
                 | OtherAction::TugOut { .. }

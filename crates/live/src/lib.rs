@@ -23,6 +23,7 @@ mod chart_info;
 mod checkpoints;
 mod exercise;
 mod frame;
+mod frozen;
 mod info;
 mod library_info;
 mod limits;
@@ -30,7 +31,9 @@ pub mod message;
 mod named_order;
 mod order_info;
 mod past;
+mod place;
 mod prediction;
+mod present;
 mod recording;
 mod refusal;
 mod repeat;
@@ -42,18 +45,21 @@ mod source;
 mod trial;
 mod watched;
 mod word;
+mod world_change;
 
-pub use action::{Action, AnchorFault, COMMAND_LIMITS, CommandLimits, Fault, OtherAction};
+pub use action::{Action, AnchorFault, COMMAND_LIMITS, CommandLimits, OtherAction};
 pub use alarm_book::{Alarm, AlarmBook, Level};
 pub use approach::{ApproachLimit, Light};
 pub use berth::berth_info;
 pub use cast::{Cast, Helm};
+pub use fenderline_sim::Fault;
 pub use info::Info;
 pub use library_info::library_info;
 pub use limits::{Full, LARGEST_RECORDING_BYTES, LONGEST_NAME};
 pub use named_order::NamedOrder;
 pub use order_info::order_infos;
 pub use prediction::{MOST_PATHS, Prediction};
+pub use present::PresentFile;
 pub use recording::{
     CopyError, Ending, Fault as RecordingFault, Line, Outline, RecordingError, RecordingReader,
     begins_recording, copy_kept,

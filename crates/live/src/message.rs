@@ -4,7 +4,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::action::{AnchorFault, CommandLimits, Fault, OtherAction};
+use crate::action::{AnchorFault, CommandLimits, OtherAction};
 use crate::approach::Light;
 use crate::request::Control;
 
@@ -157,6 +157,8 @@ pub struct GalleryEntry {
     pub file: String,
     pub title: String,
     pub text: String,
+    /// The berth that a new exercise can take, in words.
+    pub berth: Option<String>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -420,7 +422,8 @@ pub struct VesselNow {
     pub aground: bool,
     pub berth: Option<BerthNow>,
     pub assist: Option<AssistNow>,
-    pub faults: Vec<Fault>,
+    pub faults: Vec<&'static str>,
+    pub tripped: Vec<String>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

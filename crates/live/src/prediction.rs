@@ -38,10 +38,16 @@ impl Session {
 }
 
 impl Prediction {
-    /// A prediction that begins in a state. Later orders of the scenario are dropped; those that are due in the next step stay.
+    /// A prediction that begins in a state. Later orders of the scenario are dropped; those that are due in the next step stay. The weather
+    /// stays as it is.
     pub(crate) fn of(mut simulation: Simulation, tick: u64, vessels: Vec<usize>) -> Prediction {
         let end_s = simulation.time_s() + simulation.setup().step_s;
         simulation.retain_orders(|order| order.at_s < end_s);
+        // Setting the weather of now ends changes over a time: a pilot must not see the instructor's plan in a path.
+        let environment = &simulation.setup().world.environment;
+        let (wind, current) = (environment.wind.clone(), environment.current.clone());
+        simulation.set_wind(wind);
+        simulation.set_current(current);
         Prediction { simulation, tick, vessels }
     }
 

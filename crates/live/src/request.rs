@@ -84,6 +84,8 @@ conducts! {
     Report = "report" {},
     /// Save a copy of the recording under a name.
     Save = "save" { name: String },
+    /// Save the present state as an exercise of the gallery, which may take the place of one of this name.
+    SaveExercise = "save_exercise" { name: String, title: String, replace: bool },
     /// Make a new exercise of choices and add it to the gallery.
     Create = "create" { of: Box<Creation> },
 }

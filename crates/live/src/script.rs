@@ -1,9 +1,7 @@
-//! What the instructor has prepared: changes of wind and current over a time, and events at given times. Part of the state that
-//! is kept, rewound and branched; it runs before each step.
+//! What the instructor has prepared: events at given times. Part of the state that is kept, rewound and branched; it runs before
+//! each step.
 
-use fenderline_contact::number::bounded;
-use fenderline_contact::vec2;
-use fenderline_sim::environment::current::Current;
+use fenderline_sim::{PlannedChange, Setup};
 
 use crate::action::{Action, OtherAction};
 use crate::carry_out::carry_out;
@@ -12,53 +10,7 @@ use crate::limits::{LONGEST_PLAN_S, MOST_PLANNED};
 use crate::message::PlannedNow;
 use crate::refusal::Refusal;
 use crate::session::Now;
-
-/// Speed and direction of wind or current.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Flow {
-    /// Speed (m/s).
-    pub(crate) speed_mps: f64,
-    /// Direction, clockwise from north (rad): from which the wind comes, to which the current sets.
-    pub(crate) direction_rad: f64,
-}
-
-/// A change from one flow to another over a time.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Ramp {
-    from: Flow,
-    to: Flow,
-    begins_s: f64,
-    over_s: f64,
-}
-
-impl Ramp {
-    /// A ramp that begins at a time (s) and lasts `over_s`.
-    pub(crate) fn new(from: Flow, to: Flow, begins_s: f64, over_s: f64) -> Ramp {
-        Ramp { from, to, begins_s, over_s }
-    }
-
-    /// The flow at a time: the speed by a straight line, the direction by the shorter turn. From a calm it has the direction of the
-    /// end throughout.
-    pub(crate) fn at(&self, t_s: f64) -> Flow {
-        let share = bounded((t_s - self.begins_s) / self.over_s, 0.0, 1.0);
-        let turn_rad = libm::remainder(
-            self.to.direction_rad - self.from.direction_rad,
-            core::f64::consts::TAU,
-        );
-        let direction_rad = if self.from.speed_mps > 0.0 {
-            self.from.direction_rad + share * turn_rad
-        } else {
-            self.to.direction_rad
-        };
-        let speed_mps = self.from.speed_mps + share * (self.to.speed_mps - self.from.speed_mps);
-        if share < 1.0 { Flow { speed_mps, direction_rad } } else { self.to }
-    }
-
-    /// True at its end and later.
-    pub(crate) fn is_over(&self, t_s: f64) -> bool {
-        t_s >= self.begins_s + self.over_s
-    }
-}
+use crate::world_change;
 
 /// What became of a planned event.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,14 +34,29 @@ struct Planned {
 /// The instructor's script.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Script {
-    pub(crate) wind: Option<Ramp>,
-    pub(crate) current: Option<Ramp>,
     planned: Vec<Planned>,
     /// Number of events that were planned so far.
     count: u64,
 }
 
 impl Script {
+    /// The script of a scenario with planned changes.
+    pub(crate) fn of_scenario(planned: &[PlannedChange], cast: &Cast, setup: &Setup) -> Script {
+        let events = planned.iter().zip(1..).map(|(planned, id)| Planned {
+            id,
+            at_s: planned.at_s,
+            event: world_change::named(&planned.change, cast, setup),
+            fate: Fate::Waits,
+        });
+        Script { planned: events.collect(), count: planned.len() as u64 }
+    }
+
+    /// The events that wait, with their times (s).
+    pub(crate) fn waiting(&self) -> impl Iterator<Item = (f64, &OtherAction)> {
+        let waiting = self.planned.iter().filter(|planned| planned.fate == Fate::Waits);
+        waiting.map(|planned| (planned.at_s, &planned.event))
+    }
+
     /// The planned events for the instructor's page, by time.
     pub(crate) fn messages(&self) -> Vec<PlannedNow> {
         let mut all: Vec<PlannedNow> = self.planned.iter().map(Planned::message).collect();
@@ -161,10 +128,10 @@ pub(crate) fn plan(
 
 /// True if something is due in the next step.
 pub(crate) fn is_due(now: &Now) -> bool {
-    let Script { wind, current, planned, .. } = &now.script;
+    let Script { planned, .. } = &now.script;
     let end_s = now.simulation.time_s() + now.simulation.setup().step_s;
     let is_due = |planned: &Planned| planned.fate == Fate::Waits && planned.at_s < end_s;
-    wind.is_some() || current.is_some() || planned.iter().any(is_due)
+    planned.iter().any(is_due)
 }
 
 /// Carries out what is due in the next step. Returns the events that fired.
@@ -187,29 +154,6 @@ pub(crate) fn run(cast: &Cast, now: &mut Now) -> Vec<OtherAction> {
             Err(why) => Fate::Refused(why.to_string()),
         };
         now.script.planned[index].fate = fate;
-    }
-    let environment = &now.simulation.setup().world.environment;
-    if let Some(ramp) = now.script.wind {
-        let Flow { speed_mps, direction_rad } = ramp.at(end_s);
-        let changed =
-            environment.wind.as_ref().map(|wind| wind.changed_to(speed_mps, direction_rad));
-        // Between two winds that were accepted each wind is.
-        if let Some(Ok(wind)) = changed {
-            now.simulation.set_wind(Some(wind));
-        }
-        if ramp.is_over(end_s) {
-            now.script.wind = None;
-        }
-    }
-    if let Some(ramp) = now.script.current {
-        let Flow { speed_mps, direction_rad } = ramp.at(end_s);
-        let velocity = vec2(libm::cos(direction_rad), libm::sin(direction_rad)) * speed_mps;
-        if let Ok(current) = Current::uniform(velocity) {
-            now.simulation.set_current(Some(current));
-        }
-        if ramp.is_over(end_s) {
-            now.script.current = None;
-        }
     }
     fired
 }

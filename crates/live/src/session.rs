@@ -16,6 +16,7 @@ use crate::cast::Cast;
 use crate::checkpoints::Checkpoints;
 use crate::exercise::ending;
 use crate::frame::{self, Seen};
+use crate::frozen::Frozen;
 use crate::info::Info;
 use crate::limits::{
     Full, LONGEST_HEADER_BYTES, MARKS, MOST_BRANCHES, MOST_COMMANDS, MOST_NOTES, MOST_TICKS,
@@ -56,8 +57,8 @@ pub(crate) struct Now {
     pub(crate) simulation: Simulation,
     pub(crate) manual: ManualControl,
     pub(crate) approach: ApproachLimit,
-    /// How far people see (m); `None`: clear.
-    pub(crate) visibility_m: Option<f64>,
+    /// For each vessel, what her frozen instruments show.
+    pub(crate) frozen: Vec<Frozen>,
     pub(crate) seen: Seen,
     pub(crate) alarms: AlarmBook,
     /// The exercise, if the scenario has one.
@@ -75,9 +76,9 @@ impl Now {
         let exercise = exercise.map(|setup| Assessment::new(setup, &simulation));
         let seen = Seen::before_the_first_step(&simulation);
         let (manual, approach) = (ManualControl::default(), ApproachLimit::default());
-        let visibility_m = simulation.setup().world.environment.visibility_m;
+        let frozen = Frozen::none(&simulation);
         let (alarms, script) = (AlarmBook::default(), Script::default());
-        Now { simulation, manual, approach, visibility_m, seen, alarms, exercise, script, tick: 0 }
+        Now { simulation, manual, approach, frozen, seen, alarms, exercise, script, tick: 0 }
     }
 
     /// Updates the exercise after a step. Returns the text of its end, if it ends with this step.
@@ -176,11 +177,14 @@ impl Session {
     /// A scenario that is invalid, cannot be simulated, or is too large to be recorded.
     pub fn open(source: Source) -> Result<Session, SessionError> {
         let writer = Writer::begin(&source).ok_or(SessionError::TooLarge)?;
-        let scenario = source.scenario().map_err(|e| SessionError::Scenario(Box::new(e)))?;
+        let mut scenario = source.scenario().map_err(|e| SessionError::Scenario(Box::new(e)))?;
+        // The instructor's script has the planned changes, so that they can be seen and cancelled.
+        let planned = std::mem::take(&mut scenario.setup.world.planned);
         let simulation = Simulation::new(scenario.setup).map_err(SessionError::Setup)?;
         let cast = Cast::of(simulation.setup());
         let info = Info::of(simulation.setup(), &cast);
         let mut now = Now::before_the_first_step(simulation, scenario.exercise);
+        now.script = Script::of_scenario(&planned, &cast, now.simulation.setup());
         now.note_alarms(&cast, &info);
         let first = Branch { parent: None, from_tick: 0, ends_tick: 0, commands: Vec::new() };
         Ok(Session {

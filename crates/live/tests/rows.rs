@@ -59,7 +59,7 @@ fn alarms_findings_and_names_have_keys_of_their_own() {
         command(&mut session, OtherAction::PartLine { line: line.into() }.into());
     }
     for at_s in [5.0, 5.0, 9.0] {
-        let event = OtherAction::Visibility { distance_m: Some(500.0) };
+        let event = OtherAction::Visibility { distance_m: Some(500.0), over_s: 0.0 };
         command(&mut session, OtherAction::Plan { at_s, event: Box::new(event) }.into());
     }
     let mut most = 0;

@@ -170,3 +170,15 @@ fn a_line_parts_and_a_tug_drops_out_by_name() {
     assert!(session.simulation().tugs()[aft].state.force_n < 1e3);
     assert!(session.alarms().messages().iter().any(|alarm| alarm.text.contains("dropped out")));
 }
+
+#[test]
+fn a_predicted_path_does_not_know_what_the_instructor_prepares() {
+    let plain = harbour();
+    let mut prepared = plain.clone();
+    command(&mut prepared, wind(30.0, 3.0, 60.0));
+    let current = OtherAction::Current { speed_mps: 1.0, to_rad: 0.7, over_s: 60.0 };
+    command(&mut prepared, current.into());
+    command(&mut prepared, plan(5.0, fault(Fault::Blackout)));
+    let path = |session: &Session| session.prediction().expect("a ship").run(60.0, 5.0, |_| true);
+    assert_eq!(path(&prepared), path(&plain));
+}

@@ -258,7 +258,7 @@ fn an_impossible_command_is_refused_with_a_reason_and_changes_nothing() {
         ),
         (
             OtherAction::Current { speed_mps: -1.0, to_rad: 0.0, over_s: 0.0 }.into(),
-            "is not within",
+            "must be between",
         ),
         (
             OtherAction::Fault { vessel: "x".into(), fault: Fault::Blackout, on: true }.into(),

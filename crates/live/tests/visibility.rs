@@ -6,7 +6,7 @@ use fenderline_live::message::{Frame, Role, RunState};
 use fenderline_live::{OtherAction, Session};
 
 fn set(session: &mut Session, distance_m: Option<f64>) {
-    support::command(session, OtherAction::Visibility { distance_m }.into());
+    support::command(session, OtherAction::Visibility { distance_m, over_s: 0.0 }.into());
 }
 
 fn frame(session: &Session) -> Frame {
@@ -66,7 +66,7 @@ fn the_visibility_of_the_scenario_holds_until_it_is_set_and_rewinds_with_the_run
 fn a_visibility_beyond_its_limits_is_refused() {
     let mut session = support::open("scenarios/live/berthing.toml", &[]);
     for distance_m in [49.0, 50_001.0, -1.0, f64::NAN] {
-        let action = OtherAction::Visibility { distance_m: Some(distance_m) };
+        let action = OtherAction::Visibility { distance_m: Some(distance_m), over_s: 0.0 };
         let refused = session.command("instructor", 0, action.into()).expect_err("a limit");
         assert!(refused.to_string().contains("visibility [m]"), "{refused}");
     }

@@ -45,6 +45,13 @@ impl std::error::Error for OutOfChart {}
 const AXIS_M: f64 = 6_378_137.0;
 const FLATTENING: f64 = 1.0 / 298.257_223_563;
 
+impl Default for ChartOrigin {
+    /// 0° N 0° E.
+    fn default() -> ChartOrigin {
+        ChartOrigin::at(GeoPoint { latitude_deg: 0.0, longitude_deg: 0.0 })
+    }
+}
+
 impl ChartOrigin {
     /// A scenario's origin at a position.
     ///
@@ -55,6 +62,11 @@ impl ChartOrigin {
         if !good {
             return Err(OutOfChart(at));
         }
+        Ok(ChartOrigin::at(at))
+    }
+
+    /// The same without a check.
+    fn at(at: GeoPoint) -> ChartOrigin {
         let latitude = at.latitude_deg.to_radians();
         let (sin, cos) = (libm::sin(latitude), libm::cos(latitude));
         let eccentricity_2 = FLATTENING * (2.0 - FLATTENING);
@@ -63,7 +75,7 @@ impl ChartOrigin {
         let along_m = AXIS_M * (1.0 - eccentricity_2) / (below * libm::sqrt(below));
         let across_m = AXIS_M / libm::sqrt(below);
         let per_deg = 1.0_f64.to_radians();
-        Ok(ChartOrigin { at, metres_per_deg: [along_m * per_deg, across_m * cos * per_deg] })
+        ChartOrigin { at, metres_per_deg: [along_m * per_deg, across_m * cos * per_deg] }
     }
 
     /// The geographic position of a point north and east of the origin, on the plane tangent to the ellipsoid there. At

@@ -171,6 +171,7 @@ pub(crate) fn world_event(
         WorldEventKind::LineNotMadeFast
         | WorldEventKind::LineMadeFast
         | WorldEventKind::LineParted
+        | WorldEventKind::LineNotParted
         | WorldEventKind::LineRenders => lines,
         WorldEventKind::Anchor(_) => anchors,
     };

@@ -62,6 +62,7 @@ pub fn world_event_text(kind: WorldEventKind) -> &'static str {
         }
         WorldEventKind::LineMadeFast => "fast at the bollard to which it was sent",
         WorldEventKind::LineParted => "PARTED",
+        WorldEventKind::LineNotParted => "was planned to part, but was not fast",
         WorldEventKind::LineRenders => "the brake of the winch rendered",
         WorldEventKind::Anchor(event) => event.text(),
     }

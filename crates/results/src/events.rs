@@ -34,6 +34,7 @@ pub fn world_event_key(kind: WorldEventKind) -> &'static str {
         WorldEventKind::LineNotMadeFast => "line_not_made_fast",
         WorldEventKind::LineMadeFast => "line_made_fast",
         WorldEventKind::LineParted => "line_parted",
+        WorldEventKind::LineNotParted => "line_not_parted",
         WorldEventKind::LineRenders => "line_renders",
         WorldEventKind::Anchor(event) => event.key(),
     }

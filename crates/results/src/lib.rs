@@ -21,6 +21,7 @@
 #![forbid(unsafe_code)]
 
 mod accuracy;
+mod branch;
 mod columns;
 mod events;
 mod interval;
@@ -39,6 +40,7 @@ mod world_tables;
 mod world_totals;
 
 pub use accuracy::{ACCURACY, EstimateError, accuracy, accuracy_json, source_json};
+pub use branch::{BranchOutcome, WayPoint};
 pub use columns::{Column, ColumnReference, List, Names, TableReference, Value, reference};
 pub use events::{event_key, world_event_key};
 pub use medium::{Medium, Table};

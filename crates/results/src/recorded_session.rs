@@ -1,5 +1,7 @@
 //! A recorded session, for the results of a run that repeats it.
 
+use crate::branch::BranchOutcome;
+
 /// What a run repeats: a branch of a session that people steered.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordedSession {
@@ -13,6 +15,8 @@ pub struct RecordedSession {
     pub missing_at_end: Option<String>,
     /// What was done and what happened, in the order of time.
     pub log: Vec<LogLine>,
+    /// All branches beside each other; empty where there is only one.
+    pub beside: Vec<BranchOutcome>,
 }
 
 /// A line of the log of a session.

@@ -13,6 +13,7 @@ mod dolphins;
 mod draught;
 mod edge;
 mod environment;
+mod events;
 mod exercise;
 mod fender_sense;
 mod fenders;
@@ -173,6 +174,7 @@ pub(crate) fn setup(
             environment,
             vessels,
             orders: vec![],
+            planned: vec![],
             tugs,
             lines,
             anchors,
@@ -190,6 +192,7 @@ pub(crate) fn setup(
     assembly.note_draughts(file, &fender_tables, &setup);
     let orders = file.given("order").list();
     setup.world.orders = assembly.orders(orders, &OrderNames::new(&setup, &names))?;
+    setup.world.planned = assembly.events(file.given("event").list(), &setup, &names)?;
     let exercise = file.item("exercise").map(Item::table);
     let exercise = assembly.exercise(exercise, &setup, &names)?;
     Ok((setup, output, exercise))

@@ -11,6 +11,7 @@ mod body;
 pub(crate) mod chart;
 mod dolphin;
 mod environment;
+pub(crate) mod event;
 pub(crate) mod exercise;
 mod fender;
 pub(crate) mod fender_row;
@@ -196,6 +197,13 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             &[],
         ),
         key("order", Kind::List(&order::ORDER), Is("[]"), "Orders at times of the run.", &[]),
+        key(
+            "event",
+            Kind::List(&event::EVENT),
+            Is("[]"),
+            "Changes of the weather and faults at times of the run.",
+            &[],
+        ),
         key(
             "provider",
             Kind::List(&provider::PROVIDER),

@@ -78,6 +78,7 @@ mod overrides;
 mod printable;
 mod rating;
 mod reader;
+mod rewrite;
 mod row_names;
 mod scenario;
 mod schema;
@@ -108,14 +109,15 @@ pub use library::{
 };
 pub use load::{LoadError, read_stream, read_text};
 pub use new_exercise::{
-    BerthingSide, NewBerth, NewExercise, NewExerciseError, NewShip, NewTugs, NewWeather,
-    can_be_ship, can_be_tug,
+    BerthSource, BerthingSide, NewBerth, NewExercise, NewExerciseError, NewShip, NewTugs,
+    NewWeather, can_be_ship, can_be_tug, fixed_berth,
 };
 pub use option_value::{LengthOrShare, force_n, in_unit, length_m, length_or_share, percent};
 pub use order::order;
 pub use origin::Origin;
 pub use overrides::{Override, set_keys};
 pub use printable::{escaped_json, printable_line, printable_number, printable_text};
+pub use rewrite::{Edit, rewritten};
 pub use scenario::Scenario;
 pub use schema::{campaign_schema, fender_schema, schema, vessel_schema};
 pub use suggest::nearest;

@@ -1,8 +1,8 @@
 //! Exercises that are made from choices run, whatever is chosen of the library; choices that make none are refused.
 
 use fenderline_scenario::{
-    BerthingSide, FenderLibrary, NewBerth, NewExercise, NewShip, NewTugs, NewWeather, Scenario,
-    VesselLibrary, can_be_ship, can_be_tug,
+    BerthSource, BerthingSide, FenderLibrary, NewBerth, NewExercise, NewShip, NewTugs, NewWeather,
+    Scenario, VesselLibrary, can_be_ship, can_be_tug,
 };
 use fenderline_sim::Simulation;
 
@@ -20,6 +20,7 @@ fn choices() -> NewExercise {
             fender_spacing_m: 30.0,
             bollard_spacing_m: 25.0,
         },
+        berth_of: None,
         ship: NewShip {
             vessel: "bulk-carrier".to_owned(),
             side: BerthingSide::Starboard,
@@ -113,4 +114,59 @@ fn choices_that_make_no_exercise_are_refused_with_the_reason() {
     }
     assert!(refused(&|of| of.weather.wind_mps = 900.0).contains("environment.wind.speed"));
     assert!(refused(&|of| of.berth.depth_m = f64::INFINITY).contains("environment.depth"));
+}
+
+/// Berths with their own charts, headings and water: the ship comes to each with her chosen side, and starts clear of all.
+#[test]
+fn an_exercise_takes_the_berth_of_another_scenario() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios");
+    for file in [
+        "live/berthing.toml",
+        "live/harbour.toml",
+        "live/unberthing.toml",
+        "live/moored_in_a_squall.toml",
+        "berth/alongside_with_two_tugs.toml",
+    ] {
+        let path = std::path::Path::new(folder).join(file);
+        let source = std::fs::read_to_string(&path).expect("a scenario");
+        let mut read = |name: &str| {
+            std::fs::read_to_string(path.with_file_name(name)).map_err(|why| why.to_string())
+        };
+        let before = Scenario::parse_among(&source, file, &[], &mut read).expect("a scenario");
+        let fixed = |scenario: &Scenario| -> Vec<String> {
+            let bodies = scenario.setup.bodies.iter().filter(|body| body.is_fixed());
+            bodies.map(|body| body.name.clone()).collect()
+        };
+        for side in [BerthingSide::Port, BerthingSide::Starboard] {
+            let mut with = choices();
+            with.ship.side = side;
+            let source = BerthSource { file, text: &source };
+            let text = with.text_at(source, &mut read).unwrap_or_else(|e| panic!("{file}: {e}"));
+            let after = Scenario::parse_among(&text, "new.toml", &[], &mut read).expect("good");
+            assert_eq!(fixed(&after), fixed(&before), "{file}");
+            assert_eq!(after.setup.world.chart, before.setup.world.chart, "{file}");
+            assert_eq!(after.setup.world.bollards.len(), before.setup.world.bollards.len());
+            let [berth, old] =
+                [&after, &before].map(|of| fenderline_scenario::fixed_berth(&of.setup).unwrap());
+            assert_eq!(berth.length_m(), old.length_m(), "{file}");
+            let ship = after.setup.bodies.iter().position(|body| body.name == "ship").unwrap();
+            let mut simulation = Simulation::new(after.setup).expect("a good set-up");
+            let (states, bodies) = (simulation.states(), &simulation.setup().bodies);
+            let lie = berth.lie(&states[berth.body], &bodies[ship].outline, &states[ship]);
+            // Both ends of the flat of her side lie 60 m off, and she is parallel to it; a place is written to 0.1 m and a
+            // heading to 0.1°, of which half is 0.1 m over half of her length.
+            assert!(lie.off_m.iter().all(|off_m| (off_m - 60.0).abs() < 0.35), "{file}: {lie:?}");
+            assert!(lie.angle_rad.abs() < 1e-3 * 1.75 / 2.0 + 1e-9, "{file}: {lie:?}");
+            for _ in 0..100 {
+                let record = simulation.step().expect("a good step");
+                assert_eq!(record.contacts.len(), 0, "{file}, {side:?}");
+            }
+        }
+    }
+    let at_sea = BerthSource {
+        file: "sea.toml",
+        text: "[time]\nstep = 1\nduration = 9\n[body.a]\nmass = 1\ngyradius = 1\noutline = [[0, 0], [1, 0], [0, 1]]\n",
+    };
+    let refused = choices().text_at(at_sea, &mut |name| Err(name.to_owned())).unwrap_err();
+    assert!(refused.to_string().contains("there is no berth"), "{refused}");
 }

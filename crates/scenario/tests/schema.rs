@@ -487,6 +487,15 @@ fn full() -> Json {
             { "anchor": "starboard", "heave_in": 0 },
             { "anchor": "port", "slip": true }
         ],
+        "event": [
+            { "at": "1 s", "wind": { "speed": "10 m/s", "from": "270 deg", "over": "1 min" } },
+            { "current": { "speed": "1 kn", "towards": "90 deg", "over": "1 min" } },
+            { "visibility": { "distance": "300 m", "over": "1 min" } },
+            { "vessel": "d", "fault": "engine_lost", "ends": true },
+            { "vessel": "d", "thruster_out": "bow" },
+            { "line_parts": "spring" },
+            { "tug_out": "one" }
+        ],
         "fender": {
             "of a type": {
                 "on": "b", "position": [1, 0], "facing": "-90 deg", "width": "2 m",

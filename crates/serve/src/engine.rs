@@ -80,7 +80,7 @@ pub(crate) struct Engine {
 }
 
 impl Engine {
-    /// Ready to run; the recording is begun.
+    /// Ready to run; the recording is begun. `chart`: whether chart programs are served, and the origin that was given for them.
     ///
     /// # Errors
     /// The recording's file cannot be written, or there are no random numbers.
@@ -91,7 +91,7 @@ impl Engine {
         sessions: PathBuf,
         make_report: MakeReport,
         paused: bool,
-        chart: Option<ChartOrigin>,
+        chart: (bool, Option<ChartOrigin>),
     ) -> Result<Engine, String> {
         let file = opened.session.source().file.clone();
         let recorder = Recorder::begin(&sessions, &file, &mut opened)?;
@@ -119,7 +119,7 @@ impl Engine {
             trials: Trials::default(),
             history: KeptHistory::default(),
             planned: Vec::new(),
-            chart: chart.map(ChartOutput::new),
+            chart: chart.0.then(|| ChartOutput::new(chart.1)),
         };
         if let Some(seats) = seats {
             engine.take_seats(&seats);

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use fenderline_live::message::GalleryEntry;
 use fenderline_live::{Outline, Session, Source};
-use fenderline_scenario::read_text;
+use fenderline_scenario::{fixed_berth, read_text};
 
 use super::kept_seats::{self, KeptSeats};
 use super::saved::{self, ENDING, Replayed, Watch};
@@ -86,7 +86,7 @@ impl Gallery {
     }
 }
 
-fn name_of(path: &Path) -> String {
+pub(crate) fn name_of(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
@@ -109,18 +109,23 @@ fn scenario_entry(path: &Path, file: String) -> Option<GalleryEntry> {
     if scenario.setup.world.vessels.is_empty() {
         return None;
     }
-    Some(GalleryEntry { file, title: scenario.title, text: comment })
+    let berth = fixed_berth(&scenario.setup).map(|berth| {
+        let on = &scenario.setup.bodies[berth.body];
+        let fenders = scenario.setup.fenders.iter().filter(|of| of.body == berth.body).count();
+        format!("{}: {fenders} fenders over {:.0} m", on.name, berth.length_m())
+    });
+    Some(GalleryEntry { file, title: scenario.title, text: comment, berth })
 }
 
 fn recording_entry(path: &Path, file: String) -> Option<GalleryEntry> {
     let title = saved::title(&saved::open(path).ok()??)?;
     let name = file.strip_suffix(ENDING).unwrap_or(&file);
     let text = format!("Saved as {name}. It continues where it ended.");
-    Some(GalleryEntry { title: format!("Session: {title}"), text, file })
+    Some(GalleryEntry { title: format!("Session: {title}"), text, file, berth: None })
 }
 
 /// Reads the files that a scenario names, which lie beside it.
-fn beside(scenario: &Path) -> impl FnMut(&str) -> Result<String, String> {
+pub(crate) fn beside(scenario: &Path) -> impl FnMut(&str) -> Result<String, String> {
     let folder = scenario.parent().unwrap_or(Path::new("")).to_owned();
     let mut left = LARGEST_SCENARIO;
     move |name| {

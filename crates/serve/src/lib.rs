@@ -100,8 +100,8 @@ pub struct Options {
     pub nmea_tcp: Option<u16>,
     /// UDP address of a chart program.
     pub nmea_udp: Option<SocketAddr>,
-    /// The scenario's origin on the chart.
-    pub origin: ChartOrigin,
+    /// The scenario's origin in the sentences to chart programs; `None`: that of the scenario's chart, and 0° N 0° E without one.
+    pub origin: Option<ChartOrigin>,
     /// Makes the report of a session for the page.
     pub report: MakeReport,
     /// Where notices about the server go.
@@ -197,7 +197,7 @@ impl Server {
             options.sessions.clone(),
             options.report,
             options.is_paused,
-            has_charts.then_some(options.origin),
+            (has_charts, options.origin),
         )
         .map_err(|why| ServeError::failed(format_args!("error: {why}")))?;
         let runtime = tokio::runtime::Builder::new_multi_thread()

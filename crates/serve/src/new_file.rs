@@ -1,22 +1,61 @@
 //! A new exercise becomes a file of the gallery's folder: never another file's end without a question, never outside of it.
 
+use std::collections::BTreeMap;
 use std::fs::{self, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use fenderline_live::message::GalleryEntry;
-use fenderline_scenario::NewExercise;
+use fenderline_scenario::{BerthSource, NewExercise, read_text};
 
 use super::gallery;
 
 /// Longest name of an exercise (bytes).
 const LONGEST_NAME: usize = 60;
 
+/// What a file is made of.
+#[derive(Debug)]
+pub(crate) enum Content {
+    /// Choices, with the path of the scenario whose berth is taken, if one is.
+    Choices(Box<NewExercise>, Option<PathBuf>),
+    /// A text, with the texts of the files that it names: they must lie in the folder with these contents.
+    Text(String, BTreeMap<String, String>),
+}
+
+impl Content {
+    /// The text of the file.
+    fn text(&self, folder: &Path) -> Result<String, String> {
+        match self {
+            Content::Choices(exercise, None) => exercise.text().map_err(|error| error.to_string()),
+            Content::Choices(exercise, Some(berth)) => {
+                let source = read_text(berth)?;
+                let file = gallery::name_of(berth);
+                let source = BerthSource { file: &file, text: &source };
+                // The files that it names must lie where the new one does.
+                let beside = folder.join("exercise.toml");
+                let mut read = gallery::beside(&beside);
+                exercise.text_at(source, &mut read).map_err(|error| error.to_string())
+            }
+            Content::Text(text, files) => {
+                for (name, content) in files {
+                    let there = read_text(&folder.join(name)).ok();
+                    if there.as_ref() != Some(content) {
+                        return Err(format!(
+                            "the scenario names {name}, which is not in the folder of exercises as the session has it: put it there first"
+                        ));
+                    }
+                }
+                Ok(text.clone())
+            }
+        }
+    }
+}
+
 /// An exercise that is about to be written.
 #[derive(Debug)]
 pub(crate) struct NewFile {
     to: PathBuf,
-    exercise: NewExercise,
+    content: Content,
     replaces: bool,
 }
 
@@ -28,7 +67,7 @@ impl NewFile {
     pub(crate) fn new(
         folder: &Path,
         name: &str,
-        exercise: NewExercise,
+        content: Content,
         may_replace: bool,
     ) -> Result<NewFile, String> {
         let letter = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
@@ -48,7 +87,7 @@ impl NewFile {
             }
             _ => {}
         }
-        Ok(NewFile { to, exercise, replaces: taken.is_some() })
+        Ok(NewFile { to, content, replaces: taken.is_some() })
     }
 
     /// Writes it and makes its entry.
@@ -56,7 +95,8 @@ impl NewFile {
     /// # Errors
     /// Choices that make no exercise, or the file system's error. Nothing is changed then.
     pub(crate) fn write(&self) -> Result<(PathBuf, GalleryEntry), String> {
-        let text = self.exercise.text().map_err(|error| error.to_string())?;
+        let folder = self.to.parent().unwrap_or(Path::new(""));
+        let text = self.content.text(folder)?;
         let failed = |error: std::io::Error| format!("{}: {error}", self.to.display());
         if self.replaces {
             // Another name first, so that a full disk does not cost the old exercise.
@@ -108,22 +148,33 @@ mod tests {
         .expect("choices")
     }
 
+    fn choices(exercise: NewExercise) -> Content {
+        Content::Choices(Box::new(exercise), None)
+    }
+
     #[test]
     fn an_exercise_is_never_saved_over_another_without_leave_and_never_outside_of_its_folder() {
         let folder = std::env::temp_dir().join(format!("fenderline-new-{}", std::process::id()));
         fs::create_dir_all(&folder).expect("a folder");
         let new = |name: &str, title: &str, may_replace| {
-            NewFile::new(&folder, name, exercise(title), may_replace)?.write()
+            NewFile::new(&folder, name, choices(exercise(title)), may_replace)?.write()
         };
         let (path, entry) = new("mine", "One", false).expect("it is new");
         assert_eq!((entry.file.as_str(), entry.title.as_str()), ("mine.toml", "One"));
         let first = fs::read(&path).expect("a file");
+        // A text whose files are not there, or are others.
+        let named = |content: &str| {
+            let files = BTreeMap::from([("chart.geojson".to_owned(), content.to_owned())]);
+            let text = Content::Text("title = \"x\"".to_owned(), files);
+            NewFile::new(&folder, "named", text, false).expect("it may").write().unwrap_err()
+        };
+        assert!(named("{}").contains("names chart.geojson"), "{}", named("{}"));
         assert!(new("mine", "Two", false).unwrap_err().contains("already"));
         assert_eq!(fs::read(&path).expect("a file"), first);
         // A mistake costs nothing either.
         let mut bad = exercise("Two");
         bad.berth.fenders = 0;
-        let refused = NewFile::new(&folder, "mine", bad, true).expect("it may").write();
+        let refused = NewFile::new(&folder, "mine", choices(bad), true).expect("it may").write();
         assert!(refused.unwrap_err().contains("at least one fender"));
         assert_eq!(fs::read(&path).expect("a file"), first);
         assert_eq!(new("mine", "Two", true).expect("it may").1.title, "Two");

@@ -17,11 +17,11 @@ use super::new_file::NewFile;
 use super::recorder::{Copy, Recorder, SoFar};
 use super::saved::Progress as ReplayProgress;
 
-/// Makes the report of a recording, as a page of HTML: from the name of its file, its bytes, and a flag that asks to stop. The
+/// Makes the report of a recording, as a page of HTML: from the name of its file, its bytes, the number of the branch, and a flag that asks to stop. The
 /// program gives it, because this crate knows no reports. It runs on a thread of its own.
 ///
 /// The error is the reason for the user.
-pub type MakeReport = fn(&str, &[u8], &Arc<AtomicBool>) -> Result<String, String>;
+pub type MakeReport = fn(&str, &[u8], usize, &Arc<AtomicBool>) -> Result<String, String>;
 
 /// Time limit of an opening. `fenderline replay` has none.
 const TIME_LIMIT: Duration = Duration::from_secs(600);
@@ -156,21 +156,21 @@ impl Work {
         Work::start(send, requester, Task::Create, Arc::default(), create)
     }
 
-    /// Begins to make the report of a recording.
+    /// Begins to make the report of a branch of a recording.
     ///
     /// # Errors
     /// The system gives no thread.
     pub(crate) fn report(
         send: impl FnOnce(Outcome) + Send + 'static,
         requester: Requester,
-        recording: SoFar,
+        (recording, branch): (SoFar, usize),
         make: MakeReport,
     ) -> io::Result<Work> {
         let progress = Arc::new(Progress::default());
         let stop = Arc::clone(&progress.stop);
         let report = move || {
             let read = recording.read();
-            Outcome::Reported(read.and_then(|(name, bytes)| make(&name, &bytes, &stop)))
+            Outcome::Reported(read.and_then(|(name, bytes)| make(&name, &bytes, branch, &stop)))
         };
         Work::start(send, requester, Task::Report, progress, report)
     }

@@ -87,7 +87,8 @@ fn cross(one: [Vec2; 2], other: [Vec2; 2]) -> bool {
 }
 
 /// True if a point is inside an outline: a ray from it crosses an odd number of edges.
-fn contains(outline: &[Vec2], point: Vec2) -> bool {
+#[must_use]
+pub fn contains(outline: &[Vec2], point: Vec2) -> bool {
     let crosses = |[from, to]: [Vec2; 2]| {
         (from.y > point.y) != (to.y > point.y)
             && point.x < from.x + (to.x - from.x) * (point.y - from.y) / (to.y - from.y)

@@ -6,6 +6,7 @@ use fenderline_contact::{DisplayNumber, ModelError, StepError};
 
 use crate::anchor::AnchorError;
 use crate::berthing::BerthingError;
+use crate::change::ChangeError;
 use crate::environment::EnvironmentError;
 use crate::mooring::MooringError;
 use crate::order::OrderError;
@@ -51,6 +52,8 @@ pub enum SetupError {
         /// What is wrong.
         error: OutOfRange,
     },
+    /// A planned change that cannot be carried out.
+    Change(ChangeError),
     /// An order that cannot be carried out.
     Order(OrderError),
     /// A vessel with the paper's contact method, which has one mass for all directions.
@@ -102,6 +105,7 @@ impl fmt::Display for SetupError {
             SetupError::Line(error) => error.fmt(f),
             SetupError::Anchor(error) => error.fmt(f),
             SetupError::LineHandling { error } => write!(f, "the handling of lines: {error}"),
+            SetupError::Change(error) => write!(f, "a planned change: {error}"),
             SetupError::Order(error) => error.fmt(f),
             SetupError::VesselByPaperMethod { body } => {
                 write!(

@@ -151,6 +151,7 @@
 //! | the line through a berth's fenders, and how a ship lies to it | [`berth`] |
 //! | berthing energy by PIANC's formulas | [`berthing`] |
 //! | exercises: goal, limits and score | [`exercise`] |
+//! | weather and faults that change during a run | [`change`] |
 //! | forces from other programs | [`external`] |
 //! | energies of a step and of a run | `record.rs`, [`ContactEnergy`], [`Energy`] |
 //!
@@ -178,6 +179,7 @@ pub mod hydro;
 
 mod approach;
 mod chain;
+pub mod change;
 pub mod chart;
 mod contact_totals;
 pub mod distance;
@@ -216,6 +218,7 @@ mod world;
 pub use approach::{Approach, Side};
 pub use chain::size::{ChainGrade, ChainLink, ChainSize};
 pub use chain::{ChainKind, ChainSetup, ChainSummary, ChainTension};
+pub use change::{Change, ChangeError, PlannedChange};
 pub use dolphin::{DolphinMotion, DolphinSetup, DolphinSummary, SteelPiles};
 pub use error::{SetupError, SimError};
 pub use fender::{FenderSetup, FenderSource, FenderSummary, HullMet, HullPressure, Rated};
@@ -238,8 +241,8 @@ pub use summary::PairSummary;
 pub use verdict::{Finding, Gravity, Verdict, called};
 pub use world::{
     AnchorAtWork, AnchorSetup, AnchorStart, Assist, AssistPilot, AzimuthOrder, AzimuthSetup,
-    AzimuthState, BollardSetup, Environment, Faults, Float, Job, LineEnd, LineHandling, Mooring,
-    MooringSetup, NotAtTheSide, Pilots, ProviderSetup, PushJob, Sent, ThrusterSetup, TugAtWork,
-    TugSetup, VesselForces, VesselOrders, VesselSetup, VesselState, WorldEvent, WorldEventKind,
-    WorldSetup, mass_matrix,
+    AzimuthState, BollardSetup, Environment, Fault, Faults, Float, Job, LineEnd, LineHandling,
+    Mooring, MooringSetup, NotAtTheSide, Pilots, ProviderSetup, PushJob, Sent, ThrusterSetup,
+    Tripped, TugAtWork, TugSetup, VesselForces, VesselOrders, VesselSetup, VesselState, WorldEvent,
+    WorldEventKind, WorldSetup, mass_matrix,
 };

@@ -9,14 +9,18 @@
 //! | `simulation/model.rs` | set-up to inertias and contact model |
 //! | `simulation/check.rs` | checks of a set-up |
 //! | `simulation/buffers.rs` | arrays that are reused from step to step |
+//! | `simulation/changes.rs` | changes of weather and faults |
+//! | `simulation/place.rs` | placing bodies before the first step |
 //! | `simulation/restart.rs` | starting again in the same memory |
 
 mod access;
 mod accounts;
 mod buffers;
+mod changes;
 mod check;
 mod model;
 mod motion;
+mod place;
 mod restart;
 
 use fenderline_contact::{
@@ -24,12 +28,14 @@ use fenderline_contact::{
 };
 
 use self::buffers::Buffers;
+use self::changes::check_planned;
 use self::check::{
     berthing_study, check_anchors, check_flow, check_lines, check_load, count_steps,
 };
 use self::model::{Fenders, build_model, inertias};
 use crate::attitude::Attitude;
 use crate::berthing::{Study, StudyStep};
+use crate::change::Changes;
 use crate::contact_totals::ContactTotals;
 use crate::dolphin::Dolphins;
 use crate::error::{SetupError, SimError};
@@ -62,6 +68,7 @@ pub struct Simulation {
     states: Vec<BodyState>,
     memory: Memory,
     world: World,
+    changes: Changes,
     /// What fenders meet of hulls by height.
     sides: Sides,
     // Results of the last step, and totals of the run.
@@ -93,6 +100,7 @@ impl Simulation {
         check_lines(&setup)?;
         check_anchors(&setup)?;
         check_flow(&setup)?;
+        check_planned(&setup)?;
         let mut loads = setup.loads.clone();
         sort_loads(&mut loads);
         let mut memory = Memory::new(&model);
@@ -116,6 +124,7 @@ impl Simulation {
             study: berthing_study(&setup)?,
             statistics: Statistics::new(&setup),
             world,
+            changes: Changes::default(),
             sides,
             index: 0,
             loads,
@@ -135,12 +144,21 @@ impl Simulation {
     /// simulation is then unchanged.
     pub fn step(&mut self) -> Result<StepRecord<'_>, SimError> {
         let t_s = self.time_s();
+        // Changes are rare, so that a copy of everything costs little.
+        let before = self.changes_are_due().then(|| Box::new(self.clone()));
+        if before.is_some() {
+            self.run_changes();
+        }
         self.backup();
         self.gather_loads(t_s);
+        self.report_changes();
         self.cut_hulls(t_s);
         self.turn_momentum();
         if let Err(cause) = self.advance_bodies() {
             self.restore();
+            if let Some(before) = before {
+                *self = *before;
+            }
             return Err(SimError { t_s, cause });
         }
         self.update_world(t_s);

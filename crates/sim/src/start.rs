@@ -57,11 +57,14 @@ impl Setup {
 
     /// Whether [`crate::Simulation::restart`] keeps most of a simulation of this set-up, and cannot fail. False where more
     /// than states depends on the start: piles that stand there, hulls that are cut by height, lines that must fit between
-    /// their ends, and the study of a berthing. The simulation is then made anew.
+    /// their ends, planned changes, and the study of a berthing. The simulation is then made anew.
     #[must_use]
     pub fn restarts_in_place(&self) -> bool {
         let is_plain = |body: &BodySetup| body.dolphin.is_none() && body.hull.is_none();
-        self.bodies.iter().all(is_plain) && self.world.lines.is_empty() && self.berthing.is_none()
+        self.bodies.iter().all(is_plain)
+            && self.world.lines.is_empty()
+            && self.world.planned.is_empty()
+            && self.berthing.is_none()
     }
 
     /// Replaces the start of this set-up.

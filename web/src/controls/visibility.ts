@@ -7,7 +7,10 @@ const DISTANCES_M = [100, 200, 500, 1000, 2000, 5000];
 
 export const visibilityWords = (distance_m: number | null): string => {
   if (distance_m === null) return "clear";
-  return distance_m < 1000 ? `${distance_m} m` : `${distance_m / 1000} km`;
+  // While it changes it is not round.
+  const round = distance_m < 1000 ? 10 : 100;
+  const shown = Math.round(distance_m / round) * round;
+  return shown < 1000 ? `${shown} m` : `${shown / 1000} km`;
 };
 
 export class Visibility {
@@ -15,15 +18,19 @@ export class Visibility {
   private readonly buttons: { distance_m: number | null; root: HTMLButtonElement }[];
   readonly root: HTMLElement;
 
-  /** `happen` gives a command, at once or later. */
-  constructor(happen: (event: OtherAction) => Promise<boolean>, { limits }: Hello) {
+  /** `happen` gives a command, at once or later; `over_s` is the time over which it changes. */
+  constructor(
+    happen: (event: OtherAction) => Promise<boolean>,
+    over_s: () => number,
+    { limits }: Hello,
+  ) {
     const [least, most] = limits.visibility_m;
     const distances = DISTANCES_M.filter((m) => m >= least && m <= most);
     this.buttons = [...distances, null].map((distance_m) => ({
       distance_m,
       root: button(
         visibilityWords(distance_m),
-        () => void happen({ do: "visibility", distance_m }),
+        () => void happen({ do: "visibility", distance_m, over_s: over_s() }),
         {
           name: `Visibility ${visibilityWords(distance_m)}`,
           "aria-pressed": "false",

@@ -15,6 +15,14 @@ const FAULTS: { fault: Fault; text: string }[] = [
   { fault: "thrusters_lost", text: "Thrusters lost" },
   { fault: "blackout", text: "Blackout" },
 ];
+/** What her pilot's page shows stays as it is; nobody on board is told. */
+const FROZEN: { fault: Fault; text: string }[] = [
+  { fault: "heading_frozen", text: "Heading frozen" },
+  { fault: "speed_frozen", text: "Speeds frozen" },
+  { fault: "position_frozen", text: "Position frozen" },
+];
+
+const capital = (text: string): string => text.replace(/^./, (c) => c.toUpperCase());
 
 const ANCHOR_FAULTS: { fault: AnchorFault; text: string }[] = [
   { fault: "windlass_failed", text: "Windlass fails" },
@@ -105,6 +113,12 @@ export class Conditions implements View {
     root: HTMLButtonElement;
     on: boolean;
   }[] = [];
+  private readonly thrusters: {
+    vessel: number;
+    thruster: string;
+    root: HTMLButtonElement;
+    on: boolean;
+  }[] = [];
   private readonly tugs: { root: HTMLButtonElement; on: boolean }[];
   private readonly anchors: {
     anchor: number;
@@ -134,7 +148,7 @@ export class Conditions implements View {
           (fault !== "engine_lost" || vessel.full_rps !== null) &&
           (fault !== "thrusters_lost" || vessel.thrusters.length + vessel.azimuths.length > 0),
       );
-      const buttons = fits.map(({ fault, text }) => {
+      const buttons = [...fits, ...FROZEN].map(({ fault, text }) => {
         const entry = {
           vessel: index,
           fault,
@@ -152,7 +166,7 @@ export class Conditions implements View {
         "div",
         { class: "fault-row" },
         h("b", {}, `${spoken(vessel.name)} · ${vessel.title}`),
-        h("div", { class: "row" }, ...buttons),
+        h("div", { class: "row" }, ...buttons, ...this.trips(hello, index)),
       );
     });
     this.tugs = hello.tugs.map(({ name }) => {
@@ -209,7 +223,7 @@ export class Conditions implements View {
       h("b", {}, "A line parts"),
       h("div", { class: "row" }, ...lines),
     );
-    this.visibility = new Visibility((event) => planned.happen(event), hello);
+    this.visibility = new Visibility((event) => planned.happen(event), over_s, hello);
     this.root = h(
       "div",
       { class: "conditions" },
@@ -218,12 +232,46 @@ export class Conditions implements View {
       h("p", { class: "note" }, "Rings are north up."),
       this.visibility.root,
       h("h3", {}, "Faults"),
+      h(
+        "p",
+        { class: "note" },
+        "Frozen instruments: the page of her pilot or master shows old values and is not told. Yours shows the truth.",
+      ),
       ...faults,
       ...tugRows,
       lines.length > 0 && lineRow,
       ...anchorRows,
       planned.root,
     );
+  }
+
+  /** A button for each thruster and azimuth unit of a vessel. */
+  private trips(hello: Hello, vessel: number): HTMLButtonElement[] {
+    const info = hello.vessels[vessel];
+    return [...(info?.thrusters ?? []), ...(info?.azimuths ?? [])].map(({ name }) => {
+      const entry = {
+        vessel,
+        thruster: name,
+        on: false,
+        root: button(
+          `${capital(spoken(name))} unit trips`,
+          () =>
+            void this.planned.happen({
+              do: "thruster_out",
+              vessel: info?.name ?? "",
+              thruster: name,
+              on: !entry.on,
+            }),
+          {
+            name: `${info?.name}: ${capital(spoken(name))} unit trips`,
+            "aria-pressed": "false",
+            class: "fault",
+          },
+        ),
+      };
+      this.thrusters.push(entry);
+      return entry.root;
+    });
   }
 
   tick(frame: Frame): void {
@@ -237,6 +285,10 @@ export class Conditions implements View {
     }
     for (const entry of this.anchors) {
       entry.on = frame.anchors[entry.anchor]?.faults.includes(entry.fault) ?? false;
+      setAttribute(entry.root, "aria-pressed", String(entry.on));
+    }
+    for (const entry of this.thrusters) {
+      entry.on = frame.vessels[entry.vessel]?.tripped.includes(entry.thruster) ?? false;
       setAttribute(entry.root, "aria-pressed", String(entry.on));
     }
     this.tugs.forEach((entry, i) => {

@@ -2,6 +2,7 @@
 import type { Page } from "../page";
 import type { Hello, LibraryInfo, NewExercise } from "../protocol";
 import { button, h, setClass, setText } from "../ui/dom";
+import { openButton } from "./save_exercise";
 import { KNOT_MPS, fixed, spoken } from "../units";
 import type { View } from "./view";
 
@@ -29,6 +30,7 @@ const degrees = (bearing: number): number => (bearing * Math.PI) / 180;
 export class NewExerciseView implements View {
   private readonly title = h("input", { type: "text", maxlength: 100, "aria-label": "Title" });
   private readonly name = h("input", { type: "text", maxlength: 60, "aria-label": "File name" });
+  private readonly berth = choice("Berth", [["", "A straight quay that faces west, as below"]]);
   private readonly quay = number("Length of the quay", "m", 300, [20, 2000, 10]);
   private readonly depth = number("Depth of the water", "m", 20, [2, 100, 0.5]);
   private readonly family;
@@ -67,6 +69,11 @@ export class NewExerciseView implements View {
   ]);
   private readonly note = h("p", { class: "note", role: "status", "aria-label": "Saved" });
   private readonly replace = button("Replace it", () => void this.save(true), { class: "hidden" });
+  /** Opens what was saved last. */
+  private readonly open = openButton(
+    () => this.page,
+    () => `${this.name.value.trim()}.toml`,
+  );
   readonly root: HTMLElement;
 
   constructor(
@@ -100,10 +107,11 @@ export class NewExerciseView implements View {
       h(
         "p",
         { class: "note" },
-        "A straight quay that faces west, a ship on her way to it, tugs on their lines.",
+        "A berth, a ship on her way to it, tugs on their lines. The berth is a straight quay of your own, or that of another scenario with its chart.",
       ),
       row("Title", this.title),
-      group("Berth", [this.quay, this.depth, this.family, this.size, this.height, this.reaction]),
+      group("Berth", [this.berth], "wide"),
+      group("", [this.quay, this.depth, this.family, this.size, this.height, this.reaction]),
       group("", [this.fenders, this.spacing, this.bollards]),
       group("Ship", [this.ship, this.side, this.off, this.astern, this.speed]),
       group("Tugs", [this.tug, this.tugs]),
@@ -117,18 +125,35 @@ export class NewExerciseView implements View {
         { class: "row" },
         h("button", { type: "submit", class: "take" }, "Save exercise"),
         this.replace,
+        this.open,
       ),
       this.note,
     );
     // A tab's panel must not be a form itself.
     this.root = h("div", {}, form);
-    this.name.addEventListener("input", () => setClass(this.replace, "hidden", true));
+    this.name.addEventListener("input", () => {
+      for (const each of [this.replace, this.open]) setClass(each, "hidden", true);
+    });
+    this.berth.select.addEventListener("change", () => this.sizes());
     this.sizes();
   }
 
   tick(): void {}
 
-  /** Fills in the sizes of the chosen family; one without sizes has height and reaction. */
+  /** Fills in the berths of the gallery. */
+  claims(hello: Hello): void {
+    const chosen = this.berth.value();
+    const offered = hello.gallery.flatMap(({ file, title, berth }): [string, string][] =>
+      berth === null ? [] : [[file, `${title} (${berth})`]],
+    );
+    const first = this.berth.select.options[0];
+    this.berth.select.replaceChildren(
+      ...(first ? [first] : []),
+      ...offered.map(([value, text]) => h("option", { value, selected: value === chosen }, text)),
+    );
+  }
+
+  /** Shows the fields of the chosen kind of berth, with the sizes of the chosen family; one without sizes has height and reaction. */
   private sizes(): void {
     const family = this.library.fenders.find(({ name }) => name === this.family.value());
     const sizes = family?.sizes ?? [];
@@ -141,8 +166,19 @@ export class NewExerciseView implements View {
         ),
       ),
     );
-    setClass(this.size.row, "hidden", sizes.length === 0);
-    for (const { row } of [this.height, this.reaction]) setClass(row, "hidden", sizes.length > 0);
+    const isOwn = this.berth.value() === "";
+    setClass(this.size.row, "hidden", !isOwn || sizes.length === 0);
+    for (const { row } of [this.height, this.reaction])
+      setClass(row, "hidden", !isOwn || sizes.length > 0);
+    for (const { row } of [
+      this.quay,
+      this.depth,
+      this.family,
+      this.fenders,
+      this.spacing,
+      this.bollards,
+    ])
+      setClass(row, "hidden", !isOwn);
   }
 
   private choices(): NewExercise {
@@ -161,6 +197,7 @@ export class NewExerciseView implements View {
         fender_spacing_m: this.spacing.value(),
         bollard_spacing_m: this.bollards.value(),
       },
+      berth_of: this.berth.value() || null,
       ship: {
         vessel: this.ship.value(),
         side: this.side.value() as "port" | "starboard",
@@ -193,7 +230,12 @@ export class NewExerciseView implements View {
     const { hello } = this.page.live;
     const isTaken = !done && isInGallery(hello, name);
     setClass(this.replace, "hidden", !isTaken);
-    if (done) setText(this.note, `Saved as ${name}.toml. Open it from the tab Session.`);
+    setClass(this.open, "hidden", !done);
+    if (done)
+      setText(
+        this.note,
+        `Saved as ${name}.toml. It is among the scenarios of the tab Session too.`,
+      );
     else if (isTaken)
       setText(this.note, `There is an exercise ${name} already. Nothing was changed.`);
     else setText(this.note, "Not saved: the reason is above.");
@@ -203,10 +245,10 @@ export class NewExerciseView implements View {
 const isInGallery = (hello: Hello | null, name: string): boolean =>
   hello?.gallery.some(({ file }) => file === `${name}.toml`) ?? false;
 
-function group(name: string, fields: { row: HTMLElement }[]): HTMLElement {
+function group(name: string, fields: { row: HTMLElement }[], kind = ""): HTMLElement {
   return h(
     "fieldset",
-    {},
+    { class: kind },
     name === "" ? "" : h("legend", {}, name),
     ...fields.map(({ row }) => row),
   );

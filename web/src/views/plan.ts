@@ -5,6 +5,7 @@ import { drawAnchors } from "../draw/anchors";
 import * as scene from "../draw/scene";
 import { type Box, type Label, type Placed, Rank, place } from "../draw/labels";
 import { drawPassages } from "../draw/passages";
+import { drawPlacing } from "../draw/placing";
 import { drawTraffic } from "../draw/traffic";
 import { drawTrial } from "../draw/trial";
 import { FONT, arrow, drawLabel, labelFont, stroke } from "../draw/marks";
@@ -12,6 +13,7 @@ import { type Camera, add, fitted, minus, roundLength, toEarth, zoomed } from ".
 import type { Live } from "../live";
 import { type Palette, palette } from "../palette";
 import type { BodyNow, Frame, Pair } from "../protocol";
+import type { Placing } from "../placing";
 import type { Trial } from "../trial";
 import { button, canvas, h, setAttribute, setClass, setText } from "../ui/dom";
 import { fixed, heading, knots, rateOfTurn, toKnots } from "../units";
@@ -76,6 +78,8 @@ export class Plan implements View {
     private readonly live: Live,
     /** `null` where nobody steers. */
     private readonly trial: Trial | null = null,
+    /** `null` where nobody places ships. */
+    private readonly placing: Placing | null = null,
   ) {
     this.tools = h(
       "div",
@@ -115,6 +119,13 @@ export class Plan implements View {
   fit(): void {
     this.looked = false;
     this.setFollow(true);
+  }
+
+  /** Shows ship and berth, and stands still while ships are placed. */
+  standStill(): void {
+    this.looked = false;
+    this.lastShip = null;
+    this.setFollow(false);
   }
 
   follow(): void {
@@ -213,6 +224,7 @@ export class Plan implements View {
     if (this.prediction) scene.drawMinutes(all);
     const trial = drawTrial(all, this.trial);
     scene.drawBowAndStern(all);
+    drawPlacing(all, this.placing);
     const ship = bodies[this.live.body()];
     if (ship) this.measuring.draw({ ...all, ship });
     const taken = [drawRose(to, this.camera, colours, frame), ...trial];
@@ -303,9 +315,14 @@ export class Plan implements View {
       return [event.clientX - box.left, event.clientY - box.top];
     };
     let pressed: Pair | null = null;
+    // A drag selects no texts of the page.
+    surface.addEventListener("mousedown", (event) => event.preventDefault());
     surface.addEventListener("pointerdown", (event) => {
       surface.setPointerCapture(event.pointerId);
       const now = at(event);
+      const { hello } = this.live;
+      const bodies = this.live.bodies(performance.now());
+      if (hello && this.placing?.takes(this.camera, hello, bodies, event.pointerId, now)) return;
       if (this.measuring.takes(this.camera, this.shipNow(performance.now()), now)) {
         this.turning = event.pointerId;
         return;
@@ -317,6 +334,7 @@ export class Plan implements View {
     surface.addEventListener("pointermove", (event) => {
       const now = at(event);
       this.measuring.over(this.camera, now);
+      if (this.placing?.move(this.camera, event.pointerId, now)) return;
       if (this.turning === event.pointerId)
         this.measuring.turn(this.camera, this.shipNow(performance.now()), now);
       if (pressed && Math.hypot(...minus(now, pressed)) > TAP_PX) pressed = null;
@@ -338,6 +356,7 @@ export class Plan implements View {
     });
     for (const end of ["pointerup", "pointercancel"] as const) {
       surface.addEventListener(end, (event) => {
+        if (this.placing?.end(event.pointerId, end === "pointerup")) return;
         if (this.turning === event.pointerId) this.turning = null;
         if (pressed && end === "pointerup" && this.pointers.has(event.pointerId))
           this.measuring.tap(this.camera, pressed);

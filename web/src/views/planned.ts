@@ -27,10 +27,14 @@ export function eventWords(event: OtherAction): string {
       const over = event.over_s ? ` over ${fixed(event.over_s / 60, 0)} min` : "";
       return `${event.do} ${fixed(toKnots(event.speed_mps), 1)} kn ${way} ${heading(rad, 0)}${over}`;
     }
-    case "visibility":
-      return `visibility ${visibilityWords(event.distance_m)}`;
+    case "visibility": {
+      const over = event.over_s ? ` over ${fixed(event.over_s / 60, 0)} min` : "";
+      return `visibility ${visibilityWords(event.distance_m)}${over}`;
+    }
     case "fault":
       return `${spoken(event.vessel)}: ${event.fault.replaceAll("_", " ")}${event.on ? "" : " ends"}`;
+    case "thruster_out":
+      return `${spoken(event.vessel)}: thruster ${spoken(event.thruster)} ${event.on ? "trips" : "comes back"}`;
     case "part_line":
       return `line ${spoken(event.line)} parts`;
     case "anchor_fault":

@@ -3,6 +3,7 @@ import type { Page } from "../page";
 import type { Control, Frame, Hello, Role } from "../protocol";
 import { button, h, setClass, setText, sureButton } from "../ui/dom";
 import { spoken } from "../units";
+import type { SaveExercise } from "./save_exercise";
 import type { View } from "./view";
 
 const nameOf = (control: Control): string =>
@@ -23,6 +24,8 @@ export class Session implements View {
   constructor(
     private readonly page: Page,
     hello: Hello,
+    /** Kept when the gallery changes, with what is filled in. */
+    private readonly exercise: SaveExercise,
   ) {
     const name = h("input", {
       type: "text",
@@ -58,6 +61,7 @@ export class Session implements View {
       ),
       h("h3", {}, "Keep this session"),
       h("form", { class: "row", onsubmit: (event) => event.preventDefault() }, name, save),
+      this.exercise.root,
     );
   }
 

@@ -1,8 +1,9 @@
 //! The causes of alarms that are active in a tick. The alarm book decides how long an alarm is displayed.
 
 use fenderline_contact::number::greater;
-use fenderline_sim::Simulation;
 use fenderline_sim::anchor::{AnchorPosition, LostBy};
+use fenderline_sim::order::Word;
+use fenderline_sim::{Fault, Simulation};
 
 use crate::alarm_book::{Alarm, FENDER, Level, TOUCH};
 use crate::approach::{ApproachLimit, Light};
@@ -84,15 +85,21 @@ fn vessels(of: &Input<'_>, all: &mut Vec<Alarm>) {
             let text = format!("{name}: {clear_m:.1} m under the keel");
             all.push(caution("under keel", &[name], text));
         }
-        for fault in &now.faults {
+        for fault in now.faults.iter().filter_map(|word| Fault::of_word(word)) {
             let what = match fault {
-                crate::Fault::RudderStuck => "rudder stuck",
-                crate::Fault::FollowUpLost => "rudder does not follow",
-                crate::Fault::EngineLost => "engine lost",
-                crate::Fault::ThrustersLost => "thrusters lost",
-                crate::Fault::Blackout => "blackout",
+                Fault::RudderStuck => "rudder stuck",
+                Fault::FollowUpLost => "rudder does not follow",
+                Fault::EngineLost => "engine lost",
+                Fault::ThrustersLost => "thrusters lost",
+                Fault::Blackout => "blackout",
+                // Nobody on board is told of an instrument that stays as it is.
+                Fault::HeadingFrozen | Fault::SpeedFrozen | Fault::PositionFrozen => continue,
             };
             all.push(alarm(what, &[name], format!("{name}: {what}")));
+        }
+        for unit in &now.tripped {
+            let text = format!("{name}: thruster {unit} tripped");
+            all.push(alarm("thruster tripped", &[name, unit], text));
         }
         let (Some(berth), Some(near), false) = (&of.info.berth, &now.berth, vessel.is_tug) else {
             continue;

@@ -1,8 +1,9 @@
 //! What fog hides: the frame of a person on board, who does not see beyond the visibility.
 
 use fenderline_contact::{BodyState, Pose, Vec2};
-use fenderline_sim::BodySetup;
 use fenderline_sim::distance::to_edge_m;
+use fenderline_sim::order::Word;
+use fenderline_sim::{BodySetup, Fault, VesselSetup};
 
 use crate::message::{Frame, Role};
 use crate::session::Session;
@@ -10,9 +11,29 @@ use crate::session::Session;
 impl Session {
     /// The frame as a person of this role sees it; `None` where fog hides nothing from her. Floating bodies that lie beyond
     /// the visibility are not in it, nor are their contacts and distances. The instructor sees everything, and everybody the
-    /// chart, structures and the data of instruments and radio: own motion, the berth, orders to tugs, lines.
+    /// chart, structures and the data of instruments and radio: own motion, the berth, orders to tugs, lines. Her pilot or master sees what
+    /// frozen instruments of a ship show, and nobody but the instructor is told that they are frozen.
     #[must_use]
     pub fn in_fog(&self, frame: &Frame, role: &Role) -> Option<Frame> {
+        if *role == Role::Instructor {
+            return None;
+        }
+        let mut seen = self.through_fog(frame, role);
+        if let Some(vessel) = self.frozen_vessel(role) {
+            self.freeze(vessel, seen.get_or_insert_with(|| frame.clone()));
+        }
+        let is_told = |faults: &[&str]| faults.iter().any(|fault| is_of_instrument(fault));
+        if frame.vessels.iter().any(|vessel| is_told(&vessel.faults)) {
+            let seen = seen.get_or_insert_with(|| frame.clone());
+            for vessel in &mut seen.vessels {
+                vessel.faults.retain(|fault| !is_of_instrument(fault));
+            }
+        }
+        seen
+    }
+
+    /// What a person sees through fog; `None` where it hides nothing from her.
+    fn through_fog(&self, frame: &Frame, role: &Role) -> Option<Frame> {
         let view = self.view(role)?;
         let (hidden, traffic) = (self.hidden_bodies(&view), self.hidden_traffic(&view));
         if !hidden.contains(&true) && !traffic.contains(&true) {
@@ -36,18 +57,22 @@ impl Session {
         Some(seen)
     }
 
-    /// Indices of the vessels that fog hides from a person of this role.
+    /// Indices of the vessels whose paths a person of this role does not get: those that fog hides, and her own with frozen
+    /// instruments.
     #[must_use]
     pub fn hidden_vessels(&self, role: &Role) -> Vec<usize> {
-        let Some(view) = self.view(role) else { return Vec::new() };
-        let hidden = self.hidden_bodies(&view);
+        let frozen = self.frozen_vessel(role);
+        let hidden = self.view(role).map(|view| self.hidden_bodies(&view));
         let vessels = self.simulation().setup().world.vessels.iter().enumerate();
-        vessels.filter(|(_, vessel)| hidden[vessel.body]).map(|(index, _)| index).collect()
+        let is_hidden = |(index, vessel): &(usize, &VesselSetup)| {
+            frozen == Some(*index) || hidden.as_ref().is_some_and(|hidden| hidden[vessel.body])
+        };
+        vessels.filter(is_hidden).map(|(index, _)| index).collect()
     }
 
     /// What a person of this role sees of the world; `None` if it is clear, or for the instructor.
     fn view(&self, role: &Role) -> Option<View> {
-        let visibility_m = self.now().visibility_m?;
+        let visibility_m = self.simulation().setup().world.environment.visibility_m?;
         let viewer = self.eye(role)?;
         let eye_m = self.simulation().states()[viewer].position_m;
         Some(View { viewer, eye_m, visibility_m })
@@ -93,6 +118,11 @@ impl Session {
             }
         }
     }
+}
+
+/// True if the word is that of a fault of an instrument.
+fn is_of_instrument(fault: &str) -> bool {
+    Fault::of_word(fault).is_some_and(Fault::is_of_instrument)
 }
 
 /// From where, and how far, somebody sees.

@@ -33,6 +33,7 @@ use crate::session::{Branch, Now, Session};
 
 pub(crate) use seen::Seen;
 pub(crate) use verdict::now as verdict;
+pub(crate) use vessel::{Speeds, speeds};
 
 /// The data of the docking board.
 struct BoardInput<'a> {
@@ -125,7 +126,7 @@ pub(crate) fn frame(now: &Now, cast: &Cast, info: &Info, at_ms: u64, run: RunSta
         wind: wind_now(simulation, t_s),
         current: current_now(simulation, t_s, place),
         waves: waves_now(simulation),
-        visibility_m: now.visibility_m,
+        visibility_m: simulation.setup().world.environment.visibility_m,
         approach_mps: now.approach.at_fenders_mps,
         alarms: now.alarms.messages(),
         verdict: verdict(simulation),

@@ -164,6 +164,9 @@ fn world_text(event: &WorldEvent, setup: &Setup) -> String {
         WorldEventKind::LineMadeFast => format!("line {} is fast", line()),
         WorldEventKind::LineNotMadeFast => format!("line {} could not be made fast", line()),
         WorldEventKind::LineParted => format!("LINE {} HAS PARTED", line()),
+        WorldEventKind::LineNotParted => {
+            format!("line {} was planned to part, but is not fast", line())
+        }
         WorldEventKind::LineRenders => format!("line {}: the brake of the winch renders", line()),
         WorldEventKind::Anchor(what) => {
             format!("{}: {}", called("anchor", &world.anchors[event.who].gear.name), what.text())

@@ -3,26 +3,52 @@
 use fenderline_contact::Rotation;
 use fenderline_sim::berth::Berth;
 use fenderline_sim::order::{SidePlace, TugWord, Word};
-use fenderline_sim::{Job, Pilots};
+use fenderline_sim::{Job, Pilots, Simulation};
 
-use crate::action::Fault;
 use crate::berth;
-use crate::message::{AssistNow, AssistState, AzimuthNow, RudderNow, ShareNow, VesselNow};
+use crate::message::{AssistNow, AssistState, AzimuthNow, Pair, RudderNow, ShareNow, VesselNow};
 use crate::session::Now;
+
+/// The speeds of a vessel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Speeds {
+    /// Of her centre of gravity over ground, north and east (m/s).
+    pub(crate) velocity_mps: Pair,
+    /// Of midship over ground, ahead and to starboard (m/s).
+    pub(crate) ground_mps: Pair,
+    /// Of midship through the water, ahead and to starboard (m/s).
+    pub(crate) water_mps: Pair,
+    /// Of her foremost and aftmost points, to starboard (m/s).
+    pub(crate) bow_mps: f64,
+    pub(crate) stern_mps: f64,
+}
+
+/// The present speeds of a vessel.
+pub(crate) fn speeds(simulation: &Simulation, index: usize) -> Speeds {
+    let setup = simulation.setup();
+    let of = &setup.world.vessels[index];
+    let (body, state) = (&setup.bodies[of.body], &simulation.states()[of.body]);
+    let own = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps);
+    let lateral_mps = |along_m: f64| own.y + along_m * state.yaw_rate_radps;
+    let (aftmost, foremost) = body.outline.bounds();
+    let water = of.velocity(state, &setup.world.environment, simulation.time_s());
+    Speeds {
+        velocity_mps: [state.velocity_mps.x, state.velocity_mps.y],
+        ground_mps: [own.x, lateral_mps(-of.ship.particulars.centre_of_gravity_m)],
+        water_mps: [water.surge_mps, water.sway_mps],
+        bow_mps: lateral_mps(foremost.x),
+        stern_mps: lateral_mps(aftmost.x),
+    }
+}
 
 /// The present state of a vessel. Speeds over ground and through the water are those of midship; lateral speeds are those of
 /// the foremost and aftmost points of her outline.
 pub(super) fn now(all: &Now, index: usize, at: Option<&Berth>) -> VesselNow {
     let simulation = &all.simulation;
     let setup = simulation.setup();
-    let environment = &setup.world.environment;
     let (of, vessel) = (&setup.world.vessels[index], &simulation.vessels()[index]);
     let (body, state) = (&setup.bodies[of.body], &simulation.states()[of.body]);
-    let ahead_m = of.ship.particulars.centre_of_gravity_m;
-    let own = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps);
-    let lateral_mps = |along_m: f64| own.y + along_m * state.yaw_rate_radps;
-    let (aftmost, foremost) = body.outline.bounds();
-    let water = of.velocity(state, environment, simulation.time_s());
+    let speeds = speeds(simulation, index);
     let azimuths =
         vessel.azimuths.iter().zip(&vessel.orders.azimuths).map(|(now, order)| AzimuthNow {
             power_order: order.power,
@@ -41,10 +67,10 @@ pub(super) fn now(all: &Now, index: usize, at: Option<&Berth>) -> VesselNow {
         pilot: pilot_text(&vessel.pilots),
         course_rad: vessel.pilots.course.map(|course| course.heading_rad),
         speed_order_mps: vessel.pilots.speed.map(|speed| speed.speed_mps),
-        ground_mps: [own.x, lateral_mps(-ahead_m)],
-        water_mps: [water.surge_mps, water.sway_mps],
-        bow_mps: lateral_mps(foremost.x),
-        stern_mps: lateral_mps(aftmost.x),
+        ground_mps: speeds.ground_mps,
+        water_mps: speeds.water_mps,
+        bow_mps: speeds.bow_mps,
+        stern_mps: speeds.stern_mps,
         heel_rad: vessel.attitude.roll.value + roll,
         trim_rad: vessel.attitude.pitch.value + pitch,
         squat_m: vessel.squat_m,
@@ -55,7 +81,13 @@ pub(super) fn now(all: &Now, index: usize, at: Option<&Berth>) -> VesselNow {
             .filter(|at| at.body != of.body)
             .map(|at| berth::seen_from(at, &simulation.states()[at.body], &body.outline, state)),
         assist: vessel.pilots.assist.as_ref().map(|pilot| assist_now(all, index, &pilot.order.job)),
-        faults: Fault::active(&vessel.faults),
+        faults: vessel.faults.active().map(Word::word).collect(),
+        tripped: of
+            .unit_names()
+            .enumerate()
+            .filter(|(unit, _)| vessel.faults.tripped.has(*unit))
+            .map(|(_, name)| name.to_owned())
+            .collect(),
     }
 }
 

@@ -4,6 +4,7 @@
 mod approach;
 mod assumptions;
 mod berthing;
+mod branches;
 mod charts;
 mod cover;
 mod energy;
@@ -57,6 +58,7 @@ pub fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
         (vessels::remarks(outcome))
         (exercise::section(outcome))
         (vessels::motions(outcome, recorder))
+        (branches::section(outcome))
         (session::section(outcome))
         (system::section(outcome, recorder))
         (fenders::section(outcome, recorder))

@@ -2,16 +2,39 @@
 
 use serde_json::{Value, json};
 
+use crate::branch::BranchOutcome;
 use crate::recorded_session::{LogLine, RecordedSession};
 
 pub(super) fn session_json(session: &RecordedSession) -> Value {
-    let RecordedSession { file, branch, branches, missing_at_end, log } = session;
+    let RecordedSession { file, branch, branches, missing_at_end, log, beside } = session;
     json!({
         "file": file,
         "branch": branch,
         "branches": branches,
         "is_complete": missing_at_end.is_none(),
         "log": log.iter().map(line_json).collect::<Vec<Value>>(),
+        "beside": beside.iter().map(branch_json).collect::<Vec<Value>>(),
+    })
+}
+
+/// A branch beside the others, without its way.
+fn branch_json(branch: &BranchOutcome) -> Value {
+    let BranchOutcome { id, parent, from_s, ends_s, verdict, findings, score, .. } = branch;
+    let BranchOutcome { fender_share, line_share, approach_mps, commands, alarms, .. } = branch;
+    json!({
+        "branch": id,
+        "parent": parent,
+        "from_s": from_s,
+        "ends_s": ends_s,
+        "verdict": verdict.key(),
+        "findings": findings.len(),
+        "score": score.map(|(score, _)| score),
+        "passed": score.and_then(|(_, passed)| passed),
+        "largest_share_of_rated_energy": fender_share,
+        "largest_share_of_break_load": line_share,
+        "fastest_approach_mps": approach_mps,
+        "commands": commands,
+        "alarms": alarms,
     })
 }
 

@@ -63,6 +63,7 @@ impl<'a> Who<'a> {
             WorldEventKind::LineNotMadeFast
             | WorldEventKind::LineMadeFast
             | WorldEventKind::LineParted
+            | WorldEventKind::LineNotParted
             | WorldEventKind::LineRenders => {
                 Who { kind: "line", name: &world.lines[event.who].line.name }
             }

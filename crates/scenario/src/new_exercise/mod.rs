@@ -1,7 +1,10 @@
-//! A new exercise from choices: a straight berth, a ship, tugs and weather, as the text of a scenario file. The page's editor
+//! A new exercise from choices: a straight berth or that of another scenario, a ship, tugs and weather, as the text of a scenario file. The page's editor
 //! makes one; what it makes is an ordinary file, to run, serve and change by hand.
 
+mod at_berth;
 mod text;
+
+pub use at_berth::{BerthSource, fixed_berth};
 
 use core::fmt;
 
@@ -13,6 +16,8 @@ use crate::vessels::{VesselData, VesselLibrary};
 
 /// Most tugs, fenders and bollards that an exercise is made with.
 const MOST_TUGS: usize = 4;
+/// The names of the tugs.
+const TUG_NAMES: [&str; MOST_TUGS] = ["tug_1", "tug_2", "tug_3", "tug_4"];
 const MOST_FENDERS: usize = 60;
 const MOST_BOLLARDS: usize = 60;
 
@@ -22,8 +27,11 @@ const MOST_BOLLARDS: usize = 60;
 pub struct NewExercise {
     /// Title of the scenario.
     pub title: String,
-    /// The berth.
+    /// The straight berth, which is not used where `berth_of` is given.
     pub berth: NewBerth,
+    /// The scenario whose berth is taken, by its file's name: for [`NewExercise::text_at`].
+    #[serde(default)]
+    pub berth_of: Option<String>,
     /// The ship.
     pub ship: NewShip,
     /// The tugs.
@@ -134,39 +142,59 @@ pub fn can_be_tug(vessel: &VesselData) -> bool {
     !vessel.azimuths.is_empty() && vessel.beltings.iter().any(|belting| belting.name == "bow")
 }
 
+fn within(what: &str, value: f64, [low, high]: [f64; 2]) -> Result<(), NewExerciseError> {
+    if value >= low && value <= high {
+        return Ok(());
+    }
+    Err(NewExerciseError(format!("{what}: {value} is not within {low} and {high}")))
+}
+
 impl NewExercise {
+    /// Ship and tug of the library.
+    fn vessels(&self) -> Result<(&'static VesselData, &'static VesselData), NewExerciseError> {
+        let vessels = VesselLibrary::of_program();
+        let look_up =
+            |name: &str| vessels.vessel(name).map_err(|error| NewExerciseError(error.to_string()));
+        let (ship, tug) = (look_up(&self.ship.vessel)?, look_up(&self.tugs.vessel)?);
+        if !can_be_ship(ship) {
+            return Err(NewExerciseError(format!("{} is a model or a tug, not a ship", ship.name)));
+        }
+        if self.tugs.number > 0 && !can_be_tug(tug) {
+            let why = format!("{} is no tug with azimuth units and a bow fender", tug.name);
+            return Err(NewExerciseError(why));
+        }
+        Ok((ship, tug))
+    }
+
+    fn check_ship_and_tugs(&self) -> Result<(), NewExerciseError> {
+        within("distance to the quay [m]", self.ship.off_m, [5.0, 2000.0])?;
+        within("distance astern of the berth [m]", self.ship.astern_m, [0.0, 10_000.0])?;
+        within("speed of the ship [m/s]", self.ship.speed_mps, [0.0, 10.0])?;
+        if self.tugs.number > MOST_TUGS {
+            let number = self.tugs.number;
+            return Err(NewExerciseError(format!("{number} tugs are more than {MOST_TUGS}")));
+        }
+        Ok(())
+    }
+
     /// The text of the scenario file. It was read and is good.
     ///
     /// # Errors
     /// A vessel or fender that is not in the library, a number that makes no berth, or the first mistake of the scenario.
     pub fn text(&self) -> Result<String, NewExerciseError> {
         let refused = |why: String| Err(NewExerciseError(why));
-        let vessels = VesselLibrary::of_program();
-        let look_up =
-            |name: &str| vessels.vessel(name).map_err(|error| NewExerciseError(error.to_string()));
-        let (ship, tug) = (look_up(&self.ship.vessel)?, look_up(&self.tugs.vessel)?);
-        if !can_be_ship(ship) {
-            return refused(format!("{} is a model or a tug, not a ship", ship.name));
-        }
-        if self.tugs.number > 0 && !can_be_tug(tug) {
-            return refused(format!("{} is no tug with azimuth units and a bow fender", tug.name));
-        }
+        let (ship, tug) = self.vessels()?;
+        self.check_ship_and_tugs()?;
         let NewBerth { length_m, fender_spacing_m, bollard_spacing_m, fenders, .. } = self.berth;
         for (what, value, [low, high]) in [
             ("length of the quay [m]", length_m, [20.0, 2000.0]),
             ("distance of fenders [m]", fender_spacing_m, [1.0, 500.0]),
             ("distance of bollards [m]", bollard_spacing_m, [5.0, 500.0]),
-            ("distance to the quay [m]", self.ship.off_m, [5.0, 2000.0]),
-            ("distance astern of the berth [m]", self.ship.astern_m, [0.0, 10_000.0]),
-            ("speed of the ship [m/s]", self.ship.speed_mps, [0.0, 10.0]),
         ] {
-            if !(value >= low && value <= high) {
-                return refused(format!("{what}: {value} is not within {low} and {high}"));
-            }
+            within(what, value, [low, high])?;
         }
         for (what, number, most) in [
             ("fenders", fenders, MOST_FENDERS),
-            ("tugs", self.tugs.number, MOST_TUGS),
             ("bollards", text::bollards(&self.berth), MOST_BOLLARDS),
         ] {
             if number > most {

@@ -2,7 +2,9 @@
 
 use core::fmt::Write as _;
 
-use super::{BerthingSide, NewBerth, NewExercise};
+use fenderline_contact::{Vec2, vec2};
+
+use super::{BerthingSide, NewBerth, NewExercise, NewWeather};
 use crate::library::FenderSize;
 use crate::vessels::VesselData;
 
@@ -26,22 +28,25 @@ const LINES: [(&str, f64, f64); 6] = [
 const TUG_PLACES: [&[f64]; 5] =
     [&[], &[0.0], &[0.31, -0.34], &[0.36, 0.0, -0.38], &[0.38, 0.14, -0.14, -0.38]];
 
-/// What the file's tables of materials say, for every exercise.
-const MATERIALS: &str = r#"
+/// The tables of materials.
+pub(super) const CONCRETE: &str = r#"
 [material.concrete]
 stiffness = "50 MN/m^2"
 shear_stiffness = "10 MN/m"
 friction_static = 0.5
 friction_dynamic = 0.4
 restitution = 0.1
-
-# Friction of fenders and of the tugs' bow fenders: assumptions, not from a source.
+"#;
+const FACING: &str = r#"
+# Friction of fenders: an assumption, not from a source.
 [material.facing]
 stiffness = 0
 shear_stiffness = "3000 kN/m"
 friction_static = 0.2
 friction_dynamic = 0.2
-
+"#;
+pub(super) const BOW: &str = r#"
+# Friction of the tugs' bow fenders: an assumption, not from a source.
 [material.bow]
 stiffness = "500 kN/m^2"
 shear_stiffness = "3000 kN/m"
@@ -70,19 +75,14 @@ pub(super) fn compose(
     );
     environment(&mut text, of);
     let hull = Hull::of(of, ship);
-    bodies(&mut text, of, &hull, ship);
-    text.push_str(MATERIALS);
-    fenders(&mut text, &of.berth, size)?;
-    tugs(&mut text, of, &hull, tug);
-    for (name, along, across) in LINES {
-        let _ = write!(
-            text,
-            "\n[line.{name}]\nfrom = \"ship\"\nfairlead = [{}, {}]\nfairlead_height = \"6 m\"\nrope = \"polyester\"\n\
-             break_load = \"800 kN\"\nwinch = true\n",
-            tenth(along * hull.length_m),
-            tenth(hull.shore * across * hull.beam_m)
-        );
+    ship_body(&mut text, of, &hull, ship);
+    quay(&mut text, of);
+    for material in [CONCRETE, FACING, BOW] {
+        text.push_str(material);
     }
+    fenders(&mut text, &of.berth, size)?;
+    tugs(&mut text, of, &hull, tug, &["quay"]);
+    lines(&mut text, &hull);
     let (count, spacing_m) = (bollards(&of.berth), of.berth.bollard_spacing_m);
     for index in 0..count {
         let at_m = (index as f64 - 0.5 * (count - 1) as f64) * spacing_m;
@@ -97,58 +97,82 @@ pub(super) fn compose(
 }
 
 /// The ship's measures and place.
-struct Hull {
+pub(super) struct Hull {
     length_m: f64,
     beam_m: f64,
     /// Of her centre of gravity, north and east (m).
-    at_m: [f64; 2],
-    heading_deg: f64,
+    at_m: Vec2,
+    /// Her direction ahead, and that from the berth to the water.
+    ahead: Vec2,
+    to_sea: Vec2,
     /// The side of the quay: 1 starboard, −1 port.
     shore: f64,
 }
 
 impl Hull {
+    /// At the straight quay: its middle at the origin, the water to the west.
     fn of(of: &NewExercise, ship: &VesselData) -> Hull {
+        Hull::at(of, ship, Vec2::ZERO, vec2(0.0, -1.0))
+    }
+
+    /// At a berth with its middle at a place (m), from which the water lies in a direction.
+    pub(super) fn at(of: &NewExercise, ship: &VesselData, middle_m: Vec2, to_sea: Vec2) -> Hull {
         let particulars = &ship.ship.particulars;
         let length_m = ship.length_overall_m.unwrap_or(particulars.length_m);
-        let (shore, heading_deg) = match of.ship.side {
-            BerthingSide::Starboard => (1.0, 0.0),
-            BerthingSide::Port => (-1.0, 180.0),
+        let shore = match of.ship.side {
+            BerthingSide::Starboard => 1.0,
+            BerthingSide::Port => -1.0,
         };
-        let east_m = -(of.ship.off_m + 0.5 * particulars.beam_m);
-        Hull {
-            length_m,
-            beam_m: particulars.beam_m,
-            at_m: [-shore * of.ship.astern_m, east_m],
-            heading_deg,
-            shore,
-        }
+        // With the berth to starboard her bow is a quarter turn to port of the direction to it.
+        let ahead = vec2(-to_sea.y, to_sea.x) * shore;
+        let off_m = of.ship.off_m + 0.5 * particulars.beam_m;
+        let at_m = middle_m + to_sea * off_m - ahead * of.ship.astern_m;
+        Hull { length_m, beam_m: particulars.beam_m, at_m, ahead, to_sea, shore }
+    }
+}
+
+/// A direction in degrees from north, 0 to 360.
+fn bearing_deg(of: Vec2) -> f64 {
+    let deg = tenth(libm::atan2(of.y, of.x).to_degrees());
+    if deg < 0.0 { deg + 360.0 } else { deg }
+}
+
+/// The ship's lines, on board.
+pub(super) fn lines(text: &mut String, hull: &Hull) {
+    for (name, along, across) in LINES {
+        let _ = write!(
+            text,
+            "\n[line.{name}]\nfrom = \"ship\"\nfairlead = [{}, {}]\nfairlead_height = \"6 m\"\nrope = \"polyester\"\n\
+             break_load = \"800 kN\"\nwinch = true\n",
+            tenth(along * hull.length_m),
+            tenth(hull.shore * across * hull.beam_m)
+        );
     }
 }
 
 fn environment(text: &mut String, of: &NewExercise) {
-    let weather = &of.weather;
     let _ = write!(text, "\n[environment]\ndepth = {}\n", of.berth.depth_m);
-    if weather.wind_mps > 0.0 {
-        let _ = writeln!(
-            text,
-            "wind = {{ speed = {}, from = {}, gusts = {}, seed = 1 }}",
-            weather.wind_mps, weather.wind_from_rad, weather.gusts
-        );
-    }
-    if weather.current_mps > 0.0 {
-        let _ = writeln!(
-            text,
-            "current = {{ speed = {}, towards = {} }}",
-            weather.current_mps, weather.current_to_rad
-        );
-    }
-    if let Some(visibility_m) = weather.visibility_m {
-        let _ = writeln!(text, "visibility = {visibility_m}");
+    for (key, value) in weather(of) {
+        let _ = writeln!(text, "{key} = {value}");
     }
 }
 
-fn bodies(text: &mut String, of: &NewExercise, hull: &Hull, ship: &VesselData) {
+/// The keys of wind, current and visibility, with their values.
+pub(super) fn weather(of: &NewExercise) -> Vec<(&'static str, String)> {
+    let NewWeather { wind_mps, wind_from_rad, gusts, current_mps, current_to_rad, visibility_m } =
+        of.weather;
+    let wind = (wind_mps > 0.0).then(|| {
+        let value =
+            format!("{{ speed = {wind_mps}, from = {wind_from_rad}, gusts = {gusts}, seed = 1 }}");
+        ("wind", value)
+    });
+    let current = (current_mps > 0.0)
+        .then(|| ("current", format!("{{ speed = {current_mps}, towards = {current_to_rad} }}")));
+    let visibility = visibility_m.map(|visibility_m| ("visibility", visibility_m.to_string()));
+    [wind, current, visibility].into_iter().flatten().collect()
+}
+
+pub(super) fn ship_body(text: &mut String, of: &NewExercise, hull: &Hull, ship: &VesselData) {
     let _ = write!(text, "\n[body.ship]\nvessel = {}\n", quoted(&ship.name));
     if ship.outline_m.is_none() {
         // The outline is about the centre of gravity.
@@ -161,12 +185,17 @@ fn bodies(text: &mut String, of: &NewExercise, hull: &Hull, ship: &VesselData) {
         let all: Vec<String> = port.chain([corner((0.5, 0.0))]).chain(starboard).collect();
         let _ = writeln!(text, "outline = [{}]", all.join(", "));
     }
-    let [north_m, east_m] = hull.at_m.map(tenth);
     let _ = write!(
         text,
-        "position = [{north_m}, {east_m}]\nheading = \"{} deg\"\nvelocity = {{ surge = {} }}\n",
-        hull.heading_deg, of.ship.speed_mps
+        "position = [{}, {}]\nheading = \"{} deg\"\nvelocity = {{ surge = {} }}\n",
+        tenth(hull.at_m.x),
+        tenth(hull.at_m.y),
+        bearing_deg(hull.ahead),
+        of.ship.speed_mps
     );
+}
+
+fn quay(text: &mut String, of: &NewExercise) {
     let half_m = 0.5 * of.berth.length_m;
     let _ = write!(
         text,
@@ -208,18 +237,24 @@ fn fenders(text: &mut String, berth: &NewBerth, size: Option<&FenderSize>) -> Op
     Some(())
 }
 
-fn tugs(text: &mut String, of: &NewExercise, hull: &Hull, tug: &VesselData) {
+/// The tugs on their lines. They may touch the ship, each other, and the fixed bodies of these names.
+pub(super) fn tugs(
+    text: &mut String,
+    of: &NewExercise,
+    hull: &Hull,
+    tug: &VesselData,
+    ashore: &[&str],
+) {
     let half_m = 0.5 * tug.length_overall_m.unwrap_or(tug.ship.particulars.length_m);
     let (sea, off_m) = (-hull.shore, 0.5 * hull.beam_m + TUG_OFF_M);
     let names: Vec<String> = (1..=of.tugs.number).map(|number| format!("tug_{number}")).collect();
     for (name, along) in names.iter().zip(TUG_PLACES[of.tugs.number]) {
         let along_m = tenth(along * hull.length_m);
-        // On the earth: ahead of the ship is north if her heading is zero.
-        let north_m = tenth(hull.at_m[0] + hull.shore * along_m);
-        let east_m = tenth(hull.at_m[1] - off_m);
+        let at_m = hull.at_m + hull.ahead * along_m + hull.to_sea * off_m;
+        let (north_m, east_m) = (tenth(at_m.x), tenth(at_m.y));
         let _ = write!(
             text,
-            "\n[body.{name}]\nvessel = {}\nposition = [{north_m}, {east_m}]\nheading = \"90 deg\"\n\
+            "\n[body.{name}]\nvessel = {}\nposition = [{north_m}, {east_m}]\nheading = \"{} deg\"\n\
              \n[fender.bow_of_{name}]\non = \"{name}\"\nbelting = \"bow\"\nprojection = \"0.9 m\"\nmaterial = \"bow\"\n\
              \n[line.tow_of_{name}]\nfrom = \"{name}\"\nfairlead = [{}, 0]\nto = \"ship\"\nbollard = [{along_m}, {}]\n\
              rope = \"hmpe\"\nbreak_load = \"2400 kN\"\n\
@@ -227,6 +262,7 @@ fn tugs(text: &mut String, of: &NewExercise, hull: &Hull, tug: &VesselData) {
              \n[[order]]\nvessel = \"{name}\"\n\
              follow_ship = {{ ship = \"ship\", at = [{along_m}, {}], heading = \"{} deg\", speed = \"4 kn\" }}\n",
             quoted(&tug.name),
+            bearing_deg(hull.to_sea * -1.0),
             tenth(half_m - 1.5),
             tenth(sea * (0.5 * hull.beam_m - 2.0)),
             tenth(sea * off_m),
@@ -235,13 +271,16 @@ fn tugs(text: &mut String, of: &NewExercise, hull: &Hull, tug: &VesselData) {
     }
     for (index, name) in names.iter().enumerate() {
         let others = names[index + 1..].iter().map(String::as_str);
-        for other in ["ship", "quay"].into_iter().chain(others) {
-            let _ = write!(
-                text,
-                "\n[[pair]]\nbodies = [\"{name}\", \"{other}\"]\nmaterial = \"concrete\"\n"
-            );
+        for other in ["ship"].into_iter().chain(ashore.iter().copied()).chain(others) {
+            pair(text, name, other);
         }
     }
+}
+
+/// Two bodies that may touch.
+pub(super) fn pair(text: &mut String, one: &str, other: &str) {
+    let (one, other) = (quoted(one), quoted(other));
+    let _ = write!(text, "\n[[pair]]\nbodies = [{one}, {other}]\nmaterial = \"concrete\"\n");
 }
 
 /// Rounded to a tenth, for a file that people read.
@@ -251,6 +290,6 @@ fn tenth(value_m: f64) -> f64 {
 }
 
 /// A text in quotes: those of JSON are those of TOML.
-fn quoted(text: &str) -> String {
+pub(super) fn quoted(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use fenderline_live::Session;
-use fenderline_nautical::{ChartOrigin, Moment};
+use fenderline_nautical::{ChartOrigin, GeoPoint, Moment};
 
 use crate::hub::Hub;
 use crate::instruments;
@@ -14,16 +14,17 @@ const INTERVAL: Duration = Duration::from_secs(1);
 /// The clock of the sentences. They go by wall time, paused or not, because chart programs do.
 #[derive(Debug)]
 pub(super) struct ChartOutput {
-    /// The scenario's origin on the chart.
-    origin: ChartOrigin,
+    /// The scenario's origin, where the user gave one.
+    given: Option<ChartOrigin>,
     /// When the last round was sent.
     sent: Option<Instant>,
     rounds: u64,
 }
 
 impl ChartOutput {
-    pub(super) fn new(origin: ChartOrigin) -> ChartOutput {
-        ChartOutput { origin, sent: None, rounds: 0 }
+    /// Sentences about an origin; `None`: that of the scenario's chart, and 0° N 0° E without one.
+    pub(super) fn new(given: Option<ChartOrigin>) -> ChartOutput {
+        ChartOutput { given, sent: None, rounds: 0 }
     }
 
     /// Sends a round of sentences if one is due.
@@ -32,9 +33,18 @@ impl ChartOutput {
             return;
         }
         let at = Moment::from_unix(super::unix_ms() as f64 * 1e-3);
-        let round = instruments::sentences(session, &self.origin, at, self.rounds);
+        let origin = self.given.or_else(|| of_chart(session)).unwrap_or_default();
+        let round = instruments::sentences(session, &origin, at, self.rounds);
         hub.sentences.send_replace(Some(round.into()));
         self.sent = Some(now);
         self.rounds += 1;
     }
+}
+
+/// The origin of a session's chart; `None` without one, and beyond 85° of latitude.
+fn of_chart(session: &Session) -> Option<ChartOrigin> {
+    let place = session.simulation().setup().world.chart.origin?;
+    let (latitude_deg, longitude_deg) =
+        (place.latitude_rad.to_degrees(), place.longitude_rad.to_degrees());
+    ChartOrigin::new(GeoPoint { latitude_deg, longitude_deg }).ok()
 }

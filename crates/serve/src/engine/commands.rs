@@ -225,6 +225,10 @@ impl Engine {
                 self.create(requester, *of)?;
                 return Ok(Done::AnswerFollows);
             }
+            Conduct::SaveExercise { name, title, replace } => {
+                self.save_exercise(requester, (&name, &title), replace)?;
+                return Ok(Done::AnswerFollows);
+            }
             Conduct::Save { name } => {
                 self.save(requester, &name)?;
                 return Ok(Done::AnswerFollows);

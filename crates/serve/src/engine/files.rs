@@ -6,17 +6,20 @@ use std::sync::{Arc, PoisonError};
 use std::time::Instant;
 
 use fenderline_live::message::{GalleryEntry, Reply};
-use fenderline_live::{Creation, Refusal};
+use fenderline_live::{Creation, PresentFile, Refusal};
 
 use super::Engine;
 use super::kept_history::KeptHistory;
 use crate::gallery::Opened;
 use crate::hub::ToEngine;
-use crate::new_file::NewFile;
+use crate::new_file::{Content, NewFile};
 use crate::opening::{Outcome, Requester, Task, Work};
 use crate::pacer::Pacer;
 use crate::recorder::Recorder;
 use crate::saved::ENDING;
+
+/// Longest title of an exercise (bytes).
+const LONGEST_TITLE: usize = 200;
 
 impl Engine {
     /// Begins to open an entry of the gallery. The present session goes on until the new one is open.
@@ -47,13 +50,49 @@ impl Engine {
     pub(super) fn create(&mut self, requester: Requester, of: Creation) -> Result<(), Refusal> {
         self.check_no_work()?;
         let Creation { name, exercise, replace } = of;
-        let file = NewFile::new(self.gallery.folder(), &name, exercise, replace);
+        let berth = match &exercise.berth_of {
+            None => None,
+            Some(file) => {
+                let path = self.gallery.path(file).map(Path::to_owned);
+                Some(path.ok_or_else(|| {
+                    Refusal::new(format_args!("there is no scenario {file} in the gallery"))
+                })?)
+            }
+        };
+        let choices = Content::Choices(Box::new(exercise), berth);
+        let file = NewFile::new(self.gallery.folder(), &name, choices, replace);
         let file = file.map_err(Refusal::new)?;
         self.work = Some(Work::create(self.send_outcome(), requester, file).map_err(Refusal::new)?);
         Ok(())
     }
 
-    /// Begins to make the report of the session up to now.
+    /// Begins to save the present state as an exercise. What the file leaves out is told to the instructor.
+    pub(super) fn save_exercise(
+        &mut self,
+        requester: Requester,
+        (name, title): (&str, &str),
+        replace: bool,
+    ) -> Result<(), Refusal> {
+        self.check_no_work()?;
+        let title = title.trim();
+        if title.is_empty() || title.len() > LONGEST_TITLE || title.contains(char::is_control) {
+            return Err(Refusal::new(format_args!(
+                "an exercise needs a title: one line of at most {LONGEST_TITLE} bytes"
+            )));
+        }
+        let PresentFile { text, notes } = self.session.present_file(title)?;
+        let content = Content::Text(text, self.session.source().files.clone());
+        let file = NewFile::new(self.gallery.folder(), name, content, replace);
+        let file = file.map_err(Refusal::new)?;
+        let client = requester.client;
+        self.work = Some(Work::create(self.send_outcome(), requester, file).map_err(Refusal::new)?);
+        for text in notes {
+            self.reply(client, &Reply::Notice { text });
+        }
+        Ok(())
+    }
+
+    /// Begins to make the report of the session up to now: of the branch that is shown.
     pub(super) fn report(&mut self, requester: Requester) -> Result<(), Refusal> {
         self.check_no_work()?;
         if self.session.branches()[self.session.current_branch()].ends_tick == 0 {
@@ -65,7 +104,8 @@ impl Engine {
             return Err(Refusal::new("the session is no longer recorded"));
         }
         let recording = self.recorder.so_far(self.session.end_line());
-        let work = Work::report(self.send_outcome(), requester, recording, self.make_report);
+        let of = (recording, self.session.current_branch());
+        let work = Work::report(self.send_outcome(), requester, of, self.make_report);
         self.work = Some(work.map_err(Refusal::new)?);
         Ok(())
     }
@@ -181,7 +221,18 @@ impl Engine {
         self.greet_all();
         let label = &requester.label;
         self.notify_all(&format!("{label} has loaded {}; it is paused", self.session.title()));
-        opened.notices.iter().for_each(|notice| self.notify_all(notice));
+        // Long sentences over the plan of everybody would hide the ship that is about to start.
+        let t_s = self.session.simulation().time_s();
+        for notice in &opened.notices {
+            self.events.add(t_s, notice.clone());
+        }
+        match opened.notices.len() {
+            0 => {}
+            1 => self.notify_all("There is a notice about the scenario: it is in the log of the tab Alarms."),
+            many => self.notify_all(&format!(
+                "There are {many} notices about the scenario: they are in the log of the tab Alarms."
+            )),
+        }
         Ok(())
     }
 }

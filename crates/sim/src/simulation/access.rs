@@ -296,8 +296,15 @@ impl Simulation {
         self.world.retain_orders(keep);
     }
 
-    /// Sets the wind from the next step on; `None` for no wind. The change is a jump.
+    /// The pending orders, the set-up's among them, by time.
+    #[must_use]
+    pub fn pending_orders(&self) -> &[Order] {
+        self.world.pending_orders()
+    }
+
+    /// Sets the wind from the next step on; `None` for no wind. The change is a jump, and ends a change over a time.
     pub fn set_wind(&mut self, wind: Option<Wind>) {
+        self.changes.ramps.wind = None;
         self.setup.world.environment.wind = wind;
         self.world.renew_gusts(&self.setup.world);
     }
@@ -305,6 +312,7 @@ impl Simulation {
     /// Sets the current from the next step on; `None` for no current. The change is a jump, but causes no
     /// acceleration force of its own: ships are taken along by their drag.
     pub fn set_current(&mut self, current: Option<Current>) {
+        self.changes.ramps.current = None;
         self.setup.world.environment.current = current;
     }
 
@@ -318,6 +326,7 @@ impl Simulation {
         state.faults = faults;
         Ok(())
     }
+
     /// Lets a vector tug drop out, or come back, from the next step on. While she is out she carries out no orders; when she comes
     /// back she stands by.
     ///

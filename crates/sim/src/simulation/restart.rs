@@ -3,6 +3,7 @@
 use fenderline_contact::{BodyState, Wrench};
 
 use super::Simulation;
+use crate::change::Changes;
 use crate::error::SetupError;
 use crate::ledger::{Bodies, Ledger};
 use crate::rigid_body::initial_state;
@@ -43,6 +44,7 @@ impl Simulation {
         work.forget_results();
         let states: &[BodyState] = states;
         self.ledger = Ledger::new(Bodies { order: &world.order.bodies, inertias, states });
+        self.changes = Changes::default();
         self.index = 0;
         self.statistics = Statistics::new(setup);
         self.contact_totals.restart();

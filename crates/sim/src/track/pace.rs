@@ -10,6 +10,8 @@ pub struct Pace {
     knots: Vec<Knot>,
     /// Distance from the first knot at which the track begins (m).
     begins_m: f64,
+    /// When she is at the first waypoint (s).
+    at_first_s: f64,
 }
 
 /// A time at which the speed is given.
@@ -50,9 +52,20 @@ impl Pace {
             };
             knots.push(Knot { t_s, speed_mps, covered_m });
         }
-        let mut pace = Pace { knots, begins_m: 0.0 };
+        let mut pace = Pace { knots, begins_m: 0.0, at_first_s: at_s };
         pace.begins_m = pace.covered_m(at_s);
         Ok(pace)
+    }
+
+    /// When she is at the first waypoint (s).
+    #[must_use]
+    pub fn at_first_s(&self) -> f64 {
+        self.at_first_s
+    }
+
+    /// The times (s) with the speeds (m/s) that were given; one for a steady speed.
+    pub fn speeds(&self) -> impl ExactSizeIterator<Item = (f64, f64)> {
+        self.knots.iter().map(|knot| (knot.t_s, knot.speed_mps))
     }
 
     /// Speed at a time (m/s).

@@ -32,6 +32,8 @@ pub enum WorldEventKind {
     LineMadeFast,
     /// A line parted.
     LineParted,
+    /// A line that was planned to part was not fast.
+    LineNotParted,
     /// The brake of the winch of a line renders.
     LineRenders,
     /// An event of an anchor.

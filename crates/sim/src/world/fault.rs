@@ -1,6 +1,8 @@
-//! Faults of a vessel during a run.
+//! Faults of a vessel's machinery and instruments: orders are accepted but not carried out, and displays stay as they are.
 
-/// The active faults of a vessel: plain data. None at the start of a run.
+use crate::order::Word;
+
+/// The faults of a vessel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Faults {
     /// The rudder stays where it is; azimuth units do not turn.
@@ -13,9 +15,125 @@ pub struct Faults {
     pub thrusters_lost: bool,
     /// All of these at once: no power.
     pub blackout: bool,
+    /// Single thrusters and azimuth units that have tripped: they give no thrust.
+    pub tripped: Tripped,
+    /// The heading that is shown on board stays as it is. The simulation goes on with the true one.
+    pub heading_frozen: bool,
+    /// The same of the speeds.
+    pub speed_frozen: bool,
+    /// The same of the position.
+    pub position_frozen: bool,
+}
+
+/// A fault by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// See [`Faults::rudder_stuck`].
+    RudderStuck,
+    /// See [`Faults::follow_up_lost`].
+    FollowUpLost,
+    /// See [`Faults::engine_lost`].
+    EngineLost,
+    /// See [`Faults::thrusters_lost`].
+    ThrustersLost,
+    /// See [`Faults::blackout`].
+    Blackout,
+    /// See [`Faults::heading_frozen`].
+    HeadingFrozen,
+    /// See [`Faults::speed_frozen`].
+    SpeedFrozen,
+    /// See [`Faults::position_frozen`].
+    PositionFrozen,
+}
+
+impl Word for Fault {
+    const ALL: &'static [Fault] = &[
+        Fault::RudderStuck,
+        Fault::FollowUpLost,
+        Fault::EngineLost,
+        Fault::ThrustersLost,
+        Fault::Blackout,
+        Fault::HeadingFrozen,
+        Fault::SpeedFrozen,
+        Fault::PositionFrozen,
+    ];
+
+    fn word(self) -> &'static str {
+        match self {
+            Fault::RudderStuck => "rudder_stuck",
+            Fault::FollowUpLost => "follow_up_lost",
+            Fault::EngineLost => "engine_lost",
+            Fault::ThrustersLost => "thrusters_lost",
+            Fault::Blackout => "blackout",
+            Fault::HeadingFrozen => "heading_frozen",
+            Fault::SpeedFrozen => "speed_frozen",
+            Fault::PositionFrozen => "position_frozen",
+        }
+    }
+}
+
+impl Fault {
+    /// True for an instrument: nobody on board is told.
+    #[must_use]
+    pub fn is_of_instrument(self) -> bool {
+        matches!(self, Fault::HeadingFrozen | Fault::SpeedFrozen | Fault::PositionFrozen)
+    }
+}
+
+/// Thrusters and azimuth units of a vessel by number: thrusters first, then azimuth units.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tripped(u64);
+
+impl Tripped {
+    /// How many units can be told apart.
+    pub const MOST: usize = 64;
+
+    /// Whether a unit has tripped.
+    #[must_use]
+    pub fn has(self, unit: usize) -> bool {
+        unit < Tripped::MOST && self.0 >> unit & 1 == 1
+    }
+
+    /// The same with a unit tripped, or in order. Beyond [`Tripped::MOST`] nothing is changed.
+    #[must_use]
+    pub fn with(self, unit: usize, tripped: bool) -> Tripped {
+        let bit = if unit < Tripped::MOST { 1 << unit } else { 0 };
+        Tripped(if tripped { self.0 | bit } else { self.0 & !bit })
+    }
 }
 
 impl Faults {
+    /// Whether a fault is on.
+    #[must_use]
+    pub fn has(&self, fault: Fault) -> bool {
+        let mut copy = *self;
+        *copy.flag(fault)
+    }
+
+    /// Switches a fault on or off.
+    pub fn switch(&mut self, fault: Fault, on: bool) {
+        *self.flag(fault) = on;
+    }
+
+    fn flag(&mut self, fault: Fault) -> &mut bool {
+        match fault {
+            Fault::RudderStuck => &mut self.rudder_stuck,
+            Fault::FollowUpLost => &mut self.follow_up_lost,
+            Fault::EngineLost => &mut self.engine_lost,
+            Fault::ThrustersLost => &mut self.thrusters_lost,
+            Fault::Blackout => &mut self.blackout,
+            Fault::HeadingFrozen => &mut self.heading_frozen,
+            Fault::SpeedFrozen => &mut self.speed_frozen,
+            Fault::PositionFrozen => &mut self.position_frozen,
+        }
+    }
+
+    /// The faults that are on, without single units.
+    pub fn active(&self) -> impl Iterator<Item = Fault> + use<> {
+        let own = *self;
+        Fault::ALL.iter().copied().filter(move |fault| own.has(*fault))
+    }
+
     /// True if the rudder and the direction of azimuth units do not move.
     #[must_use]
     pub fn steering_failed(&self) -> bool {

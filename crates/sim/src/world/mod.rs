@@ -51,7 +51,7 @@ pub use azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
 pub use bollard::{BollardSetup, LineHandling};
 pub use environment::Environment;
 pub use event::{WorldEvent, WorldEventKind};
-pub use fault::Faults;
+pub use fault::{Fault, Faults, Tripped};
 pub use line::{LineEnd, Mooring, MooringSetup, Sent};
 pub use pilot::Pilots;
 pub use setup::{ProviderSetup, WorldSetup};
@@ -404,6 +404,17 @@ impl World {
         self.orders.drain(..self.taken);
         self.taken = 0;
         self.orders.retain(keep);
+    }
+
+    /// The pending orders by time.
+    pub(crate) fn pending_orders(&self) -> &[Order] {
+        &self.orders[self.taken..]
+    }
+
+    /// Takes the pending orders of another world.
+    pub(crate) fn take_orders_of(&mut self, other: &World) {
+        self.orders = other.pending_orders().to_vec();
+        self.taken = 0;
     }
 
     fn take_orders(&mut self, setup: &WorldSetup, states: &[BodyState], t_s: f64, step_s: f64) {

@@ -6,6 +6,7 @@ use super::environment::Environment;
 use super::line::MooringSetup;
 use super::tug::TugSetup;
 use super::vessel::VesselSetup;
+use crate::change::PlannedChange;
 use crate::chart::Chart;
 use crate::order::Order;
 use crate::passing::FlowSetup;
@@ -20,6 +21,8 @@ pub struct WorldSetup {
     pub vessels: Vec<VesselSetup>,
     /// Timed orders.
     pub orders: Vec<Order>,
+    /// Changes of weather and faults at times of the run.
+    pub planned: Vec<PlannedChange>,
     /// Vector tugs.
     pub tugs: Vec<TugSetup>,
     /// Mooring lines.

@@ -277,15 +277,20 @@ impl VesselState {
         let shaft_rps =
             if faults.engine_failed() { 0.0 } else { self.orders.shaft * self.shaft.stop };
         clamped |= self.shaft.step(shaft_rps, step_s) == Order::Clamped;
-        for (lag, &order) in self.thrusters.iter_mut().zip(&self.orders.thrusters) {
-            let order = if faults.thrusters_failed() { 0.0 } else { order };
+        let tunnels = self.thrusters.len();
+        for (unit, (lag, &order)) in
+            self.thrusters.iter_mut().zip(&self.orders.thrusters).enumerate()
+        {
+            let failed = faults.thrusters_failed() || faults.tripped.has(unit);
+            let order = if failed { 0.0 } else { order };
             let within = if order.is_nan() { lag.value } else { bounded(order, -1.0, 1.0) };
             clamped |= within != order;
             lag.step(within, step_s);
         }
-        for (unit, order) in self.azimuths.iter_mut().zip(&self.orders.azimuths) {
+        let units = self.azimuths.iter_mut().zip(&self.orders.azimuths);
+        for (number, (unit, order)) in units.enumerate() {
             let mut order = *order;
-            if faults.engine_failed() {
+            if faults.engine_failed() || faults.tripped.has(tunnels + number) {
                 order.power = 0.0;
             }
             if faults.steering_failed() {
@@ -302,6 +307,12 @@ impl VesselSetup {
     #[must_use]
     pub fn bollard_pull_n(&self) -> f64 {
         self.azimuths.iter().map(|azimuth| azimuth.bollard_n).sum()
+    }
+
+    /// The names of her thrusters, then of her azimuth units: the numbers of [`crate::Tripped`].
+    pub fn unit_names(&self) -> impl Iterator<Item = &str> + Clone {
+        let thrusters = self.thrusters.iter().map(|thruster| thruster.name.as_str());
+        thrusters.chain(self.azimuths.iter().map(|azimuth| azimuth.name.as_str()))
     }
 
     /// True if azimuth units alone propel and steer her: she has no propeller and rudder.

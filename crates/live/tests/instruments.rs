@@ -1,0 +1,125 @@
+//! Frozen instruments: her pilot sees the old values, the instructor the true ones, and nobody else is told. A single thruster trips.
+
+mod support;
+
+use fenderline_live::message::{Frame, Role, RunState};
+use fenderline_live::{Fault, OtherAction, Session};
+
+fn seen(session: &Session, role: &Role) -> Frame {
+    let all = session.frame(0, RunState::default());
+    session.in_fog(&all, role).unwrap_or(all)
+}
+
+fn fault(session: &mut Session, fault: Fault, on: bool) {
+    let action = OtherAction::Fault { vessel: "ship".into(), fault, on };
+    support::command(session, action.into());
+}
+
+#[test]
+fn each_frozen_instrument_stays_for_her_pilot_alone() {
+    let mut session = support::open("scenarios/live/berthing.toml", &[]);
+    support::command(&mut session, support::engine(0.5));
+    support::command(&mut session, support::rudder(0.5));
+    support::go(&mut session, 300);
+    let master = Role::Tugmaster { tug: "forward_tug".into() };
+    let ship =
+        |session: &Session, role: &Role| seen(session, role).bodies[0].expect("she is there");
+    for (of, kept) in [
+        (Fault::HeadingFrozen, &[2][..]),
+        (Fault::SpeedFrozen, &[3, 4][..]),
+        (Fault::PositionFrozen, &[0, 1][..]),
+    ] {
+        let before = ship(&session, &Role::PILOT);
+        let speeds = seen(&session, &Role::PILOT).vessels[0].ground_mps;
+        fault(&mut session, of, true);
+        support::go(&mut session, 200);
+        let truth = ship(&session, &Role::Instructor);
+        let shown = ship(&session, &Role::PILOT);
+        for index in 0..5 {
+            let expected = if kept.contains(&index) { before[index] } else { truth[index] };
+            assert_eq!(shown[index], expected, "{of:?}: {index}");
+            assert_ne!(truth[index], before[index], "{of:?}: she moves");
+        }
+        for other in [&master, &Role::Observer] {
+            assert_eq!(ship(&session, other), truth, "{of:?}");
+            assert_eq!(seen(&session, other).vessels[0].faults, [""; 0]);
+        }
+        let frame = seen(&session, &Role::PILOT);
+        assert_eq!(frame.vessels[0].ground_mps == speeds, of == Fault::SpeedFrozen, "{of:?}");
+        assert!(frame.vessels[0].faults.is_empty());
+        assert!(!frame.alarms.iter().any(|alarm| alarm.text.contains("frozen")));
+        assert_eq!(seen(&session, &Role::Instructor).vessels[0].faults.len(), 1);
+        // Her predicted path would show where she is.
+        assert_eq!(session.hidden_vessels(&Role::PILOT), [0]);
+        assert!(session.hidden_vessels(&master).is_empty());
+        fault(&mut session, of, false);
+        assert_eq!(ship(&session, &Role::PILOT), ship(&session, &Role::Instructor));
+    }
+}
+
+#[test]
+fn frozen_values_are_those_of_the_shown_time_after_a_rewind() {
+    let mut session = support::open("scenarios/live/berthing.toml", &[]);
+    support::go(&mut session, 50);
+    fault(&mut session, Fault::PositionFrozen, true);
+    support::go(&mut session, 250);
+    let shown = seen(&session, &Role::PILOT).bodies[0];
+    session.rewind(20).expect("it is there");
+    assert_eq!(seen(&session, &Role::PILOT), seen(&session, &Role::Instructor));
+    session.rewind(300).expect("it is there");
+    assert_eq!(seen(&session, &Role::PILOT).bodies[0], shown);
+    let bits = session.bits();
+    let mut other = support::open("scenarios/live/berthing.toml", &[]);
+    support::go(&mut other, 300);
+    assert_eq!(other.bits(), bits, "the ship goes on as without the fault");
+}
+
+#[test]
+fn one_thruster_trips_by_its_name_now_or_planned_and_comes_back() {
+    let mut session = support::open("scenarios/live/berthing.toml", &[]);
+    let tug = "forward_tug".to_owned();
+    let names: Vec<String> =
+        session.info().vessels[1].azimuths.iter().map(|unit| unit.name.clone()).collect();
+    let out = |thruster: &str, on| OtherAction::ThrusterOut {
+        vessel: tug.clone(),
+        thruster: thruster.to_owned(),
+        on,
+    };
+    let missing = session.command("test", 0, out("none", true).into()).expect_err("no such unit");
+    assert!(missing.to_string().contains("no thruster `none`"), "{missing}");
+    support::go(&mut session, 300);
+    let event = Box::new(out(&names[1], true));
+    support::command(&mut session, OtherAction::Plan { at_s: 40.0, event }.into());
+    support::command(&mut session, out(&names[0], true).into());
+    support::go(&mut session, 99);
+    assert_eq!(seen(&session, &Role::PILOT).vessels[1].tripped, [names[0].clone()]);
+    support::go(&mut session, 202);
+    let frame = seen(&session, &Role::PILOT);
+    assert_eq!(frame.vessels[1].tripped, names);
+    assert!(frame.vessels[1].azimuths.iter().all(|unit| unit.power < 0.01), "{frame:?}");
+    let texts: Vec<&str> = frame.alarms.iter().map(|alarm| alarm.text.as_str()).collect();
+    assert!(
+        texts.contains(&format!("forward_tug: thruster {} tripped", names[0]).as_str()),
+        "{texts:?}"
+    );
+    support::command(&mut session, out(&names[0], false).into());
+    support::command(&mut session, out(&names[1], false).into());
+    support::go(&mut session, 10);
+    assert!(seen(&session, &Role::PILOT).vessels[1].tripped.is_empty());
+}
+
+#[test]
+fn fog_comes_over_a_time_by_equal_ratios_and_clears_again() {
+    let mut session = support::open("scenarios/live/berthing.toml", &[]);
+    let visibility = |distance_m, over_s| OtherAction::Visibility { distance_m, over_s };
+    support::command(&mut session, visibility(Some(200.0), 60.0).into());
+    support::go(&mut session, 300);
+    // Clear counts as 20 km: half-way to 200 m it is 2 km.
+    let half_m = seen(&session, &Role::PILOT).visibility_m.expect("fog");
+    assert!((half_m - 2000.0).abs() < 1e-6, "{half_m}");
+    support::go(&mut session, 300);
+    assert_eq!(seen(&session, &Role::PILOT).visibility_m, Some(200.0));
+    support::command(&mut session, visibility(None, 10.0).into());
+    support::go(&mut session, 100);
+    assert_eq!(seen(&session, &Role::PILOT).visibility_m, None);
+}

@@ -1,0 +1,44 @@
+/** A row of tabs in one line: where they do not fit, arrows show that there are more, and scroll to them. */
+import { button, h, setClass } from "./dom";
+
+export class TabRow {
+  private readonly list: HTMLElement;
+  private readonly before = button("‹", () => this.scroll(-1), {
+    name: "Earlier tabs",
+    class: "more hidden",
+  });
+  private readonly after = button("›", () => this.scroll(1), {
+    name: "More tabs",
+    class: "more hidden",
+  });
+  readonly root: HTMLElement;
+
+  constructor(tabs: HTMLButtonElement[]) {
+    this.list = h(
+      "div",
+      { class: "tab-list", role: "tablist", "aria-label": "Views", onscroll: () => this.mark() },
+      ...tabs,
+    );
+    this.root = h("div", { class: "tab-row" }, this.before, this.list, this.after);
+    new ResizeObserver(() => this.mark()).observe(this.list);
+  }
+
+  /** Scrolls a tab into the row. */
+  reveal(tab: HTMLElement): void {
+    const [left, right] = [tab.offsetLeft - this.list.offsetLeft, tab.offsetWidth];
+    if (left < this.list.scrollLeft) this.list.scrollLeft = left;
+    else if (left + right > this.list.scrollLeft + this.list.clientWidth)
+      this.list.scrollLeft = left + right - this.list.clientWidth;
+    this.mark();
+  }
+
+  private scroll(way: number): void {
+    this.list.scrollLeft += way * 0.7 * this.list.clientWidth;
+  }
+
+  private mark(): void {
+    const { scrollLeft, scrollWidth, clientWidth } = this.list;
+    setClass(this.before, "hidden", scrollLeft < 1);
+    setClass(this.after, "hidden", scrollLeft + clientWidth > scrollWidth - 1);
+  }
+}
