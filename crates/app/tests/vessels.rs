@@ -313,5 +313,5 @@ fn a_file_of_currents_is_read_beside_the_scenario() {
     place.write("stream.csv", b"t_s,north_mps,east_mps\n0,-0.2,0\n300,-0.4,0\n");
     assert_eq!(place.run(&["run", "harbour.toml", "--allow-failures"]).code, 0);
     let report = place.text("out/harbour/report.html");
-    contains_all(&report, &["current 0.2 m/s (0.4 kn) towards 180° (in the origin, at the start)"]);
+    contains_all(&report, &["current 0.4 m/s (0.8 kn) towards 180°, the fastest of a table"]);
 }

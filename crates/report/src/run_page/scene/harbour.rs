@@ -132,7 +132,7 @@ fn banks(environment: &Environment) -> Vec<[Vec2; 2]> {
     environment.banks.iter().map(Bank::ends_m).collect()
 }
 
-/// Wind, current and waves at the start. As at sea, wind and waves have the direction that they come from, a current that
+/// Wind and waves at the start, and the fastest current. As at sea, wind and waves have the direction that they come from, a current that
 /// to which it flows.
 fn weather(environment: &Environment) -> Vec<Weather> {
     let wind = environment.wind.as_ref().and_then(|wind| {
