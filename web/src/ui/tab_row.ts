@@ -36,9 +36,12 @@ export class TabRow {
     this.list.scrollLeft += way * 0.7 * this.list.clientWidth;
   }
 
+  /** Both arrows keep their room while tabs do not fit: a tab must not move away under a finger as the row scrolls to it. */
   private mark(): void {
     const { scrollLeft, scrollWidth, clientWidth } = this.list;
-    setClass(this.before, "hidden", scrollLeft < 1);
-    setClass(this.after, "hidden", scrollLeft + clientWidth > scrollWidth - 1);
+    const fits = scrollWidth <= clientWidth + 1;
+    for (const each of [this.before, this.after]) setClass(each, "hidden", fits);
+    setClass(this.before, "ended", scrollLeft < 1);
+    setClass(this.after, "ended", scrollLeft + clientWidth > scrollWidth - 1);
   }
 }
