@@ -15,7 +15,7 @@ export class Timeline {
   });
   private readonly playButton = button("▶", () => this.toggle(), { name: "Play (Space)" });
   private readonly peakButton = button("Peak", () => this.toPeak(), {
-    name: "Go to the largest contact force",
+    name: "Peak: go to the largest contact force",
   });
   private readonly label = h("output", { class: "at" });
   private playing: { from_ms: number; index: number } | null = null;

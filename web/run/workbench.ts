@@ -4,7 +4,7 @@ import { History } from "../src/history";
 import { Live, structure } from "../src/live";
 import { PALETTE_NAMES, type PaletteName, applyPalette } from "../src/palette";
 import type { Frame, Hello } from "../src/protocol";
-import { button, h, setAttribute, setClass, setText } from "../src/ui/dom";
+import { button, h, setAttribute, setAttribute, setClass, setText } from "../src/ui/dom";
 import { TabRow } from "../src/ui/tab_row";
 import { Fenders } from "../src/views/fenders";
 import { Plan } from "../src/views/plan";
@@ -381,6 +381,8 @@ export class Workbench {
     for (const { name, view } of this.tabs) {
       view.root.classList.add("view");
       view.root.setAttribute("role", "tabpanel");
+      // A view that scrolls is scrolled by keys too.
+      view.root.tabIndex = 0;
       view.root.setAttribute("aria-label", name);
       this.panel.append(view.root);
     }
@@ -439,10 +441,9 @@ export class Workbench {
   private setPalette(name: PaletteName): void {
     applyPalette(name);
     localStorage.setItem("palette", name);
-    setText(
-      this.paletteButton,
-      name.replace(/^./, (c) => c.toUpperCase()),
-    );
+    const shown = name.replace(/^./, (c) => c.toUpperCase());
+    setText(this.paletteButton, shown);
+    setAttribute(this.paletteButton, "aria-label", `Palette: ${shown}`);
   }
 
   private nextPalette(): void {
