@@ -4,7 +4,7 @@ import { History } from "../src/history";
 import { Live, structure } from "../src/live";
 import { PALETTE_NAMES, type PaletteName, applyPalette } from "../src/palette";
 import type { Frame, Hello } from "../src/protocol";
-import { button, h, setAttribute, setAttribute, setClass, setText } from "../src/ui/dom";
+import { button, h, setAttribute, setClass, setText } from "../src/ui/dom";
 import { TabRow } from "../src/ui/tab_row";
 import { Fenders } from "../src/views/fenders";
 import { Plan } from "../src/views/plan";
