@@ -26,8 +26,8 @@ const NEAR_ENOUGH: f64 = 1e-12;
 #[derive(Clone, Copy)]
 pub(super) struct Corner {
     at_m: Vec2,
-    pub(super) of_a: usize,
-    pub(super) of_b: usize,
+    of_a: usize,
+    of_b: usize,
 }
 
 /// What the search found.

@@ -91,7 +91,7 @@ mod tests {
         ConvexPolygon::new(&(0..count).map(corner).collect::<Vec<_>>())
     }
 
-    /// Overlaps of many depths and attitudes: a certified guess is what the sweep finds, and shallow ones are nearly all guessed.
+    /// Overlaps of many depths and attitudes: a certified guess is what the sweep finds, and most shallow ones are guessed.
     #[test]
     fn a_certified_guess_is_the_only_stretch_of_the_sweep() {
         let mut state = 7_u64;

@@ -104,7 +104,11 @@ fn sector_path(sector: usize, of: usize, inner: f64, outer: f64) -> String {
         let angle = width * (sector as f64 + edge);
         (CENTRE.0 + radius * libm::sin(angle), CENTRE.1 - radius * libm::cos(angle))
     };
-    let [a, b, c, d] = [at(inner, -0.5), at(outer, -0.5), at(outer, 0.5), at(inner, 0.5)];
+    ring_path([at(inner, -0.5), at(outer, -0.5), at(outer, 0.5), at(inner, 0.5)], inner, outer)
+}
+
+/// The outline of a part of a ring between two radii, from its corners: inner, outer, outer, inner.
+pub(super) fn ring_path([a, b, c, d]: [(f64, f64); 4], inner: f64, outer: f64) -> String {
     format!(
         "M{:.1},{:.1}L{:.1},{:.1}A{outer:.1},{outer:.1} 0 0 1 {:.1},{:.1}L{:.1},{:.1}A{inner:.1},{inner:.1} 0 0 0 {:.1},{:.1}Z",
         a.0, a.1, b.0, b.1, c.0, c.1, d.0, d.1, a.0, a.1

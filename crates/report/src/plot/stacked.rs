@@ -8,6 +8,7 @@ use maud::{Markup, html};
 
 use super::axis::Axis;
 use super::number::{fixed, significant};
+use super::rose::ring_path;
 
 /// Amounts of several kinds for each of several things, such as hours lost by reason for each month.
 #[derive(Clone, Debug, PartialEq)]
@@ -191,16 +192,13 @@ fn petal(
     middle: f64,
     half: f64,
 ) -> String {
-    let [a, b, c, d] = [
+    let corners = [
         at(inner, middle - half),
         at(outer, middle - half),
         at(outer, middle + half),
         at(inner, middle + half),
     ];
-    format!(
-        "M{:.1},{:.1}L{:.1},{:.1}A{outer:.1},{outer:.1} 0 0 1 {:.1},{:.1}L{:.1},{:.1}A{inner:.1},{inner:.1} 0 0 0 {:.1},{:.1}Z",
-        a.0, a.1, b.0, b.1, c.0, c.1, d.0, d.1, a.0, a.1
-    )
+    ring_path(corners, inner, outer)
 }
 
 #[cfg(test)]
