@@ -64,6 +64,21 @@ fn an_anchor_is_let_go_reported_veered_and_slipped_and_the_recording_replays() {
     support::replay(&text).expect("the same run again");
 }
 
+/// Two people at one windlass within a tick: the second gets the reason, and no event tells later that an order was refused.
+#[test]
+fn the_second_of_two_orders_for_one_anchor_in_one_tick_is_not_acknowledged_and_dropped() {
+    let mut session = roads();
+    command(&mut session, chain(OrderName::LetGoAnchor, 55.0));
+    go(&mut session, 100);
+    command(&mut session, support::order(OrderName::Slip, "weather").into());
+    let text = refused(&mut session, chain(OrderName::HeaveIn, 0.0));
+    assert_eq!(text, "anchor `weather` is gone: its chain was slipped");
+    session.take_events();
+    go(&mut session, 1);
+    let events = session.take_events();
+    assert!(events.iter().all(|(_, text)| !text.contains("could not")), "{events:?}");
+}
+
 #[test]
 fn faults_of_windlass_and_anchor_and_the_alarm_that_it_drags() {
     let mut session = roads();

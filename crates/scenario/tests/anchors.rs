@@ -220,6 +220,34 @@ fn orders_that_cannot_be_carried_out_are_refused() {
     assert!(of.findings().is_empty());
 }
 
+/// Each order is checked against what the orders before it in the same step leave: none is acknowledged and then dropped.
+#[test]
+fn the_second_of_two_orders_for_one_anchor_in_one_step_is_not_acknowledged_and_dropped() {
+    let mut of = roads(&[], "");
+    let now = |of: &Simulation, name, shackles| of.check_now(&action(of, 0, name, shackles));
+    // Let go, and stopped in the same step: nothing runs out.
+    order(&mut of, 0, OrderName::LetGoAnchor, Some(2.0));
+    order(&mut of, 0, OrderName::HoldChain, None);
+    assert_eq!(
+        now(&of, OrderName::HoldChain, None),
+        Err(OrderError::AnchorHome { anchor: "port".into() })
+    );
+    assert_eq!(run(&mut of, 30.0), []);
+    assert_eq!(of.anchors()[0].state.position, AnchorPosition::Housed);
+    // Slipped, and hove in in the same step: the second is told.
+    order(&mut of, 0, OrderName::LetGoAnchor, Some(2.0));
+    run(&mut of, 60.0);
+    order(&mut of, 0, OrderName::Slip, None);
+    let gone = OrderError::AnchorLost { anchor: "port".into(), by: LostBy::Slipped };
+    assert_eq!(now(&of, OrderName::HeaveIn, Some(0.0)), Err(gone.clone()));
+    assert_eq!(now(&of, OrderName::Slip, None), Err(gone));
+    // The other anchor is not concerned.
+    order(&mut of, 1, OrderName::LetGoAnchor, Some(2.0));
+    assert_eq!(run(&mut of, 0.2), [], "no order is refused");
+    assert_eq!(of.anchors()[0].state.position, AnchorPosition::Lost(LostBy::Slipped));
+    assert!(of.anchors()[1].state.chain_m > 0.0);
+}
+
 /// What a file says wrongly is found before the run, with its key.
 #[test]
 fn an_anchor_that_finds_no_bottom_is_refused_with_its_key() {

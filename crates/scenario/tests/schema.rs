@@ -213,7 +213,20 @@ fn fulls() -> Vec<Json> {
             "vessel": "barge", "outline": [[-40, -10], [40, -10], [40, 10], [-40, 10]]
         } }
     });
-    vec![full(), by_data, by_file, by_depth, on_winches, by_wall, on_dolphins, on_tubes, of_chart]
+    let mut anchored = full();
+    anchored["exercise"] = exercise_at_anchor();
+    vec![
+        full(),
+        by_data,
+        by_file,
+        by_depth,
+        on_winches,
+        by_wall,
+        on_dolphins,
+        on_tubes,
+        of_chart,
+        anchored,
+    ]
 }
 
 fn pile() -> Json {
@@ -236,6 +249,17 @@ fn exercise() -> Json {
             "under_keel": { "least": 2, "worst": 1, "points": 20, "fails": false },
             "touch": { "points": 50, "fails": true },
             "time": { "most": "30 min", "worst": "1 h", "points": 20, "fails": false }
+        }
+    })
+}
+
+fn exercise_at_anchor() -> Json {
+    json!({
+        "task": "come to anchor", "vessel": "d", "goal": "anchored", "anchors": ["starboard"], "at_least": 1,
+        "chain_out": "4 shackles", "position": [400, -120], "distance": "50 m", "rest_speed": "0.1 kn", "hold": 60,
+        "limit": {
+            "chain": { "most": "40 %", "worst": 1, "points": 20, "fails": false },
+            "dragged": { "most": 20, "worst": "60 m", "points": 20, "fails": false }
         }
     })
 }
@@ -801,6 +825,7 @@ fn examples_are_accepted() {
                 "/exercise/vessel",
                 "/exercise/berth",
                 "/exercise/lines",
+                "/exercise/anchors",
                 // A boat's speed goes with a boat.
                 "/line_handling/boat",
                 // A constant tension goes with a winch.

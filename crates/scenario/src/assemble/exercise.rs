@@ -3,7 +3,7 @@
 use fenderline_contact::number::lesser;
 use fenderline_sim::Setup;
 use fenderline_sim::berth::Berth;
-use fenderline_sim::exercise::{Condition, ExerciseSetup, Limit, Measure};
+use fenderline_sim::exercise::{AnchorPlace, Condition, ExerciseSetup, Limit, Measure};
 
 use super::unused::listed;
 use super::{Assembly, Checked, Names};
@@ -16,6 +16,9 @@ use crate::suggest::nearest;
 const ALONGSIDE_M: f64 = 0.5;
 /// Nearest to the fenders of a ship that is clear of them, unless the scenario says otherwise (m); our choice.
 const CLEAR_M: f64 = 30.0;
+
+/// Farthest from its place of an anchor, unless the scenario says otherwise (m); our choice.
+const AT_PLACE_M: f64 = 50.0;
 
 impl Assembly<'_, '_> {
     pub(super) fn exercise(
@@ -103,19 +106,14 @@ impl Assembly<'_, '_> {
                     Condition::LinesAboard { lines },
                 ]
             }
+            GoalWord::Anchored => vec![self.anchors_hold(table, setup, vessel)?, at_rest],
         })
     }
 
     /// Refuses keys that the goal does not use.
     fn check_keys_of_goal(&self, table: &Table, word: GoalWord) -> Checked<()> {
-        let unused: &[&'static str] = match word {
-            GoalWord::AllFast => &[],
-            GoalWord::Alongside => &["lines", "at_least", "least_tension", "most_tension"],
-            GoalWord::Clear => {
-                &["lines", "at_least", "least_tension", "most_tension", "rest_speed"]
-            }
-        };
-        let given = unused.iter().filter_map(|name| table.item(name)).find(|item| !item.is_default);
+        let unused = word.unused().iter();
+        let given = unused.filter_map(|name| table.item(name)).find(|item| !item.is_default);
         given.map_or(Ok(()), |item| {
             let path = table.path_of(item.name);
             let goal = table.given("goal").word();
@@ -125,9 +123,13 @@ impl Assembly<'_, '_> {
     }
 
     fn lines_fast(&self, table: &Table, setup: &Setup, vessel: usize) -> Checked<Condition> {
+        let all: Vec<usize> = own_lines(setup, vessel).collect();
         let lines = match table.item("lines") {
-            Some(item) => self.lines_named(table, item, setup)?,
-            None => own_lines(setup, vessel).collect(),
+            Some(item) => {
+                let names = setup.world.lines.iter().map(|line| line.line.name.as_str());
+                self.named(table, item, "line", &names.collect::<Vec<_>>())?
+            }
+            None => all,
         };
         let path = table.path_of("lines");
         if lines.is_empty() {
@@ -135,20 +137,7 @@ impl Assembly<'_, '_> {
             let message = format!("`{path}`: the ship has no lines");
             return Err(self.sources.error(span, &path, message));
         }
-        let at_least = match table.item("at_least") {
-            None => lines.len(),
-            Some(item) => {
-                let (number, path) = (*item.number(), table.path_of("at_least"));
-                if number.fract() != 0.0 || number > lines.len() as f64 {
-                    let message = format!(
-                        "`{path}`: {number} is not a whole number of up to {} lines",
-                        lines.len()
-                    );
-                    return Err(self.sources.error(&item.span, &path, message));
-                }
-                number as usize
-            }
-        };
+        let at_least = self.at_least(table, lines.len(), "lines")?.unwrap_or(lines.len());
         let number = |name: &str, without: f64| table.item(name).map_or(without, |i| *i.number());
         let tension_n = [number("least_tension", 0.0), number("most_tension", f64::INFINITY)];
         if tension_n[0] > tension_n[1] {
@@ -159,26 +148,95 @@ impl Assembly<'_, '_> {
         Ok(Condition::LinesFast { lines, at_least, tension_n })
     }
 
-    fn lines_named(&self, table: &Table, item: &Item, setup: &Setup) -> Checked<Vec<usize>> {
-        let all = || setup.world.lines.iter().map(|line| line.line.name.as_str());
+    /// How many of the lines or anchors that count are needed; `None` without a number.
+    fn at_least(&self, table: &Table, of: usize, what: &str) -> Checked<Option<usize>> {
+        let Some(item) = table.item("at_least") else { return Ok(None) };
+        let (number, path) = (*item.number(), table.path_of("at_least"));
+        if number.fract() != 0.0 || number > of as f64 {
+            let message = format!("`{path}`: {number} is not a whole number of up to {of} {what}");
+            return Err(self.sources.error(&item.span, &path, message));
+        }
+        Ok(Some(number as usize))
+    }
+
+    fn anchors_hold(&self, table: &Table, setup: &Setup, vessel: usize) -> Checked<Condition> {
+        let all = || setup.world.anchors.iter().enumerate();
+        let own = || all().filter(|(_, anchor)| anchor.vessel == vessel);
+        let anchors: Vec<usize> = match table.item("anchors") {
+            Some(item) => {
+                let names: Vec<&str> = all().map(|(_, of)| of.gear.name.as_str()).collect();
+                let given = self.named(table, item, "anchor", &names)?;
+                if let Some(other) =
+                    given.iter().find(|&&of| setup.world.anchors[of].vessel != vessel)
+                {
+                    let path = table.path_of("anchors");
+                    let message = format!("`{path}`: {} is on another ship", quoted(names[*other]));
+                    return Err(self.sources.error(&item.span, &path, message));
+                }
+                given
+            }
+            None => own().map(|(index, _)| index).collect(),
+        };
+        if anchors.is_empty() {
+            let path = table.path_of("anchors");
+            let span = table.item("anchors").map_or(&table.span, |item| &item.span);
+            let message = format!("`{path}`: the ship has no anchors");
+            return Err(self.sources.error(span, &path, message));
+        }
+        let at_least = self.at_least(table, anchors.len(), "anchors")?.unwrap_or(1);
+        let chain_m = table.item("chain_out").map_or(0.0, |item| *item.number());
+        if let Some(item) = table.item("chain_out") {
+            let lengths = anchors.iter().map(|&of| setup.world.anchors[of].gear.chain_length_m);
+            let enough = lengths.filter(|&length_m| length_m >= chain_m).count();
+            if enough < at_least {
+                let path = table.path_of("chain_out");
+                let message = format!(
+                    "`{path}`: {enough} of the anchors have a chain of {chain_m} m, but {at_least} are needed"
+                );
+                return Err(self.sources.error(&item.span, &path, message));
+            }
+        }
+        Ok(Condition::AnchorsHold { anchors, at_least, chain_m, place: self.anchor_place(table)? })
+    }
+
+    /// Where anchors must lie: `distance` goes with `position`.
+    fn anchor_place(&self, table: &Table) -> Checked<Option<AnchorPlace>> {
+        let within_m = table.item("distance").map(|item| *item.number());
+        match (table.item("position"), table.item("distance")) {
+            (Some(at), _) => {
+                let within_m = within_m.unwrap_or(AT_PLACE_M);
+                Ok(Some(AnchorPlace { at_m: *at.vector(), within_m }))
+            }
+            (None, None) => Ok(None),
+            (None, Some(distance)) => {
+                let path = table.path_of("distance");
+                let message = format!("`{path}` needs `position` with the goal \"anchored\"");
+                Err(self.sources.error(&distance.key_span, &path, message))
+            }
+        }
+    }
+
+    /// Things of the scenario by their names, each once: `what` is their kind, `all` the names.
+    fn named(&self, table: &Table, item: &Item, what: &str, all: &[&str]) -> Checked<Vec<usize>> {
         let path = table.path_of(item.name);
-        let mut lines = Vec::new();
+        let names = || all.iter().copied();
+        let mut found = Vec::new();
         for name in item.texts() {
-            let Some(line) = all().position(|other| other == name) else {
-                let message = format!("`{path}`: there is no line {}", quoted(name));
+            let Some(place) = names().position(|other| other == name) else {
+                let message = format!("`{path}`: there is no {what} {}", quoted(name));
                 let error = self.sources.error(&item.span, &path, message);
-                return Err(error.with_help(match nearest(name, all()) {
+                return Err(error.with_help(match nearest(name, names()) {
                     Some(near) => format!("did you mean \"{near}\"?"),
-                    None => format!("the scenario has the lines {}", listed(all())),
+                    None => format!("the scenario has the {what}s {}", listed(names())),
                 }));
             };
-            if lines.contains(&line) {
+            if found.contains(&place) {
                 let message = format!("`{path}`: {} is there twice", quoted(name));
                 return Err(self.sources.error(&item.span, &path, message));
             }
-            lines.push(line);
+            found.push(place);
         }
-        Ok(lines)
+        Ok(found)
     }
 
     fn limits(

@@ -1,9 +1,9 @@
 //! Keys of an exercise: what a pilot is asked to do, and how it is marked.
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::mooring::COUNT;
-use super::quantities::{FORCE, LENGTH};
+use super::quantities::{FORCE, LENGTH, POSITION};
 use crate::choices::{Choice, Choices};
 use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{KeySpec, Kind, Quantity, TableSpec, key};
@@ -18,6 +18,8 @@ pub(crate) enum GoalWord {
     Alongside,
     /// Off the berth, with all lines on board.
     Clear,
+    /// Brought up: at rest, with anchors that hold.
+    Anchored,
 }
 
 pub(super) static EXERCISE: TableSpec = TableSpec {
@@ -60,8 +62,8 @@ pub(super) static EXERCISE: TableSpec = TableSpec {
         key(
             "at_least",
             Kind::Quantity(COUNT),
-            Means("all of them"),
-            "For `all_fast`: how many of them are needed.",
+            Means("all lines for `all_fast`, one anchor for `anchored`"),
+            "For `all_fast` and `anchored`: how many of the lines or anchors are needed.",
             &["1"],
         ),
         key(
@@ -79,18 +81,40 @@ pub(super) static EXERCISE: TableSpec = TableSpec {
             &["\"300 kN\""],
         ),
         key(
+            "anchors",
+            Kind::Texts,
+            Means("all anchors of the ship"),
+            "For `anchored`: the anchors that count.",
+            &["[\"port\", \"starboard\"]"],
+        ),
+        key(
+            "chain_out",
+            Kind::Quantity(LENGTH),
+            Means("any"),
+            "For `anchored`: the least chain out of an anchor that counts.",
+            &["\"5 shackles\""],
+        ),
+        key(
+            "position",
+            Kind::Vector(POSITION),
+            Means("anywhere"),
+            "For `anchored`: where an anchor that counts lies on the bottom, north and east.",
+            &["[400, -120]"],
+        ),
+        key(
             "distance",
             Kind::Quantity(LENGTH),
-            Means("0.5 m; 30 m for `clear`"),
+            Means("0.5 m; 30 m for `clear`; 50 m for `anchored`"),
             "Farthest distance of bow and stern from the line of the fenders; for `clear` the nearest. Bow and stern are the ends of the \
-             flat of her side.",
+             flat of her side. For `anchored`: farthest distance of an anchor from `position`.",
             &["\"0.3 m\""],
         ),
         key(
             "rest_speed",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 1e-3, high: 10.0 }),
             Is("0.05"),
-            "For `all_fast` and `alongside`: greatest speed of bow and stern relative to the berth.",
+            "For `all_fast`, `alongside` and `anchored`: greatest speed of bow and stern relative to the berth; without a berth, of the ship's \
+             origin over ground.",
             &["\"0.03 m/s\""],
         ),
         key(
@@ -117,19 +141,8 @@ pub(super) static EXERCISE: TableSpec = TableSpec {
         key("limit", Kind::Table(&LIMITS), Is("{}"), "The limits.", &[]),
     ],
     rules: Some(|| {
-        let only_for_all_fast = ["lines", "at_least", "least_tension", "most_tension"];
-        let given: Vec<_> =
-            only_for_all_fast.iter().map(|key| json!({ "required": [key] })).collect();
-        json!({ "allOf": [
-            {
-                "if": { "properties": { "goal": { "const": "all_fast" } }, "required": ["goal"] },
-                "else": { "not": { "anyOf": given } }
-            },
-            {
-                "if": { "properties": { "goal": { "const": "clear" } }, "required": ["goal"] },
-                "then": { "not": { "required": ["rest_speed"] } }
-            }
-        ] })
+        let rules: Vec<_> = GOALS.0.iter().map(|goal| goal_rule(goal.word, goal.value)).collect();
+        json!({ "allOf": rules })
     }),
 };
 
@@ -149,7 +162,54 @@ static GOALS: Choices<GoalWord> = Choices(&[
         value: GoalWord::Clear,
         doc: "off the berth by `distance`, with all her lines on board",
     },
+    Choice {
+        word: "anchored",
+        value: GoalWord::Anchored,
+        doc: "brought up: at rest, with anchors on the bottom that hold on the brake",
+    },
 ]);
+
+impl GoalWord {
+    /// The keys that the goal does not use.
+    pub(crate) fn unused(self) -> &'static [&'static str] {
+        match self {
+            GoalWord::AllFast => &["anchors", "chain_out", "position"],
+            GoalWord::Alongside => &[
+                "lines",
+                "at_least",
+                "least_tension",
+                "most_tension",
+                "anchors",
+                "chain_out",
+                "position",
+            ],
+            GoalWord::Clear => &[
+                "lines",
+                "at_least",
+                "least_tension",
+                "most_tension",
+                "anchors",
+                "chain_out",
+                "position",
+                "rest_speed",
+            ],
+            GoalWord::Anchored => &["lines", "least_tension", "most_tension"],
+        }
+    }
+}
+
+/// The rule of the schema for a goal: no keys that it does not use; for `anchored`, `distance` only with `position`.
+fn goal_rule(word: &str, goal: GoalWord) -> Value {
+    let unused: Vec<_> = goal.unused().iter().map(|key| json!({ "required": [key] })).collect();
+    let mut then = json!({ "not": { "anyOf": unused } });
+    if goal == GoalWord::Anchored {
+        then["dependentRequired"] = json!({ "distance": ["position"] });
+    }
+    json!({
+        "if": { "properties": { "goal": { "const": word } }, "required": ["goal"] },
+        "then": then
+    })
+}
 
 const DURATION: Quantity = Quantity { measure: &unit::TIME, low: 0.0, high: 1e6 };
 const POINTS: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 100.0 };
@@ -273,6 +333,20 @@ at_most!(
     SHARE,
     "\"50 %\""
 );
+at_most!(
+    CHAIN,
+    "a limit of the load of chains",
+    "Tension over break load of a chain of her anchors.",
+    SHARE,
+    "\"40 %\""
+);
+at_most!(
+    DRAGGED,
+    "a limit of dragging",
+    "How far an anchor of hers drags after it came to the bottom.",
+    DISTANCE,
+    "\"20 m\""
+);
 at_most!(TIME, "a limit of the time", "Time until the goal is reached.", DURATION, "\"60 min\"");
 at_least!(
     CLEARANCE,
@@ -299,6 +373,8 @@ static LIMITS: TableSpec = TableSpec {
         limit("engine", &ENGINE, "Use of the engine near the berth."),
         limit("fender", &FENDER, "Load of the fenders of the berth."),
         limit("line", &LINE, "Load of the lines."),
+        limit("chain", &CHAIN, "Load of the anchor chains."),
+        limit("dragged", &DRAGGED, "How far anchors drag."),
         limit("clearance", &CLEARANCE, "Distance from structures other than the berth."),
         limit("under_keel", &UNDER_KEEL, "Water under the keel."),
         limit("touch", &TOUCH, "Touches without a fender."),

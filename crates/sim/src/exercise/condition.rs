@@ -3,6 +3,7 @@
 use fenderline_contact::number::{greater, lesser};
 
 use super::ExerciseSetup;
+use super::anchored::{AnchorPlace, Holding};
 use super::words::{force, metres, speed};
 use crate::berth::Lie;
 use crate::simulation::Simulation;
@@ -39,6 +40,17 @@ pub enum Condition {
     Clear {
         /// That distance (m).
         by_m: f64,
+    },
+    /// So many of these anchors hold: on the bottom, the brake on, not dragging.
+    AnchorsHold {
+        /// Indices into [`crate::WorldSetup::anchors`].
+        anchors: Vec<usize>,
+        /// How many of them at least.
+        at_least: usize,
+        /// Least chain out of each (m).
+        chain_m: f64,
+        /// Where each must lie; `None`: anywhere.
+        place: Option<AnchorPlace>,
     },
 }
 
@@ -102,6 +114,14 @@ impl Condition {
                 let off_m = lesser(lie.off_m[0], lie.off_m[1]);
                 Fulfilled { is_met: off_m >= *by_m, now: format!("{} off", metres(off_m)) }
             }
+            Condition::AnchorsHold { anchors, at_least, chain_m, place } => {
+                let (holding, all) = (Holding { chain_m: *chain_m, place }, simulation.anchors());
+                let good = anchors.iter().filter(|&&anchor| holding.is_met_by(&all[anchor]));
+                Fulfilled {
+                    is_met: good.count() >= *at_least,
+                    now: holding.now(anchors, all, simulation.setup()),
+                }
+            }
         }
     }
 
@@ -128,6 +148,11 @@ impl Condition {
             }
             Condition::Clear { by_m } => {
                 format!("bow and stern at least {} off the fenders", metres(*by_m))
+            }
+            Condition::AnchorsHold { at_least, chain_m, place, .. } => {
+                let hold = if *at_least == 1 { "anchor holds" } else { "anchors hold" };
+                let holding = Holding { chain_m: *chain_m, place };
+                format!("{at_least} {hold}{}", holding.words())
             }
         }
     }

@@ -19,6 +19,10 @@ pub enum Measure {
     Fender,
     /// Tension over break load of a line that is fast to the ship.
     Line,
+    /// Tension over break load of a chain of her anchors.
+    Chain,
+    /// How far an anchor of hers has dragged since it came to the bottom (m).
+    Dragged,
     /// Distance of the hull from fixed structures other than the berth (m).
     Clearance,
     /// Water under the keel (m).
@@ -31,13 +35,15 @@ pub enum Measure {
 
 impl Measure {
     /// All measures.
-    pub const ALL: [Measure; 10] = [
+    pub const ALL: [Measure; 12] = [
         Measure::ApproachSpeed,
         Measure::AheadSpeed,
         Measure::Angle,
         Measure::Engine,
         Measure::Fender,
         Measure::Line,
+        Measure::Chain,
+        Measure::Dragged,
         Measure::Clearance,
         Measure::UnderKeel,
         Measure::Touch,
@@ -54,6 +60,8 @@ impl Measure {
             Measure::Engine => "engine",
             Measure::Fender => "fender",
             Measure::Line => "line",
+            Measure::Chain => "chain",
+            Measure::Dragged => "dragged",
             Measure::Clearance => "clearance",
             Measure::UnderKeel => "under_keel",
             Measure::Touch => "touch",
@@ -71,6 +79,8 @@ impl Measure {
             Measure::Engine => "Engine",
             Measure::Fender => "Load of a fender",
             Measure::Line => "Load of a line",
+            Measure::Chain => "Load of an anchor chain",
+            Measure::Dragged => "Way of a dragging anchor",
             Measure::Clearance => "Distance from structures",
             Measure::UnderKeel => "Water under the keel",
             Measure::Touch => "Touch without a fender",
@@ -86,8 +96,8 @@ impl Measure {
             Measure::Angle => angle(value),
             Measure::Engine => format!("{:.0} % of full", 100.0 * value),
             Measure::Fender => format!("{:.0} % of rated", 100.0 * value),
-            Measure::Line => force_share(value),
-            Measure::Clearance | Measure::UnderKeel => metres(value),
+            Measure::Line | Measure::Chain => force_share(value),
+            Measure::Dragged | Measure::Clearance | Measure::UnderKeel => metres(value),
             Measure::Touch if value > 0.0 => "touched".to_owned(),
             Measure::Touch => "none".to_owned(),
             Measure::Time => seconds(value),
@@ -100,9 +110,11 @@ impl Measure {
         match self {
             Measure::ApproachSpeed | Measure::AheadSpeed => "m/s",
             Measure::Angle => "rad",
-            Measure::Clearance | Measure::UnderKeel => "m",
+            Measure::Dragged | Measure::Clearance | Measure::UnderKeel => "m",
             Measure::Time => "s",
-            Measure::Engine | Measure::Fender | Measure::Line | Measure::Touch => "",
+            Measure::Engine | Measure::Fender | Measure::Line | Measure::Chain | Measure::Touch => {
+                ""
+            }
         }
     }
 
@@ -130,7 +142,7 @@ impl Measure {
     /// True if the excess has a length: the value is that of the moment. The others are peaks that stay.
     #[must_use]
     pub fn is_momentary(self) -> bool {
-        !matches!(self, Measure::Fender | Measure::Time)
+        !matches!(self, Measure::Fender | Measure::Dragged | Measure::Time)
     }
 }
 

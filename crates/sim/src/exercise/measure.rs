@@ -8,7 +8,7 @@ use super::limit::{Limit, Measure};
 use crate::berth::Lie;
 use crate::setup::Setup;
 use crate::simulation::Simulation;
-use crate::world::LineEnd;
+use crate::world::{AnchorAtWork, LineEnd};
 
 /// What a value belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,6 +23,8 @@ pub enum Subject {
     Fender(usize),
     /// A line: an index into [`crate::WorldSetup::lines`].
     Line(usize),
+    /// An anchor: an index into [`crate::WorldSetup::anchors`].
+    Anchor(usize),
     /// A body: an index into [`Setup::bodies`].
     Body(usize),
 }
@@ -37,6 +39,7 @@ impl Subject {
             Subject::Stern => "stern".to_owned(),
             Subject::Fender(fender) => setup.fenders[fender].name.clone(),
             Subject::Line(line) => setup.world.lines[line].line.name.clone(),
+            Subject::Anchor(anchor) => setup.world.anchors[anchor].gear.name.clone(),
             Subject::Body(body) => setup.bodies[body].name.clone(),
         }
     }
@@ -71,6 +74,19 @@ pub(super) fn worst_now(
         }
         Measure::Fender => fender(exercise, simulation),
         Measure::Line => line(body, simulation),
+        Measure::Chain => {
+            largest(own_anchors(exercise.vessel, simulation).map(|(index, anchor)| {
+                // A chain that parts has no tension afterwards.
+                let load = &anchor.load;
+                let tension_n = load.lost_at_n.unwrap_or(load.tension_n);
+                let chain = simulation.setup().world.anchors[index].gear.chain();
+                (tension_n / chain.break_load_n(), Subject::Anchor(index))
+            }))
+        }
+        Measure::Dragged => largest(
+            own_anchors(exercise.vessel, simulation)
+                .map(|(index, anchor)| (anchor.state.dragged_m, Subject::Anchor(index))),
+        ),
         Measure::Clearance => clearance(body, exercise, simulation),
         Measure::UnderKeel => Some((vessel.under_keel_m?, Subject::Ship)),
         Measure::Touch => Some(touch(body, simulation)),
@@ -119,6 +135,16 @@ fn line(body: usize, simulation: &Simulation) -> Option<(f64, Subject)> {
     largest(fast.map(|(index, (line, setup))| {
         (line.load.tension_n / setup.line.kind.break_load_n(), Subject::Line(index))
     }))
+}
+
+/// The anchors of a vessel, with their indices.
+fn own_anchors(
+    vessel: usize,
+    simulation: &Simulation,
+) -> impl Iterator<Item = (usize, &AnchorAtWork)> {
+    let anchors = simulation.anchors().iter().zip(&simulation.setup().world.anchors).enumerate();
+    let own = anchors.filter(move |(_, (_, setup))| setup.vessel == vessel);
+    own.map(|(index, (anchor, _))| (index, anchor))
 }
 
 /// The least distance of the hull from a fixed body that is not her berth.

@@ -6,6 +6,7 @@
 //!
 //! | file | content |
 //! |---|---|
+//! | `exercise/anchored.rs` | whether an anchor holds as a goal asks |
 //! | `exercise/condition.rs` | the parts of a goal, and whether each is fulfilled now |
 //! | `exercise/limit.rs` | the limits, and what each measures |
 //! | `exercise/measure.rs` | the present value of each measure |
@@ -13,6 +14,7 @@
 //! | `exercise/assessment.rs` | the state from step to step, and the score |
 //! | `exercise/words.rs` | conditions, limits and deductions in words |
 
+mod anchored;
 mod assessment;
 mod clearance;
 mod condition;
@@ -20,6 +22,7 @@ mod limit;
 mod measure;
 mod words;
 
+pub use anchored::AnchorPlace;
 pub use assessment::{Assessment, Deduction, Mark, State};
 pub use condition::{Condition, Fulfilled};
 pub use limit::{Limit, Measure};

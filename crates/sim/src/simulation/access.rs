@@ -240,8 +240,8 @@ impl Simulation {
     }
 
     /// Checks that an order can be carried out in the present state: not if its line is on board or has parted, if the bollard is
-    /// taken or out of reach, if the anchor is home, down or lost, or if a station pilot uses the tug. Orders to lines that wait for the
-    /// next step count as carried out. This check does not apply to orders for a later time.
+    /// taken or out of reach, if the anchor is home, down or lost, or if a station pilot uses the tug. Orders to lines and
+    /// anchors that wait for the next step count as carried out. This check does not apply to orders for a later time.
     ///
     /// # Errors
     /// Why the order cannot be carried out.
@@ -264,7 +264,8 @@ impl Simulation {
         };
         match action {
             Action::Anchor(anchor, action) if *anchor < self.world.anchors.len() => {
-                self.world.may_anchor(&self.setup.world, (*anchor, *action))
+                let own = self.world.anchor_after_orders(&self.setup.world, *anchor, times_s);
+                own.may(&self.setup.world.anchors[*anchor], *action)
             }
             Action::Line(line, LineAction::Winch(_)) => of_line(*line, false),
             Action::Line(line, LineAction::LetGo) => of_line(*line, true),

@@ -107,6 +107,8 @@ impl AnchorAtWork {
             }
             AnchorPosition::Housed => match action {
                 AnchorAction::LetGo { .. } | AnchorAction::Veer { .. } => {}
+                // Let go or to be veered, but no chain is out yet.
+                AnchorAction::Hold if self.state.order != WindlassOrder::Hold => {}
                 AnchorAction::Hold | AnchorAction::Heave { .. } | AnchorAction::Slip => {
                     return Err(OrderError::AnchorHome { anchor: anchor() });
                 }

@@ -40,7 +40,7 @@ use crate::fender::FenderSetup;
 use crate::fixed_order::SumOrder;
 use crate::hull::{Heights, HullTouch, place_m};
 use crate::hydro::Force;
-use crate::order::{Action, AnchorAction, LineAction, Order, OrderError};
+use crate::order::{Action, LineAction, Order, OrderError};
 use crate::passing;
 use crate::seakeeping::{Motion, SubSteps};
 use crate::setup::BodySetup;
@@ -362,10 +362,9 @@ impl World {
     pub(crate) fn lines_after_orders(
         &self,
         setup: &WorldSetup,
-        (t_s, step_s): (f64, f64),
+        times_s: (f64, f64),
     ) -> Cow<'_, [Mooring]> {
-        let waiting = self.orders[self.taken..].iter().take_while(|o| o.at_s < t_s + step_s);
-        line_work::after_orders(&self.lines, setup, waiting, t_s)
+        line_work::after_orders(&self.lines, setup, self.waiting(times_s), times_s.0)
     }
 
     /// Checks that a line can be sent to a bollard at a time, both by index, with `lines` as the lines are then.
@@ -382,13 +381,28 @@ impl World {
         line_work::may_send(lines, setup, (states, shore), line, bollard)
     }
 
-    /// Checks that an order to an anchor can be carried out in the present state.
-    pub(crate) fn may_anchor(
+    /// An anchor as it will be when the orders that wait for the step at a time are carried out, as [`World::lines_after_orders`].
+    pub(crate) fn anchor_after_orders(
         &self,
         setup: &WorldSetup,
-        (anchor, action): (usize, AnchorAction),
-    ) -> Result<(), OrderError> {
-        self.anchors[anchor].may(&setup.anchors[anchor], action)
+        anchor: usize,
+        times_s: (f64, f64),
+    ) -> AnchorAtWork {
+        let mut after = self.anchors[anchor];
+        for order in self.waiting(times_s) {
+            if let Action::Anchor(index, action) = order.action
+                && index == anchor
+                && after.may(&setup.anchors[anchor], action).is_ok()
+            {
+                after.take(action);
+            }
+        }
+        after
+    }
+
+    /// The orders that wait for the step that begins at a time and has a length (s).
+    fn waiting(&self, (t_s, step_s): (f64, f64)) -> impl Iterator<Item = &Order> {
+        self.orders[self.taken..].iter().take_while(move |order| order.at_s < t_s + step_s)
     }
 
     /// Adds an order. Orders that have been carried out are dropped, so that memory does not grow in a run of hours.
@@ -440,8 +454,9 @@ impl World {
                     }
                 }
                 Action::Anchor(anchor, action) => {
-                    if self.may_anchor(setup, (*anchor, *action)).is_ok() {
-                        self.anchors[*anchor].take(*action);
+                    let own = &mut self.anchors[*anchor];
+                    if own.may(&setup.anchors[*anchor], *action).is_ok() {
+                        own.take(*action);
                     } else {
                         let kind = WorldEventKind::Anchor(AnchorEvent::OrderRefused);
                         self.events.push(WorldEvent { who: *anchor, kind });
