@@ -139,6 +139,14 @@ export interface ExerciseInfo {
   /** The least score with which it is passed. */
   pass_mark: number;
   limits: LimitInfo[];
+  /** Where an anchor must lie; `null` if the goal has no such place. */
+  place: PlaceInfo | null;
+}
+
+/** A place of a goal, with how far from it is good enough. */
+export interface PlaceInfo {
+  at_m: Pair;
+  within_m: number;
 }
 
 export interface LimitInfo {

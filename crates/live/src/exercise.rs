@@ -1,9 +1,11 @@
 //! The exercise of a session, as pages see it.
 
 use fenderline_sim::Setup;
-use fenderline_sim::exercise::{Assessment, Deduction, State};
+use fenderline_sim::exercise::{AnchorPlace, Assessment, Condition, Deduction, State};
 
-use crate::message::{ConditionNow, ExerciseInfo, ExerciseMarks, ExerciseNow, LimitInfo, LimitNow};
+use crate::message::{
+    ConditionNow, ExerciseInfo, ExerciseMarks, ExerciseNow, LimitInfo, LimitNow, PlaceInfo,
+};
 use crate::session::Session;
 
 impl Session {
@@ -54,6 +56,12 @@ pub(crate) fn info(exercise: &Assessment, setup: &Setup) -> ExerciseInfo {
         time_limit_s: of.time_limit_s.is_finite().then_some(of.time_limit_s),
         pass_mark: of.pass_mark,
         limits: limits.collect(),
+        place: of.goal.iter().find_map(|condition| match condition {
+            Condition::AnchorsHold { place, .. } => place.map(|AnchorPlace { at_m, within_m }| {
+                PlaceInfo { at_m: [at_m.x, at_m.y], within_m }
+            }),
+            _ => None,
+        }),
     }
 }
 

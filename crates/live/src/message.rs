@@ -86,6 +86,15 @@ pub struct ExerciseInfo {
     pub time_limit_s: Option<f64>,
     pub pass_mark: f64,
     pub limits: Vec<LimitInfo>,
+    /// Where an anchor must lie; `None` if the goal has no such place.
+    pub place: Option<PlaceInfo>,
+}
+
+/// A place of a goal, with how far from it is good enough.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PlaceInfo {
+    pub at_m: Pair,
+    pub within_m: f64,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -2,7 +2,7 @@
 
 mod support;
 
-use fenderline_live::message::{RunState, text};
+use fenderline_live::message::{PlaceInfo, RunState, text};
 use fenderline_live::{Repeat, Session};
 use fenderline_sim::exercise::State;
 
@@ -75,4 +75,14 @@ fn the_score_is_not_a_part_of_the_frame_that_everybody_gets() {
     assert!(frame.contains("\"exercise\":{\"state\":\"running\"") && !frame.contains("score"));
     let marks = text(&session.exercise_marks().expect("marks"));
     assert!(marks.starts_with("{\"score\":100.0,\"passed\":null"), "{marks}");
+}
+
+#[test]
+fn the_place_of_an_anchor_is_told_so_that_pages_draw_it() {
+    let session = support::open("scenarios/live/come_to_anchor.toml", &[]);
+    let info = session.exercise_info().expect("an exercise");
+    assert_eq!(info.place, Some(PlaceInfo { at_m: [0.0, 0.0], within_m: 50.0 }));
+    assert_eq!(alongside().exercise_info().expect("an exercise").place, None);
+    let frame = text(&session.frame(0, RunState::default()));
+    assert!(frame.contains("\"now\":\"no anchor down\""), "{frame}");
 }

@@ -201,6 +201,7 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
     each(&frame["marks"], "limits").for_each(|value| has_fields(value, "LimitNow", &known));
     has_fields(&hello["exercise"], "ExerciseInfo", &known);
     each(&hello["exercise"], "limits").for_each(|value| has_fields(value, "LimitInfo", &known));
+    assert_eq!(hello["exercise"]["place"], Value::Null, "her goal has none");
     let berth = &frame["vessels"][0]["berth"];
     has_fields(berth, "BerthNow", &known);
     // Eight compressed fenders carry her, nearly at rest.

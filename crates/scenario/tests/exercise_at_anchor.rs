@@ -1,5 +1,6 @@
 //! An exercise at anchor: what a scenario may say, the goal as it is reached step by step, and the marks.
 
+use fenderline_contact::number::lesser;
 use fenderline_scenario::{Override, Scenario};
 use fenderline_sim::anchor::SHACKLE_M;
 use fenderline_sim::exercise::{Assessment, Measure, State, Subject};
@@ -117,12 +118,12 @@ fn the_example_is_reached_and_passed_by_a_careful_pilot() {
     let ship = |action| Action::Vessel(0, action);
     let hawse_m = of.setup().world.anchors[0].hawse_m;
     give(&mut of, ship(VesselAction::Course(10_f64.to_radians())));
-    let mut is_down = false;
+    let (mut is_down, mut is_veered) = (false, false);
     while assessment.state() == State::Running {
         let short_m = -of.states()[0].pose().apply(hawse_m).x;
         let ahead_mps = of.states()[0].velocity_mps.x;
         if !is_down {
-            let speed_mps = if short_m < 60.0 { -0.4 } else { (short_m / 200.0).min(2.5) };
+            let speed_mps = if short_m < 60.0 { -0.4 } else { lesser(short_m / 200.0, 2.5) };
             give(&mut of, ship(VesselAction::Speed(speed_mps)));
         }
         if !is_down && short_m < 60.0 && ahead_mps < -0.1 {
@@ -132,7 +133,9 @@ fn the_example_is_reached_and_passed_by_a_careful_pilot() {
             is_down = true;
         }
         let anchor = &of.anchors()[0];
-        if anchor.state.chain_m == 1.5 * SHACKLE_M && anchor.load.on_bottom_m < 15.0 {
+        let is_growing = is_down && !is_veered && anchor.state.chain_m > 41.0;
+        if is_growing && anchor.load.on_bottom_m < 15.0 {
+            is_veered = true;
             give(&mut of, Action::Anchor(0, AnchorAction::Veer { chain_m: 4.0 * SHACKLE_M }));
         }
         steps(&mut of, &mut assessment, 1.0);

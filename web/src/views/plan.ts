@@ -2,6 +2,7 @@
 import { drawChart, drawChartMarks } from "../draw/chart";
 import { drawFog } from "../draw/fog";
 import { drawAnchors } from "../draw/anchors";
+import { drawPlace } from "../draw/place";
 import * as scene from "../draw/scene";
 import { type Box, type Label, type Placed, Rank, place } from "../draw/labels";
 import { drawPassages } from "../draw/passages";
@@ -207,6 +208,7 @@ export class Plan implements View {
     scene.drawLand(all);
     drawChartMarks(all);
     drawFog(all);
+    drawPlace(all);
     scene.drawBerth(all);
     if (this.prediction) {
       scene.drawOtherPaths(all);
