@@ -542,6 +542,20 @@ fn limits_are_drawn_counted_and_have_a_return_period() {
     }
 }
 
+/// A scenario without fenders has no most used one, and none is printed.
+#[test]
+fn a_campaign_without_fenders_names_no_most_used_one() {
+    let place = place("campaign_no_fenders", CAMPAIGN);
+    let scenario = "[time]\nstep = 0.1\nduration = 2\n[body.ship]\nmass = 1e6\ngyradius = 9\noutline = [[-20, -5], [20, -5], [20, 5], [-20, 5]]\n";
+    place.write("adrift.toml", scenario.as_bytes());
+    let study = "scenario = \"adrift.toml\"\n[variable.surge]\nkey = \"body.ship.velocity.surge\"\nvalues = [0.1, 0.2]\n";
+    place.write("adrift_study.toml", study.as_bytes());
+    let run = place.run(&["campaign", "adrift_study.toml"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(run.stdout.contains("2 of 2 cases done"), "{}", run.stdout);
+    assert!(!run.stdout.contains("most used"), "{}", run.stdout);
+}
+
 /// The worked campaigns of the repository, with few runs: each makes its table and its report.
 #[test]
 fn the_worked_campaigns_run() {

@@ -21,6 +21,7 @@ mod flexible;
 mod hull;
 mod limits;
 mod loads;
+mod long_waves;
 mod materials;
 mod mooring;
 mod orders;
@@ -110,9 +111,10 @@ pub(crate) fn setup(
     let (step_s, duration_s, integrator) = assembly.time(file.given("time").table())?;
     let output = assembly.output(file.item("output").map(Item::table), step_s, duration_s)?;
     let mut materials = assembly.materials(file.given("material").named())?;
-    let environment = assembly.environment(file.given("environment").table())?;
+    let environment = assembly.environment(file.given("environment").table(), duration_s)?;
     let kinds = assembly.kinds(file, &libraries.vessels, &environment)?;
     assembly.note_unvalidated(file, &environment, &kinds);
+    assembly.note_long_waves(file, &environment, &kinds);
     let chart = assembly.chart(file.item("chart").map(Item::table))?;
     let mut bodies = assembly.bodies(file.given("body"), &kinds, &chart)?;
     let names = Names::new(&bodies, &materials);
@@ -135,8 +137,9 @@ pub(crate) fn setup(
         assembly.flow(file, &libraries.vessels, (&kinds, &vessels, &bodies), &environment)?;
     let statistics = assembly.statistics(file, &vessels, &names)?;
     let tugs = assembly.tugs(file.given("tug").named(), &vessels, &names)?;
+    let start_level_m = environment.level_m(0.0);
     let lines =
-        assembly.lines(file.given("line").named(), (&bodies, &environment.tide), &decks, &names)?;
+        assembly.lines(file.given("line").named(), (&bodies, start_level_m), &decks, &names)?;
     let anchors = assembly.anchors(
         file.given("anchor").named(),
         (&bodies, &vessels),

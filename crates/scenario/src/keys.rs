@@ -18,6 +18,7 @@ pub(crate) mod fender_row;
 mod hull;
 pub(crate) mod limit;
 mod load;
+mod long_waves;
 mod material;
 pub(crate) mod mooring;
 pub(crate) mod order;

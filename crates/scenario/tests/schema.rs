@@ -159,6 +159,7 @@ fn fulls() -> Vec<Json> {
     by_file["environment"]["wind"] = json!({ "file": "wind.csv" });
     by_file["environment"]["tide"] = json!({ "file": "tide.csv" });
     by_file["environment"]["current"] = json!({ "file": "current.csv" });
+    by_file["environment"]["long_waves"] = json!({ "file": "long_waves.csv" });
     let mut by_depth = full();
     by_depth["environment"]["current"] = json!({ "profile": [
         { "depth": 0, "speed": "1 kn", "towards": 0 }, { "depth": "9 m", "speed": 0, "towards": 0 }
@@ -322,6 +323,7 @@ fn with_rows(mut full: Json) -> Json {
 fn file_named(name: &str) -> Result<String, String> {
     let text = match name {
         "tide.csv" => "t_s,level_m\n0,1\n3600,-0.5\n",
+        "long_waves.csv" => "t_s,level_m,north_mps,east_mps\n0,0,0,0\n10,0.1,0.2,0\n",
         "wind.csv" => "t_s,speed_mps,from_deg\n0,10,350\n600,12,10\n",
         "harbour.geojson" => {
             r#"{ "type": "FeatureCollection", "features": [{ "type": "Feature",
@@ -388,6 +390,10 @@ fn full() -> Json {
             "waves": {
                 "height": 1, "period": "8 s", "from": 0, "regular": false, "peakedness": 3.3,
                 "spreading": 2, "seed": 1
+            },
+            "long_waves": {
+                "height": 0.1, "period": "100 s", "towards": 0, "wall_distance": "300 m", "regular": false,
+                "shortest_period": "50 s", "longest_period": "200 s", "peakedness": 2, "seed": 1
             }
         },
         "vessel": {

@@ -69,10 +69,13 @@ impl Gathered {
             Some(verdict) => verdict.text(),
             None => "Did not run",
         };
+        // A scenario without fenders has a row without a most used one.
+        let fender = text("governing_fender");
         if let Some(share) = self.cell(row, "governing_share").number()
+            && !fender.is_empty()
             && self.governing.as_ref().is_none_or(|most| share > most.3)
         {
-            let named = (row.run + 1, text("governing_fender"), text("governing_quantity"), share);
+            let named = (row.run + 1, fender, text("governing_quantity"), share);
             self.governing = Some(named);
         }
         if let Cell::Text(why) = self.cell(row, "error").clone() {

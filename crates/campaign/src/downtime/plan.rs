@@ -129,7 +129,7 @@ impl DowntimePlan {
         }
         match world.environment.depth_m {
             Some(depth_m) => {
-                let [_, highest_m] = world.environment.tide.range_m();
+                let [_, highest_m] = world.environment.level_range_m();
                 self.weather.check_breaking(depth_m, highest_m)
             }
             None => Ok(()),

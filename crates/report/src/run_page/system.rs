@@ -42,7 +42,7 @@ pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     }
     let states = recorder.peak.as_ref().map_or(outcome.states, |peak| &peak.states);
     let t_s = recorder.peak.as_ref().map_or(0.0, |peak| peak.t_s);
-    let sight = Sight { outcome, states, level_m: setup.world.environment.tide.level_m(t_s) };
+    let sight = Sight { outcome, states, level_m: setup.world.environment.level_m(t_s) };
     let mut groups = groups(setup, states);
     // The largest first; of equal ones in the order of the scenario.
     groups.sort_by_key(|group| core::cmp::Reverse(group.len()));
@@ -269,7 +269,7 @@ impl Sight<'_> {
             // The heights of this drawing are above the water.
             return vec![water(0.0, "water")];
         }
-        let [low_m, high_m] = environment.tide.range_m();
+        let [low_m, high_m] = environment.level_range_m();
         let mut all = Vec::new();
         if let Some(depth_m) = environment.depth_m.filter(|depth_m| *depth_m < DEEP_M) {
             let text = format!("seabed {} m", signed(-depth_m));

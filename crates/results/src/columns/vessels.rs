@@ -47,7 +47,7 @@ impl VesselRow {
             attitude: now.attitude,
             wave_motion: now.wave_motion.motion,
             squat_m: now.squat_m,
-            tide_m: setup.1.tide.level_m(t_s),
+            tide_m: setup.1.level_m(t_s),
             aground: now.aground,
         }
     }

@@ -61,7 +61,7 @@ impl Assembly<'_, '_> {
         setup: &Setup,
         draughts: &[Option<Draught>],
     ) {
-        let [_, highest_m] = setup.world.environment.tide.range_m();
+        let [_, highest_m] = setup.world.environment.level_range_m();
         let lower_m = |fender: &FenderSetup| {
             fender.above_water_m - level_m(setup, fender, highest_m) - 0.5 * fender.height_m
         };

@@ -28,7 +28,7 @@ pub(super) const TIMES_S: [f64; 2] = [-1e9, 1e9];
 pub(super) const DIRECTIONS_DEG: [f64; 2] = [-720.0, 720.0];
 
 impl Assembly<'_, '_> {
-    pub(super) fn environment(&self, table: &Table) -> Checked<Environment> {
+    pub(super) fn environment(&self, table: &Table, duration_s: f64) -> Checked<Environment> {
         let depth_m = table.item("depth").map(|item| *item.number());
         let tide = match table.item("tide") {
             None => Tide::default(),
@@ -54,10 +54,17 @@ impl Assembly<'_, '_> {
                 Some(sea.map_err(|error| self.refused(table, item, &error))?)
             }
         };
+        let long_waves = match table.item("long_waves") {
+            None => None,
+            Some(item) => {
+                Some(self.long_waves((table, item), start_m, sea.as_ref(), duration_s)?)
+            }
+        };
         let environment = Environment {
             wind,
             current,
             sea,
+            long_waves,
             depth_m,
             tide,
             squat: self.squat(table)?,
@@ -128,7 +135,7 @@ impl Assembly<'_, '_> {
     }
 
     /// A file that must have all of these columns and no others, with the index of each column.
-    fn csv_of<'c, const N: usize>(
+    pub(super) fn csv_of<'c, const N: usize>(
         &'c self,
         file: &'c Item,
         key: &'c str,
@@ -237,7 +244,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    fn not_together(&self, of: &Table, item: &Item, beside: &str) -> ScenarioError {
+    pub(super) fn not_together(&self, of: &Table, item: &Item, beside: &str) -> ScenarioError {
         let path = of.path_of(item.name);
         let message = format!("`{path}` does not go together with `{beside}`");
         self.sources.error(&item.key_span, &path, message)

@@ -1,7 +1,6 @@
 //! The hull by height: from a body's outlines at several heights.
 
 use fenderline_contact::Outline;
-use fenderline_sim::environment::Tide;
 use fenderline_sim::{BodySetup, FenderSetup, HullByHeight, HullError, Level, Setup};
 
 use super::{Assembly, Checked, vessel};
@@ -113,9 +112,9 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// Notices about fenders that lie outside the heights of a hull, at some level of the tide.
+    /// Notices about fenders that lie outside the heights of a hull, at some level of the water.
     pub(super) fn note_outside_hulls(&mut self, fenders: &[(String, Table)], setup: &Setup) {
-        let tide = &setup.world.environment.tide;
+        let levels_m = setup.world.environment.level_range_m();
         // First of all the few bodies with a hull by height: fenders times bodies times pairs may be very many.
         let bodies = setup.bodies.iter().enumerate();
         let hulls: Vec<_> = bodies.filter(|(_, body)| body.hull.is_some()).collect();
@@ -125,7 +124,7 @@ impl Assembly<'_, '_> {
                 if index == fender.body || !setup.may_touch([index, fender.body]) {
                     continue;
                 }
-                let Some(outside) = outside(fender, host, body, tide) else { continue };
+                let Some(outside) = outside(fender, host, body, levels_m) else { continue };
                 let above = table.item_if_any("above_water");
                 let (span, key) = match above {
                     Some(item) => (&item.span, table.path_of(item.name)),
@@ -141,18 +140,18 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// Where a fender lies that misses a hull at rest at some level of the tide; `None` where it does not.
+/// Where a fender lies that misses a hull at rest at some level of the water; `None` where it does not.
 fn outside(
     fender: &FenderSetup,
     host: &BodySetup,
     body: &BodySetup,
-    tide: &Tide,
+    levels_m: [f64; 2],
 ) -> Option<String> {
     let hull = body.hull.as_ref()?;
     let [low_m, high_m] = hull.range_m();
     let rides = fender.floating || !host.is_fixed();
     let half_m = 0.5 * fender.height_m;
-    let heights_m = tide.range_m().map(|level_m| match (rides, body.is_fixed()) {
+    let heights_m = levels_m.map(|level_m| match (rides, body.is_fixed()) {
         (true, true) => fender.above_water_m + level_m,
         (true, false) => fender.above_water_m + hull.draught_m(),
         (false, true) => fender.above_water_m,

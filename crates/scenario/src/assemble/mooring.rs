@@ -1,7 +1,6 @@
 //! Lines, bollards and line handlers.
 
 use fenderline_contact::Vec2;
-use fenderline_sim::environment::Tide;
 use fenderline_sim::mooring::{
     ConstantTension, InboardEnd, InitialLength, LineKind, LineSetup, Rope, RopeCurve, Tail, Winch,
 };
@@ -24,7 +23,7 @@ impl Assembly<'_, '_> {
     pub(super) fn lines(
         &self,
         lines: &[(String, Table)],
-        start: (&[BodySetup], &Tide),
+        start: (&[BodySetup], f64),
         decks: &Decks<'_>,
         names: &Names,
     ) -> Checked<Vec<MooringSetup>> {
@@ -35,7 +34,7 @@ impl Assembly<'_, '_> {
         &self,
         name: &str,
         table: &Table,
-        (bodies, tide): (&[BodySetup], &Tide),
+        (bodies, level_m): (&[BodySetup], f64),
         decks: &Decks<'_>,
         names: &Names,
     ) -> Checked<MooringSetup> {
@@ -84,7 +83,7 @@ impl Assembly<'_, '_> {
             rope_m: number("rope_length"),
         };
         if setup.from_s <= 0.0 {
-            setup.check_at_start(bodies, tide).map_err(|error| self.wrong(table, &error))?;
+            setup.check_at_start(bodies, level_m).map_err(|error| self.wrong(table, &error))?;
         }
         Ok(setup)
     }

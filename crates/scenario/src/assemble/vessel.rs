@@ -71,7 +71,7 @@ impl Kind {
         let deep = &data.ship;
         let water = environment.water_density_kgpm3;
         let in_depth = |depth_m: Option<f64>| depth_m.map_or(*deep, |m| deep.at_depth(m));
-        let ship = in_depth(environment.depth_at_m(0.0));
+        let ship = in_depth(environment.still_depth_at_m(0.0));
         let low_water_mass = in_depth(environment.depth_range_m().map(|[low, _]| low)).added_mass;
         let shaft = match data.shaft {
             Some(shaft) => RateLimited {

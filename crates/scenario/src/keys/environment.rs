@@ -4,6 +4,7 @@ use fenderline_sim::environment::BankMethod;
 use fenderline_sim::hydro::Squat;
 use serde_json::json;
 
+use super::long_waves::LONG_WAVES;
 use super::passing::INTERACTION;
 use super::quantities::{DIRECTION, POSITION};
 use crate::choices::{Choice, Choices};
@@ -51,6 +52,13 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
         key("current", Kind::Table(&CURRENT), Means("no current"), "Current.", &[]),
         key("waves", Kind::Table(&WAVES), Means("no waves"), "Waves.", &[]),
         key(
+            "long_waves",
+            Kind::Table(&LONG_WAVES),
+            Means("no long waves"),
+            "Long waves at a berth: infragravity waves or a seiche.",
+            &[],
+        ),
+        key(
             "interaction",
             Kind::Table(&INTERACTION),
             Is("{}"),
@@ -74,7 +82,16 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
             &["[{ from = [-500, 40], to = [500, 40] }]"],
         ),
     ],
-    rules: Some(|| json!({ "dependentRequired": { "squat": ["depth"] } })),
+    rules: Some(|| {
+        json!({
+            "dependentRequired": { "squat": ["depth"] },
+            "if": {
+                "required": ["long_waves"],
+                "properties": { "long_waves": { "required": ["height"] } }
+            },
+            "then": { "required": ["depth"] }
+        })
+    }),
 };
 
 static TIDE: TableSpec = TableSpec {
@@ -209,7 +226,8 @@ static WIND: TableSpec = TableSpec {
     }),
 };
 
-const SEED: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 4294967295.0 };
+pub(super) const SEED: Quantity =
+    Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 4294967295.0 };
 
 static CURRENT: TableSpec = TableSpec {
     what: "a current",

@@ -1,4 +1,4 @@
-//! The environment of a ship: wind, current, waves, tide and banks.
+//! The environment of a ship: wind, current, waves, long waves, tide and banks.
 //!
 //! Everything here is a pure function of time and position, without state, so a run can be copied, restored and
 //! replayed bit for bit. Random processes are sums of harmonics with phases from a seed. Inputs are checked once, when
@@ -37,6 +37,7 @@ mod bank;
 pub mod current;
 mod error;
 mod harmonics;
+mod long_waves;
 mod table;
 mod tide;
 pub mod waves;
@@ -44,4 +45,5 @@ pub mod wind;
 
 pub use bank::{Bank, BankMethod, BankWater, ShipAtBank};
 pub use error::EnvironmentError;
+pub use long_waves::{LongWaveSite, LongWaveSpectrum, LongWaves};
 pub use tide::{Tide, TideConstituent};

@@ -75,8 +75,8 @@ pub(super) fn check_lines(setup: &Setup) -> Result<(), SetupError> {
             }
         }
         if line.from_s <= 0.0 {
-            let tide = &setup.world.environment.tide;
-            line.check_at_start(&setup.bodies, tide).map_err(SetupError::Line)?;
+            let level_m = setup.world.environment.level_m(0.0);
+            line.check_at_start(&setup.bodies, level_m).map_err(SetupError::Line)?;
         }
         if !(1.0..=1e5).contains(&line.rope_m) {
             return Err(SetupError::OutOfRange { field: "rope length [m]", value: line.rope_m });

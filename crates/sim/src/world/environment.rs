@@ -7,7 +7,7 @@ use fenderline_contact::number::greater;
 use crate::environment::current::Current;
 use crate::environment::waves::Sea;
 use crate::environment::wind::Wind;
-use crate::environment::{Bank, EnvironmentError, Tide};
+use crate::environment::{Bank, EnvironmentError, LongWaves, Tide};
 use crate::hydro::{self, Squat};
 use crate::range::within;
 
@@ -20,6 +20,8 @@ pub struct Environment {
     pub current: Option<Current>,
     /// Waves.
     pub sea: Option<Sea>,
+    /// Long waves: their level is added to the tide, their velocity to the current.
+    pub long_waves: Option<LongWaves>,
     /// Density of the water (kg/m³).
     pub water_density_kgpm3: f64,
     /// Density of the air (kg/m³).
@@ -43,6 +45,7 @@ impl Default for Environment {
             wind: None,
             current: None,
             sea: None,
+            long_waves: None,
             water_density_kgpm3: SEA_WATER_KGPM3,
             air_density_kgpm3: AIR_KGPM3,
             depth_m: None,
@@ -55,9 +58,31 @@ impl Default for Environment {
 }
 
 impl Environment {
-    /// Depth of the water at a time (m) with the tide, 0 where the bottom is dry; `None`: deep.
+    /// Level of the water above datum at a time (m): tide and long waves.
+    #[must_use]
+    pub fn level_m(&self, t_s: f64) -> f64 {
+        let tide_m = self.tide.level_m(t_s);
+        self.long_waves.as_ref().map_or(tide_m, |waves| tide_m + waves.level_m(t_s))
+    }
+
+    /// Bounds of the level of the water from the start of the run (m): those of the tide ([`Tide::range_m`]) and of the long waves
+    /// ([`LongWaves::range_m`]).
+    #[must_use]
+    pub fn level_range_m(&self) -> [f64; 2] {
+        let [low_m, high_m] = self.tide.range_m();
+        let waves_m = self.long_waves.as_ref().map_or([0.0; 2], LongWaves::range_m);
+        [low_m + waves_m[0], high_m + waves_m[1]]
+    }
+
+    /// Depth of the water at a time (m) with tide and long waves, 0 where the bottom is dry; `None`: deep.
     #[must_use]
     pub fn depth_at_m(&self, t_s: f64) -> Option<f64> {
+        self.depth_m.map(|depth_m| greater(depth_m + self.level_m(t_s), 0.0))
+    }
+
+    /// Depth of the water at a time (m) with the tide alone, for hull forces and added mass; `None`: deep.
+    #[must_use]
+    pub fn still_depth_at_m(&self, t_s: f64) -> Option<f64> {
         self.depth_m.map(|depth_m| greater(depth_m + self.tide.level_m(t_s), 0.0))
     }
 
@@ -65,10 +90,10 @@ impl Environment {
     #[must_use]
     pub fn depth_range_m(&self) -> Option<[f64; 2]> {
         self.depth_m
-            .map(|depth_m| self.tide.range_m().map(|level_m| greater(depth_m + level_m, 0.0)))
+            .map(|depth_m| self.level_range_m().map(|level_m| greater(depth_m + level_m, 0.0)))
     }
 
-    /// Checks depth and tide; wind, current and sea were checked when they were made.
+    /// Checks depth and tide; wind, current, sea and long waves were checked when they were made.
     ///
     /// # Errors
     /// A number out of range, with its name.
@@ -83,10 +108,12 @@ impl Environment {
         hydro::Water { density_kgpm3: self.water_density_kgpm3 }
     }
 
-    /// Current over a ship's draught (m/s).
+    /// Velocity of the water over a ship's draught (m/s): current and long waves.
     pub(crate) fn current(&self, position_m: Vec2, t_s: f64, draught_m: f64) -> Vec2 {
         let current = self.current.as_ref();
-        current.map_or(Vec2::ZERO, |current| current.velocity(position_m, t_s, draught_m))
+        let stream =
+            current.map_or(Vec2::ZERO, |current| current.velocity(position_m, t_s, draught_m));
+        self.long_waves.as_ref().map_or(stream, |waves| stream + waves.velocity(t_s))
     }
 
     /// DU/Dt: mean acceleration of the water around a hull, following the water during a step (m/s²).

@@ -6,7 +6,6 @@ use fenderline_contact::{BodyState, Vec2, Wrench, vec2};
 use super::bollard::BollardSetup;
 use super::event::{WorldEvent, WorldEventKind};
 use super::shore::Shore;
-use crate::environment::Tide;
 use crate::mooring::{
     InboardEnd, InitialLength, Line, LineEnds, LineLoad, LineSetup, LineState, WinchOrder,
 };
@@ -289,11 +288,11 @@ impl MooringSetup {
     pub fn check_at_start(
         &self,
         bodies: &[crate::BodySetup],
-        tide: &Tide,
+        level_m: f64,
     ) -> Result<(), crate::mooring::MooringError> {
         let states: Vec<BodyState> = bodies.iter().map(crate::rigid_body::initial_state).collect();
         let fixed: Vec<bool> = bodies.iter().map(crate::BodySetup::is_fixed).collect();
-        let shore = Shore { fixed: &fixed, level_m: tide.level_m(0.0), afloat: &[] };
+        let shore = Shore { fixed: &fixed, level_m, afloat: &[] };
         let Some(end) = self.end else { return self.line.check_alone() };
         Line::new(self.line.clone(), &self.ends(end, &states, shore)).map(|_| ())
     }

@@ -261,7 +261,7 @@ impl World {
         }
         self.find_afloat(setup, states.len());
         self.look_ahead(setup, (states, lags_s), step_s);
-        let level_m = setup.environment.tide.level_m(t_s);
+        let level_m = setup.environment.level_m(t_s);
         let shore = Shore { fixed: &self.fixed, level_m, afloat: &self.afloat };
         let met = if self.ahead.is_empty() { states } else { self.ahead.as_slice() };
         line_work::take_lines(&mut self.lines, setup, (met, shore), t_s);
@@ -376,7 +376,7 @@ impl World {
         t_s: f64,
         (line, bollard): (usize, usize),
     ) -> Result<(), OrderError> {
-        let level_m = setup.environment.tide.level_m(t_s);
+        let level_m = setup.environment.level_m(t_s);
         let shore = Shore { fixed: &self.fixed, level_m, afloat: &self.afloat };
         line_work::may_send(lines, setup, (states, shore), line, bollard)
     }
@@ -485,7 +485,7 @@ impl World {
         setup: &WorldSetup,
         (t_s, step_s): (f64, f64),
     ) -> Heights<'a> {
-        let level_m = setup.environment.tide.level_m(t_s + 0.5 * step_s);
+        let level_m = setup.environment.level_m(t_s + 0.5 * step_s);
         let shore = Shore { fixed: &self.fixed, level_m, afloat: &self.afloat };
         Heights { shore, vessels: &self.vessels, t_s, step_s }
     }
@@ -499,7 +499,7 @@ impl World {
         states: &[BodyState],
         (t_s, step_s): (f64, f64),
     ) {
-        let level_m = setup.environment.tide.level_m(t_s);
+        let level_m = setup.environment.level_m(t_s);
         let shore = Shore { fixed: &self.fixed, level_m, afloat: &self.afloat };
         for (index, vessel) in setup.vessels.iter().enumerate() {
             let state = &states[vessel.body];

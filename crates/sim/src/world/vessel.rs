@@ -358,7 +358,7 @@ impl VesselSetup {
     /// Hull, propeller and rudder in the depth at a time. Its added mass is that of this depth and gives the Coriolis terms in the
     /// hull's force; the mass with which she moves stays that of the start.
     fn ship_now(&self, environment: &Environment, t_s: f64) -> Mmg {
-        match (&environment.tide, environment.depth_at_m(t_s)) {
+        match (&environment.tide, environment.still_depth_at_m(t_s)) {
             (Tide::Level(_), _) | (_, None) => self.ship,
             (_, Some(depth_m)) => self.deep.at_depth(depth_m),
         }

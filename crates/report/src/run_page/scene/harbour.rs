@@ -175,7 +175,22 @@ fn weather(environment: &Environment) -> Vec<Weather> {
             colour: "#7F5F3F",
         }
     });
-    wind.into_iter().chain(current).chain(waves).collect()
+    let long_waves = environment.long_waves.as_ref().map(|waves| {
+        let velocity = waves.velocity_deviation();
+        let speed_mps = velocity.length();
+        let along = if speed_mps > 0.0 { velocity * (1.0 / speed_mps) } else { vec2(1.0, 0.0) };
+        Weather {
+            towards: along,
+            text: format!(
+                "long waves Hs {} m, significant velocity {} m/s along {}",
+                plain(waves.significant_height_m(), 2),
+                plain(2.0 * speed_mps, 2),
+                compass(libm::atan2(along.y, along.x))
+            ),
+            colour: "#56B4E9",
+        }
+    });
+    wind.into_iter().chain(current).chain(waves).chain(long_waves).collect()
 }
 
 /// Wind, current and waves in words, each with its direction.

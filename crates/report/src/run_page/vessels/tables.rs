@@ -1,8 +1,8 @@
 //! Tables of vessels, tugs and lines.
 
 use fenderline_sim::constants::KNOT_MPS;
+use fenderline_sim::environment::BankMethod;
 use fenderline_sim::environment::waves::MotionResponse;
-use fenderline_sim::environment::{BankMethod, Tide};
 use fenderline_sim::hydro::vessels::{Origin, Source, Standing};
 use fenderline_sim::{Environment, VesselSetup};
 use maud::{Markup, html};
@@ -132,8 +132,8 @@ fn under_keel(name: &str, totals: &VesselTotals, environment: &Environment) -> M
             p class="note" {
                 (name) ": minimum under-keel clearance " (fixed(least.value, 2)) " m at "
                 (plain(least.at_s, 6)) " s"
-                @if environment.tide != Tide::default() {
-                    @let [low_m, high_m] = environment.tide.range_m();
+                @let [low_m, high_m] = environment.level_range_m();
+                @if low_m != 0.0 || high_m != 0.0 {
                     @if low_m < high_m {
                         ", the water between " (plain(low_m, 4)) " and " (plain(high_m, 4)) " m above datum"
                     } @else {

@@ -2,6 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{Vec2, vec2};
 
 use super::dispersion::wave_number;
@@ -180,6 +181,13 @@ impl Sea {
             .map(|c| 0.5 * c.amplitude_m * c.amplitude_m * c.frequency_radps)
             .sum();
         core::f64::consts::TAU * self.variance_m2() / m1
+    }
+
+    /// The longest period among its harmonics (s); 0 without waves.
+    #[must_use]
+    pub fn longest_period_s(&self) -> f64 {
+        let there = self.components.iter().filter(|c| c.amplitude_m > 0.0);
+        there.fold(0.0, |longest_s, c| greater(longest_s, TAU / c.frequency_radps))
     }
 
     /// Significant wave height 4√m₀ (m).

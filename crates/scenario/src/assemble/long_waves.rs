@@ -1,0 +1,201 @@
+//! Long waves at a berth: a spectrum, a regular wave or a file.
+
+use fenderline_contact::number::greater;
+use fenderline_contact::vec2;
+use fenderline_sim::Environment;
+use fenderline_sim::environment::waves::{Realisation, RegularWave, Sea};
+use fenderline_sim::environment::{LongWaveSite, LongWaveSpectrum, LongWaves};
+
+use super::environment::TIMES_S;
+use super::vessel::Kinds;
+use super::{Assembly, Checked};
+use crate::checked::{Item, Table};
+use crate::printable::printable_number;
+
+/// Harmonics of a spectrum of long waves.
+const HARMONICS: usize = 40;
+/// The keys of a spectrum beside those of every wave.
+const OF_SPECTRUM: [&str; 4] = ["shortest_period", "longest_period", "peakedness", "seed"];
+/// The shortest period of a spectrum (s), if half the peak's is less.
+const SHORTEST_S: f64 = 25.0;
+/// Bounds of level (m) and velocity (m/s) in a file.
+const LEVELS_M: [f64; 2] = [-10.0, 10.0];
+const VELOCITIES_MPS: [f64; 2] = [-15.0, 15.0];
+/// A step between two rows of a file that is so many times the usual one is a gap.
+const GAP: f64 = 1.5;
+/// Ships of this part of a wave's length feel 0.90 of its force, if it runs along them: the mean of a cosine over a quarter of its length.
+const LONG_SHIP: f64 = 0.25;
+
+impl Assembly<'_, '_> {
+    /// The long waves of a table in water of a depth at the start (m), beside a sea, for a run of a duration (s).
+    pub(super) fn long_waves(
+        &self,
+        (table, item): (&Table, &Item),
+        start_m: Option<f64>,
+        sea: Option<&Sea>,
+        duration_s: f64,
+    ) -> Checked<LongWaves> {
+        let of = item.table();
+        if let Some(file) = of.item("file") {
+            self.none_of(of, &["height", "period", "towards", "wall_distance"], "file")?;
+            self.none_of(of, &OF_SPECTRUM, "file")?;
+            if *of.given("regular").flag() {
+                return Err(self.not_together(of, of.given("regular"), "file"));
+            }
+            return self.long_wave_file(of, file, duration_s);
+        }
+        let help = "long waves have a `height`, a `period` and a `towards`, or a `file`";
+        self.all_of(of, &["height", "period", "towards"], help)?;
+        let Some(depth_m) = start_m else {
+            let path = table.path_of("long_waves");
+            let message =
+                format!("`{path}` needs a `depth` beside it: it decides the velocity of the water");
+            return Err(self.sources.error(&item.key_span, &path, message));
+        };
+        let number = |name: &str| of.item(name).map(|item| *item.number());
+        let (height, period) = (of.given("height"), of.given("period"));
+        let (height_m, period_s) = (*height.number(), *period.number());
+        let site = LongWaveSite {
+            towards_rad: *of.given("towards").number(),
+            depth_m,
+            wall_m: number("wall_distance"),
+        };
+        site.check_height(height_m).map_err(|error| self.refused(of, height, &error))?;
+        let is_regular = *of.given("regular").flag();
+        if is_regular {
+            self.none_of(of, &OF_SPECTRUM, "regular")?;
+        }
+        let shortest = of.item("shortest_period").unwrap_or(period);
+        let shortest_s = match (is_regular, of.item("shortest_period")) {
+            (true, _) => period_s,
+            (false, Some(item)) => *item.number(),
+            (false, None) => greater(0.5 * period_s, SHORTEST_S),
+        };
+        site.check_period(shortest_s).map_err(|error| {
+            let help = format!(
+                "a wave of {} s is {} m long in {} m of water; long waves have ten depths or more",
+                printable_number(shortest_s),
+                printable_number(site.length_m(shortest_s).round()),
+                printable_number(depth_m)
+            );
+            self.refused(of, shortest, &error).with_help(help)
+        })?;
+        if let Some(of_sea_s) = sea.map(Sea::longest_period_s)
+            && of_sea_s >= shortest_s
+        {
+            let path = of.path_of(shortest.name);
+            let message = format!(
+                "`{path}`: the shortest long wave, of {} s, is not longer than the longest of `environment.waves`, of {:.1} s: there \
+                 energy would be in both",
+                printable_number(shortest_s),
+                of_sea_s
+            );
+            let error = self.sources.error(&shortest.span, &path, message);
+            return Err(error.with_help("give a longer `shortest_period`"));
+        }
+        let refused = |error| self.refused(table, item, &error);
+        if is_regular {
+            let wave = RegularWave { height_m, period_s, phase_rad: 0.0 };
+            return LongWaves::regular(wave, &site).map_err(refused);
+        }
+        let spectrum = LongWaveSpectrum {
+            height_m,
+            peak_period_s: period_s,
+            periods_s: [shortest_s, number("longest_period").unwrap_or(2.0 * period_s)],
+            peak_enhancement: number("peakedness").unwrap_or(3.3),
+        };
+        let seed = number("seed").unwrap_or(1.0) as u64;
+        let draw = Realisation { harmonics: HARMONICS, seed };
+        LongWaves::of_spectrum(&spectrum, &site, draw).map_err(refused)
+    }
+
+    fn long_wave_file(&self, of: &Table, file: &Item, duration_s: f64) -> Checked<LongWaves> {
+        let key = of.path_of("file");
+        let columns = ["t_s", "level_m", "north_mps", "east_mps"];
+        let (csv, [time, level, north, east]) = self.csv_of(file, &key, columns)?;
+        let rows = (0..csv.len()).map(|row| {
+            let velocity = vec2(
+                csv.number(row, north, VELOCITIES_MPS)?,
+                csv.number(row, east, VELOCITIES_MPS)?,
+            );
+            Ok((csv.number(row, time, TIMES_S)?, csv.number(row, level, LEVELS_M)?, velocity))
+        });
+        let rows = rows.collect::<Checked<Vec<_>>>()?;
+        let mut steps_s: Vec<f64> = rows.windows(2).map(|two| two[1].0 - two[0].0).collect();
+        if let Some(row) = steps_s.iter().position(|step_s| *step_s <= 0.0) {
+            let message = "its time is not later than that of the row before".to_owned();
+            return Err(csv.cell_error(row + 1, time, message));
+        }
+        let gaps_s = steps_s.clone();
+        steps_s.sort_by(f64::total_cmp);
+        let usual_s = steps_s.get(steps_s.len() / 2).copied().unwrap_or(0.0);
+        if let Some(row) = gaps_s.iter().position(|step_s| *step_s > GAP * usual_s) {
+            let message = format!(
+                "there is a gap before this row: {} s, where {} s are usual",
+                printable_number(gaps_s[row]),
+                printable_number(usual_s)
+            );
+            let error = csv.cell_error(row + 1, time, message);
+            return Err(error.with_help("a straight line over a gap would be no wave: fill it in"));
+        }
+        let (first_s, last_s) = (rows[0].0, rows[rows.len() - 1].0);
+        if first_s > 0.0 || last_s < duration_s {
+            let message = format!(
+                "`{key}`: the file has the time from {} to {} s, the run that from 0 to {} s",
+                printable_number(first_s),
+                printable_number(last_s),
+                printable_number(duration_s)
+            );
+            return Err(self.sources.error(&file.span, &key, message));
+        }
+        LongWaves::series(&rows).map_err(|error| self.refused(of, file, &error))
+    }
+
+    /// Notices where a ship is too long for the waves, or touches the bottom in their trough.
+    pub(super) fn note_long_waves(
+        &mut self,
+        file: &Table,
+        environment: &Environment,
+        kinds: &Kinds,
+    ) {
+        let table = file.given("environment").table();
+        let (Some(item), Some(waves)) = (table.item("long_waves"), &environment.long_waves) else {
+            return;
+        };
+        let of = item.table();
+        let ships = kinds.all.iter().map(|(_, kind)| &kind.setup.ship.particulars);
+        let [draught_m, longest_m] = ships.fold([0.0; 2], |[draught_m, longest_m], ship| {
+            [greater(draught_m, ship.draught_m), greater(longest_m, ship.length_m)]
+        });
+        let [lowest_m, _] = environment.level_range_m();
+        let [trough_m, _] = waves.range_m();
+        if let Some(depth_m) = environment.depth_m
+            && depth_m + lowest_m < draught_m
+            && depth_m + lowest_m - trough_m >= draught_m
+        {
+            let message = format!(
+                "in a trough of the long waves, {:.2} m below the tide, there are {:.2} m of water, but a vessel draws {:.2} m",
+                -trough_m,
+                depth_m + lowest_m,
+                draught_m
+            );
+            self.note_at(&item.key_span, table.path_of("long_waves"), message);
+        }
+        let (Some(period), Some(depth_m)) = (of.item("period"), environment.still_depth_at_m(0.0))
+        else {
+            return;
+        };
+        let site = LongWaveSite { towards_rad: 0.0, depth_m, wall_m: None };
+        let wave_m = site.length_m(*period.number());
+        if longest_m > LONG_SHIP * wave_m {
+            let message = format!(
+                "a wave of {} s is {:.0} m long here, and a vessel has {:.0} m, more than a quarter of it: its force along her is taken \
+                 as that amidships over her whole length, more than 10 % too large",
+                printable_number(*period.number()),
+                wave_m,
+                longest_m
+            );
+            self.note_at(&period.span, of.path_of("period"), message);
+        }
+    }
+}
