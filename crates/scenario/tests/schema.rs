@@ -812,8 +812,9 @@ fn examples_are_accepted() {
                 "/vessel_files",
                 // And each method of wind coefficients with its own particulars.
                 "/vessel/box ship/windage/method",
-                // A regular wave has no spreading.
+                // A regular wave has no spreading and no seed.
                 "/environment/waves/regular",
+                "/environment/long_waves/regular",
                 // Shorter than the distance of its ends.
                 "/line/breast/length",
                 // A point at the side of another ship, and another ship than the point is at.

@@ -6,7 +6,7 @@ use serde_json::json;
 
 use super::long_waves::LONG_WAVES;
 use super::passing::INTERACTION;
-use super::quantities::{DIRECTION, POSITION};
+use super::quantities::{DIRECTION, POSITION, SEED};
 use crate::choices::{Choice, Choices};
 use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{Kind, Quantity, TableSpec, key};
@@ -225,9 +225,6 @@ static WIND: TableSpec = TableSpec {
         ] })
     }),
 };
-
-pub(super) const SEED: Quantity =
-    Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 4294967295.0 };
 
 static CURRENT: TableSpec = TableSpec {
     what: "a current",

@@ -2,8 +2,7 @@
 
 use serde_json::json;
 
-use super::environment::SEED;
-use super::quantities::DIRECTION;
+use super::quantities::{DIRECTION, SEED};
 use crate::spec::Absent::{Is, Means, Unless};
 use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;

@@ -28,3 +28,6 @@ pub(super) const TIME: Quantity = Quantity { measure: &unit::TIME, low: 0.0, hig
 pub(super) const FORCE: Quantity = Quantity { measure: &unit::FORCE, low: 1.0, high: 1e8 };
 /// A velocity component of a body.
 pub(super) const SPEED: Quantity = Quantity { measure: &unit::SPEED, low: -1e4, high: 1e4 };
+/// A seed of random numbers.
+pub(super) const SEED: Quantity =
+    Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 4_294_967_295.0 };
