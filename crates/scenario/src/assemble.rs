@@ -112,7 +112,7 @@ pub(crate) fn setup(
     let output = assembly.output(file.item("output").map(Item::table), step_s, duration_s)?;
     let mut materials = assembly.materials(file.given("material").named())?;
     let environment = assembly.environment(file.given("environment").table(), duration_s)?;
-    let kinds = assembly.kinds(file, &libraries.vessels, &environment)?;
+    let kinds = assembly.kinds(file, &libraries.vessels, &environment, step_s)?;
     assembly.note_unvalidated(file, &environment, &kinds);
     assembly.note_long_waves(file, &environment, &kinds);
     let chart = assembly.chart(file.item("chart").map(Item::table))?;

@@ -1,7 +1,7 @@
 //! Comma-separated files of numbers, with one header line of column names. Empty lines and lines that begin with `#`
 //! are skipped. Every mistake is an error at its line.
 
-use crate::error::ScenarioError;
+use crate::error::{Place, ScenarioError};
 use crate::printable::printable_number;
 use crate::sources::{Sources, Span, quoted};
 use crate::suggest::nearest;
@@ -150,6 +150,12 @@ impl<'a> Csv<'a> {
                 printable_number(number)
             ),
         ))
+    }
+
+    /// Where a cell is, or the header, for a notice.
+    pub(crate) fn place_of(&self, cell: Option<(usize, usize)>) -> Place {
+        let span = cell.map_or(&self.header, |(row, column)| &self.rows[row].cells[column]);
+        self.sources.place(span)
     }
 
     /// An error about one cell.

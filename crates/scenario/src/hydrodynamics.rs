@@ -10,7 +10,7 @@ use fenderline_sim::seakeeping::matrix::{Matrix6, ZERO};
 use fenderline_sim::seakeeping::{Hydrodynamics, Part, RawHydrodynamics, SeakeepingError};
 
 use crate::csv::Csv;
-use crate::error::ScenarioError;
+use crate::error::{Notice, ScenarioError};
 use crate::sources::{Sources, quoted};
 use crate::suggest::nearest;
 
@@ -50,6 +50,8 @@ const SHIP_ALSO: [&str; 9] = [
 pub(crate) struct HydrodynamicFile {
     pub(crate) data: Hydrodynamics,
     pub(crate) gravity_above_water_m: f64,
+    /// What is odd about the data, at its line.
+    pub(crate) notices: Vec<Notice>,
 }
 
 /// Reads a file. `key` is the scenario's key that names it.
@@ -181,21 +183,28 @@ pub(crate) fn read(text: &str, name: &str, key: &str) -> Read<HydrodynamicFile> 
     };
     let gravity_above_water_m =
         ship.number(0, ship.column("gravity_above_water_m")?, [-200.0, 200.0])?;
-    let data = Hydrodynamics::new(raw).map_err(|error| {
-        let at = |csv: &Csv<'_>, rows: &[usize]| match error.row.and_then(|row| rows.get(row)) {
-            Some(row) => csv.cell_error(*row, 0, error.to_string()),
-            None => csv.header_error(error.to_string()),
+    // The table and the row in the file of what is said about the data.
+    let place = |SeakeepingError { part, row, .. }: &SeakeepingError| {
+        let (csv, rows): (&Csv<'_>, &[usize]) = match (part, &drift) {
+            (Part::Radiation, _) => (&radiation, &grid.rows),
+            (Part::Infinite, _) => (&infinite, &[0]),
+            (Part::Drift, Some(csv)) => (csv, drift_order.as_deref().unwrap_or(&[])),
+            (Part::Excitation | Part::Drift, _) => (&excitation, &waves.rows),
+            (Part::Head, _) => (&ship, &[0]),
         };
-        let SeakeepingError { part, .. } = error;
-        match (part, &drift) {
-            (Part::Radiation, _) => at(&radiation, &grid.rows),
-            (Part::Infinite, _) => at(&infinite, &[0]),
-            (Part::Drift, Some(csv)) => at(csv, drift_order.as_deref().unwrap_or(&[])),
-            (Part::Excitation | Part::Drift, _) => at(&excitation, &waves.rows),
-            (Part::Head, _) => at(&ship, &[0]),
-        }
+        (csv, row.and_then(|row| rows.get(row)).copied())
+    };
+    let data = Hydrodynamics::new(raw).map_err(|error| match place(&error) {
+        (csv, Some(row)) => csv.cell_error(row, 0, error.to_string()),
+        (csv, None) => csv.header_error(error.to_string()),
     })?;
-    Ok(HydrodynamicFile { data, gravity_above_water_m })
+    let doubt = |doubt: &SeakeepingError| {
+        let (csv, row) = place(doubt);
+        let place = csv.place_of(row.map(|row| (row, 0)));
+        Notice { place, key: key.to_owned(), message: doubt.to_string() }
+    };
+    let notices = data.doubts().iter().map(doubt).collect();
+    Ok(HydrodynamicFile { data, gravity_above_water_m, notices })
 }
 
 /// The text of each table, with empty lines in place of all other lines.

@@ -308,6 +308,13 @@ fn a_regular_wave_has_no_spreading() {
     };
     let wave = "waves = { height = 2, period = 8, from = 0, regular = true, spreading = 2 }";
     of(wave, "environment.waves.spreading", &["together with `regular`"]);
+    // Regular waves of 5 s break at 5.5 m in deep water, and a sea of 12 s in 10 m of water at 8 m.
+    let steep = "waves = { height = 6, period = 5, from = 0, regular = true }";
+    of(steep, "environment.waves", &["wave height", "break"]);
+    let sea = "waves = { height = 6, period = 5, from = 0 }";
+    of(sea, "environment.waves", &["significant wave height", "break"]);
+    let shallow = "depth = \"10 m\"\nwaves = { height = 9, period = 12, from = 0 }";
+    of(shallow, "environment.waves", &["significant wave height", "break"]);
     let wide = "waves = { height = 2, period = 8, from = 0, spreading = 0.5 }";
     of(wide, "environment.waves.spreading", &["at least 1"]);
 }
@@ -568,7 +575,7 @@ force = ["0 kN", "2 MN"]
 fn the_largest_admissible_environment_leaves_the_state_finite() {
     let worst = "depth = 12\nbank = [{ from = [-2000, 30], to = [2000, 30] }]\n\
                  wind = { speed = 120, from = 1, gusts = true }\ncurrent = { file = \"c.csv\" }\n\
-                 waves = { height = 30, period = 20, from = 2 }";
+                 waves = { height = 10, period = 20, from = 2 }";
     let files = [(
         "c.csv",
         "t_s,north_m,east_m,north_mps,east_mps\n0,0,0,15,-15\n0,0,9,-15,15\n1,0,0,-15,15\n1,0,9,15,-15\n",

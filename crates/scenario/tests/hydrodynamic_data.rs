@@ -72,9 +72,13 @@ fn scenario(name: &str, data: &str) -> Scenario {
 #[test]
 fn every_file_is_read_and_moves_a_moored_ship() {
     let files = files();
-    assert!(files.len() >= 4, "{}", files.len());
+    // Barge and ship in two depths, in open water and at a quay.
+    assert!(files.len() >= 7, "{}", files.len());
     for (name, text) in &files {
         let scenario = scenario(name, text);
+        let doubts = scenario.notices.iter().map(|notice| notice.to_string());
+        let about_data = doubts.filter(|said| said.contains("data.hydro:"));
+        assert_eq!(about_data.collect::<Vec<_>>(), [""; 0], "{name}");
         let data = scenario.setup.world.vessels[0].seakeeping.clone().expect("data").data;
         let at_quay = name.ends_with("quay");
         assert_eq!(data.has_drift(), !at_quay, "{name}");

@@ -19,6 +19,8 @@ const ROLL_DAMPING: f64 = 0.05;
 const MASS: f64 = 0.03;
 /// How far the depth of the data may be from that of the run before a notice.
 const DEPTH: f64 = 0.1;
+/// The shortest period over the step that a step can follow: 2π/√6.
+const SHORTEST_PERIOD: f64 = 2.565;
 /// From which depth water counts as deep, in draughts.
 const DEEP: f64 = 10.0;
 
@@ -29,6 +31,7 @@ impl Assembly<'_, '_> {
         table: &Table,
         kind: &Kind,
         environment: &Environment,
+        step_s: f64,
     ) -> Checked<Option<(Seakeeping, Float)>> {
         let Some(item) = table.item("hydrodynamics") else {
             if table.item("roll_damping").is_some() {
@@ -40,7 +43,18 @@ impl Assembly<'_, '_> {
         self.none_of(table, &["wave_response"], "hydrodynamics")?;
         let key = table.path_of("hydrodynamics");
         let file = hydrodynamics::read(self.files.text(item.text()), item.text(), &key)?;
+        self.notices.extend(file.notices);
         let (data, draught_m) = (file.data, kind.draught_m());
+        if !data.is_resolved_by(step_s) {
+            let message = format!(
+                "a step of {step_s} s is too long for these data: heave, roll or pitch has an own period below {} s, and would grow \
+                 without bound",
+                printable_number((step_s * SHORTEST_PERIOD * 100.0).round() / 100.0)
+            );
+            return Err(self.refused(table, item, &message).with_help(
+                "take a shorter step, or see whether restoring and added mass are in kg, m, s, N",
+            ));
+        }
         let (own_kg, hers_kg) = (data.mass_kg(), kind.mass.mass_kg);
         if (own_kg / hers_kg - 1.0).abs() > MASS {
             let message = format!(

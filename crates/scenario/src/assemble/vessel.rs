@@ -170,6 +170,7 @@ impl Assembly<'_, '_> {
         file: &Table,
         library: &VesselLibrary,
         environment: &Environment,
+        step_s: f64,
     ) -> Checked<Kinds> {
         let mut kinds = Kinds::default();
         for (name, table) in file.given("vessel").named() {
@@ -185,7 +186,7 @@ impl Assembly<'_, '_> {
             let place = (table.span.clone(), table.path.clone());
             let mut kind =
                 Kind::new(data, environment, place).map_err(|error| self.wrong(table, &error))?;
-            if let Some((seakeeping, float)) = self.seakeeping(table, &kind, environment)? {
+            if let Some((seakeeping, float)) = self.seakeeping(table, &kind, environment, step_s)? {
                 kind.setup.seakeeping = Some(seakeeping);
                 kind.setup.float = Some(float);
                 kind.setup.response = None;

@@ -7,6 +7,7 @@ use fenderline_contact::number::greater;
 use super::data::{RawHydrodynamics, UPRIGHT};
 use super::error::{Part, Reason, SeakeepingError};
 use super::matrix::{Matrix6, Six, smallest_eigenvalue};
+use super::passive::{negative_together, scaled_to_one};
 use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::environment::waves::Complex;
 
@@ -22,7 +23,7 @@ const WIDEST_STEP: f64 = 45.5 * PI / 180.0;
 /// over the root of the product of its two diagonal entries.
 const NOISE: [f64; 2] = [0.01, 0.05];
 
-fn error(part: Part, row: Option<usize>, reason: Reason) -> SeakeepingError {
+pub(super) fn error(part: Part, row: Option<usize>, reason: Reason) -> SeakeepingError {
     SeakeepingError { part, row, reason }
 }
 
@@ -85,6 +86,16 @@ pub(super) fn check_head(raw: &RawHydrodynamics) -> Result<(), SeakeepingError> 
         if raw.restoring[index][index] <= 0.0 {
             return head(Reason::Unstable { motion });
         }
+    }
+    let mut restoring = scaled_to_one();
+    for (i, row) in raw.restoring.iter().enumerate() {
+        for (j, entry) in row.iter().enumerate() {
+            restoring[UPRIGHT[i]][UPRIGHT[j]] =
+                entry / (raw.restoring[i][i] * raw.restoring[j][j]).sqrt();
+        }
+    }
+    if let Some(motions) = negative_together(&restoring) {
+        return head(Reason::CouplesTooMuch { what: "restoring", motions });
     }
     // Heave restoring is ρg times the waterplane area: the displaced volume over draughts of 2 % to three times the cube root of
     // the volume.

@@ -5,12 +5,16 @@ use fenderline_contact::{Vec2, vec2};
 
 use super::check::{check_axes, check_head, check_headings, check_matrices, check_shape};
 use super::error::{Part, Reason, SeakeepingError};
-use super::matrix::{Matrix6, ZERO, congruent, plus, transposed};
+use super::matrix::{Matrix6, ZERO, congruent, plus, smallest_eigenvalue, transposed};
+use super::passive::{check_damping, check_total_mass};
 use super::retardation::{Retardation, effective_infinite};
+use super::waves_check::check_forces;
 use crate::environment::waves::Complex;
 
 /// The most that added mass and damping may contradict each other, over the largest added mass.
 const CONTRADICTION: f64 = 0.4;
+/// From where on that is said.
+const DOUBTFUL: f64 = 0.25;
 
 /// Hydrodynamic data about a reference point, as they are read. Motions and forces are surge, sway, heave *down*, roll to
 /// starboard, pitch bow up, yaw to starboard.
@@ -64,6 +68,7 @@ pub struct Hydrodynamics {
     pub(super) origin_m: Vec2,
     /// Headings from 0 to π: waves from starboard are the mirror image.
     pub(super) is_mirrored: bool,
+    doubts: Vec<SeakeepingError>,
 }
 
 impl Hydrodynamics {
@@ -77,6 +82,8 @@ impl Hydrodynamics {
         check_matrices(&raw)?;
         check_axes(&raw)?;
         let is_mirrored = check_headings(&raw.headings_rad)?;
+        check_forces(&raw, is_mirrored)?;
+        let doubts = check_damping(&raw.damping)?.into_iter().collect();
         let to_reference = lever(raw.reference_m);
         let moved = |matrix: &Matrix6| congruent(&symmetric(matrix), &to_reference);
         let mut restoring = ZERO;
@@ -108,11 +115,13 @@ impl Hydrodynamics {
             depth_m: raw.depth_m,
             origin_m: vec2(forward_m, starboard_m),
             is_mirrored,
+            doubts,
         };
         let retardation = data.retardation();
         let effective = effective_infinite(&data, &retardation);
         let given = core::mem::replace(&mut data.infinite, effective);
         data.check_consistency(&retardation, &given)?;
+        check_total_mass(&data.total_mass())?;
         Ok(data)
     }
 
@@ -120,6 +129,27 @@ impl Hydrodynamics {
     #[must_use]
     pub fn total_mass(&self) -> Matrix6 {
         plus(&self.mass, 1.0, &self.infinite)
+    }
+
+    /// What is odd about the data, and does no harm: a small negative damping, or added mass and damping that contradict each other by
+    /// half of what is refused.
+    #[must_use]
+    pub fn doubts(&self) -> &[SeakeepingError] {
+        &self.doubts
+    }
+
+    /// True if a step of this length (s) can follow her own motions in heave, roll and pitch: h²C < 6M, the bound of
+    /// [`super::Motion`]. Beyond it every motion would grow without bound.
+    #[must_use]
+    pub fn is_resolved_by(&self, step_s: f64) -> bool {
+        let mass = self.total_mass();
+        let margin: Matrix6 = std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                let left = 6.0 * mass[i][j] - step_s * step_s * self.restoring[i][j];
+                left / (mass[i][i] * mass[j][j]).sqrt()
+            })
+        });
+        smallest_eigenvalue(&margin).0 > 0.0
     }
 
     /// Rigid mass about the centre of gravity.
@@ -178,7 +208,7 @@ impl Hydrodynamics {
     /// Ogilvie's relations: the added mass must follow from the damping, but for a constant, and the constant must be near the added
     /// mass at infinite frequency.
     fn check_consistency(
-        &self,
+        &mut self,
         retardation: &Retardation,
         given: &Matrix6,
     ) -> Result<(), SeakeepingError> {
@@ -197,6 +227,10 @@ impl Hydrodynamics {
             if worst > CONTRADICTION {
                 let reason = Reason::Inconsistent { motion, share: worst };
                 return Err(SeakeepingError { part: Part::Infinite, row: Some(0), reason });
+            }
+            if worst > DOUBTFUL {
+                let reason = Reason::Inconsistent { motion, share: worst };
+                self.doubts.push(SeakeepingError { part: Part::Infinite, row: Some(0), reason });
             }
         }
         Ok(())

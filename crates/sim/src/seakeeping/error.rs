@@ -67,6 +67,29 @@ pub enum Reason {
         /// The motion.
         motion: usize,
     },
+    /// A combination of motions has a negative damping, though each motion alone has not.
+    NegativeTogether {
+        /// The two motions with the largest part in it.
+        motions: [usize; 2],
+        /// The damping over the largest of these motions, each motion measured by the root of its largest damping.
+        share: f64,
+    },
+    /// A combination of motions has a negative mass or restoring, though each motion alone has not.
+    CouplesTooMuch {
+        /// Mass or restoring, in words.
+        what: &'static str,
+        /// The two motions with the largest part in it.
+        motions: [usize; 2],
+    },
+    /// Exciting forces and damping contradict each other (Haskind's relation).
+    ForcesOfOtherUnits {
+        /// The motion.
+        motion: usize,
+        /// The frequency (rad/s).
+        at_radps: f64,
+        /// The damping by the exciting forces over that of the table.
+        ratio: f64,
+    },
     /// A value that does not fit the ship, as with wrong units.
     Implausible {
         /// What, with its unit.
@@ -142,6 +165,26 @@ impl fmt::Display for SeakeepingError {
             Reason::NoMass { motion } => {
                 write!(f, "mass and added mass of {} are not positive", MOTIONS[*motion])
             }
+            Reason::NegativeTogether { motions: [one, other], share } => write!(
+                f,
+                "the damping of {} and {} together is negative, {:.1} % of its maximum, though each alone is damped: their coupling \
+                 is too large, or the mesh too coarse",
+                MOTIONS[*one],
+                MOTIONS[*other],
+                100.0 * share
+            ),
+            Reason::CouplesTooMuch { what, motions: [one, other] } => write!(
+                f,
+                "the {what} of {} and {} together is negative, so a motion of both would grow without bound: their coupling is too \
+                 large; are the units kg, m, s, N?",
+                MOTIONS[*one], MOTIONS[*other]
+            ),
+            Reason::ForcesOfOtherUnits { motion, at_radps, ratio } => write!(
+                f,
+                "the exciting forces in {} at {at_radps} rad/s ask for {ratio:.1e} times the damping that the data have (Haskind's \
+                 relation): are they N and N m in a wave of 1 m amplitude?",
+                MOTIONS[*motion]
+            ),
             Reason::Implausible { what, value, range: [low, high] } => write!(
                 f,
                 "{what} is {value:.4e}, but a ship of this displacement has {low:.2e} to {high:.2e}: are the units kg, m, \

@@ -4,6 +4,8 @@
 //! |---|---|
 //! | `data.rs` | the data of a panel code, checked and moved to the centre of gravity |
 //! | `check.rs` | the checks |
+//! | `passive.rs` | that no combination of motions gains energy from the data |
+//! | `waves_check.rs` | sizes of exciting and drift forces |
 //! | `error.rs` | what is wrong with data |
 //! | `retardation.rs` | the retardation function, and added mass from damping |
 //! | `memory.rs` | the memory of the water as a bank of resonators |
@@ -23,9 +25,11 @@ mod least_squares;
 pub mod matrix;
 mod memory;
 mod motion;
+mod passive;
 mod place;
 mod retardation;
 mod sub_steps;
+mod waves_check;
 
 use std::sync::Arc;
 

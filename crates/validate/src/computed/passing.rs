@@ -26,6 +26,29 @@ pub(super) fn compute(values: &mut Values) {
         values.put(format!("passing/worked/{force}"), found, "");
     }
     by_table(values);
+    in_a_worksheet(values);
+}
+
+/// Forces of parallel passing that another program's worksheets printed, in feet, slugs and pounds-force.
+fn in_a_worksheet(values: &mut Values) {
+    let at = |lengths: [f64; 2], areas: [f64; 2], place: [f64; 2], density: f64, speed: f64| {
+        let [at_rest, passing] =
+            [0, 1].map(|k| Sections::parabola(lengths[k], areas[k]).expect("a good ship"));
+        let pose = Pose::new(vec2(place[0], place[1]), 0.0);
+        let velocity_mps = vec2(speed, 0.0);
+        let passing = PassingShip { sections: &passing, pose, velocity_mps };
+        force(&at_rest, Pose::new(Vec2::ZERO, 0.0), &passing, density, 1.0)
+    };
+    let abreast = at([658.0, 902.2], [1.0, 1.0], [0.0, 0.25 * 658.0], 1.0, 1.0);
+    values.put("passing/worksheet/sway", abreast[1] * 658.0 * 658.0, "");
+    for (name, along_ft) in [("abreast", 0.0), ("length", -941.109), ("two_lengths", -1882.218)] {
+        let place = [along_ft, 364.042];
+        let found = at([941.109; 2], [8103.879; 2], place, 1.9905, 6.0);
+        for (force, found) in NAMES.iter().zip(found) {
+            let unit = if *force == "yaw" { "lbf ft" } else { "lbf" };
+            values.put(format!("passing/workbook/{name}/{force}"), found, unit);
+        }
+    }
 }
 
 /// The worked case with the coefficients of its source.

@@ -26,4 +26,4 @@ pub use drift::{DriftHull, mean_drift};
 pub use jonswap::Jonswap;
 pub use motion::{FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion};
 pub use rao::RaoTable;
-pub use sea::{DIRECTIONS, RegularWave, Sea};
+pub use sea::{DIRECTIONS, RegularWave, Sea, breaking_height_m};

@@ -31,6 +31,14 @@ pub struct RegularWave {
     pub phase_rad: f64,
 }
 
+/// The height at which a regular wave breaks (m): 0.142 L tanh(kd) in water of a depth d, a seventh of the length in deep water and nine tenths
+/// of the depth in shallow (Miche 1944, recalled).
+#[must_use]
+pub fn breaking_height_m(period_s: f64, depth_m: f64) -> f64 {
+    let number = wave_number(TAU / period_s, depth_m);
+    0.142 * TAU / number * libm::tanh(number * depth_m)
+}
+
 /// A sum of harmonics in one direction, or in several directions about a mean one: a pure function of position and time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sea {
@@ -63,7 +71,7 @@ impl Sea {
     /// A regular wave towards a direction, clockwise from north, in water of a given depth (m).
     ///
     /// # Errors
-    /// A number out of range, or a steepness above 1/7, at which waves break.
+    /// A number out of range, or a height at which waves of this length break ([`breaking_height_m`]).
     pub fn regular(
         wave: RegularWave,
         towards_rad: f64,
@@ -74,7 +82,13 @@ impl Sea {
         check_place(towards_rad, depth_m)?;
         let frequency_radps = TAU / wave.period_s;
         let number = wave_number(frequency_radps, depth_m);
-        within("wave height [m]", wave.height_m, 0.0, TAU / number / 7.0)?;
+        let breaking_m = breaking_height_m(wave.period_s, depth_m);
+        within(
+            "wave height [m] (higher waves of this period break)",
+            wave.height_m,
+            0.0,
+            breaking_m,
+        )?;
         let component = Component {
             frequency_radps,
             amplitude_m: 0.5 * wave.height_m,
@@ -90,7 +104,8 @@ impl Sea {
     /// γ = 3.3, because its factor A is an approximation.
     ///
     /// # Errors
-    /// A number out of range.
+    /// A number out of range, or a significant height at which even a regular wave of the peak's period breaks
+    /// ([`breaking_height_m`]): no sea is as high.
     pub fn jonswap(
         spectrum: &Jonswap,
         towards_rad: f64,
@@ -100,6 +115,9 @@ impl Sea {
         spectrum.check()?;
         check_place(towards_rad, depth_m)?;
         realisation.check()?;
+        let breaking_m = breaking_height_m(spectrum.peak_period_s, depth_m);
+        let name = "significant wave height [m] (higher waves of this period break)";
+        within(name, spectrum.height_m, 0.0, breaking_m)?;
         let [low, high] = BAND.map(|multiple| multiple * spectrum.peak_radps());
         let harmonics = realisation.harmonics_of(|w| spectrum.density(w), low, high);
         let energy_m2: f64 = harmonics.iter().map(|h| 0.5 * h.amplitude * h.amplitude).sum();
