@@ -308,15 +308,22 @@ fn a_regular_wave_has_no_spreading() {
     };
     let wave = "waves = { height = 2, period = 8, from = 0, regular = true, spreading = 2 }";
     of(wave, "environment.waves.spreading", &["together with `regular`"]);
-    // Regular waves of 5 s break at 5.5 m in deep water, and a sea of 12 s in 10 m of water at 8 m.
+    let wide = "waves = { height = 2, period = 8, from = 0, spreading = 0.5 }";
+    of(wide, "environment.waves.spreading", &["at least 1"]);
+}
+
+/// Regular waves of 5 s break at 5.5 m in deep water, and a sea of 12 s in 10 m of water at 8 m.
+#[test]
+fn a_sea_beyond_breaking_is_refused() {
+    let of = |lines: &str, key: &str, fragments: &[&str]| {
+        refused(&[("environment", lines)], &[], key, fragments);
+    };
     let steep = "waves = { height = 6, period = 5, from = 0, regular = true }";
     of(steep, "environment.waves", &["wave height", "break"]);
     let sea = "waves = { height = 6, period = 5, from = 0 }";
     of(sea, "environment.waves", &["significant wave height", "break"]);
     let shallow = "depth = \"10 m\"\nwaves = { height = 9, period = 12, from = 0 }";
     of(shallow, "environment.waves", &["significant wave height", "break"]);
-    let wide = "waves = { height = 2, period = 8, from = 0, spreading = 0.5 }";
-    of(wide, "environment.waves.spreading", &["at least 1"]);
 }
 
 /// From 350° to 10° the wind turns through north, not through south.

@@ -73,7 +73,7 @@ fn scenario(name: &str, data: &str) -> Scenario {
 fn every_file_is_read_and_moves_a_moored_ship() {
     let files = files();
     // Barge and ship in two depths, in open water and at a quay.
-    assert!(files.len() >= 7, "{}", files.len());
+    assert_eq!(files.len(), 8);
     for (name, text) in &files {
         let scenario = scenario(name, text);
         let doubts = scenario.notices.iter().map(|notice| notice.to_string());
@@ -117,7 +117,9 @@ fn every_file_is_read_and_moves_a_moored_ship() {
         }
         println!("{name}: {most:.3?}");
         assert!(most.iter().all(|motion| motion.is_finite() && *motion > 0.0), "{name}: {most:?}");
-        let [surge, sway, heave, roll, pitch, yaw] = most;
+        // A wall throws the wave back, and its orbits are twice as large.
+        let walls = if at_quay { 2.0 } else { 1.0 };
+        let [surge, sway, heave, roll, pitch, yaw] = most.map(|motion| motion / walls);
         assert!(surge < 3.0 && sway < 3.0 && heave < 1.5, "{name}: {most:?}");
         assert!(roll < 0.2 && pitch < 0.05 && yaw < 0.05, "{name}: {most:?}");
         if !at_quay {
