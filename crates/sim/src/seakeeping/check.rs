@@ -5,7 +5,7 @@ use core::f64::consts::{PI, TAU};
 use fenderline_contact::number::greater;
 
 use super::data::{RawHydrodynamics, UPRIGHT};
-use super::error::{Part, Reason, SeakeepingError};
+use super::error::{Part, Reason, SeakeepingError, error};
 use super::matrix::{Matrix6, Six, smallest_eigenvalue};
 use super::passive::{negative_together, scaled_to_one};
 use crate::constants::STANDARD_GRAVITY_MPS2;
@@ -22,10 +22,6 @@ const WIDEST_STEP: f64 = 45.5 * PI / 180.0;
 /// Numerical noise of panel codes: what a damping may be below zero over its maximum, and how far a matrix may be from symmetric
 /// over the root of the product of its two diagonal entries.
 const NOISE: [f64; 2] = [0.01, 0.05];
-
-pub(super) fn error(part: Part, row: Option<usize>, reason: Reason) -> SeakeepingError {
-    SeakeepingError { part, row, reason }
-}
 
 /// Numbers of rows, and finite numbers.
 pub(super) fn check_shape(raw: &RawHydrodynamics) -> Result<(), SeakeepingError> {

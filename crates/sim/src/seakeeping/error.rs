@@ -30,6 +30,11 @@ pub struct SeakeepingError {
     pub reason: Reason,
 }
 
+/// An error about a row of a table.
+pub(super) fn error(part: Part, row: Option<usize>, reason: Reason) -> SeakeepingError {
+    SeakeepingError { part, row, reason }
+}
+
 /// The reason.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Reason {

@@ -2,8 +2,7 @@
 
 use fenderline_contact::number::greater;
 
-use super::check::error;
-use super::error::{Part, Reason, SeakeepingError};
+use super::error::{Part, Reason, SeakeepingError, error};
 use super::matrix::{Matrix6, Six, smallest_eigenvalue};
 
 /// What the damping of a combination of motions may be below zero, over the maxima of the single motions: below the first it is numerical

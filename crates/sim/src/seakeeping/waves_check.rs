@@ -2,9 +2,8 @@
 
 use core::f64::consts::{PI, TAU};
 
-use super::check::error;
 use super::data::RawHydrodynamics;
-use super::error::{Part, Reason, SeakeepingError};
+use super::error::{Part, Reason, SeakeepingError, error};
 use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::environment::waves::wave_number;
 
