@@ -3,28 +3,38 @@
 use crate::state::BodyState;
 use crate::vec2::{Rotation, vec2};
 
-/// Masses of a body in surge, sway and yaw (kg, kg, kg·m²).
+/// Kirchhoff's equations of a body without forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Kirchhoff {
-    surge_kg: f64,
-    sway_kg: f64,
-    yaw_kgm2: f64,
+    /// m_y/m_x, m_x/m_y.
+    sway_by_surge: f64,
+    surge_by_sway: f64,
+    /// m_x/I and m_y/I (1/m²).
+    surge_by_yaw: f64,
+    sway_by_yaw: f64,
     /// 2(m_y/m_x + m_x/m_y): see [`Kirchhoff::rate_squared`].
     coupling: f64,
 }
 
-/// Most rounds of the fixed-point iteration. Each reduces the error by about the angle turned in the sub-step: a few
-/// hundredths, and at most a half.
-const ROUNDS: u32 = 60;
+/// The square of the error at which the fixed-point iteration ends, relative to velocities of the body's energy: an eighth of a
+/// unit in the last place.
+const ERROR_SQUARED: f64 = f64::EPSILON * f64::EPSILON / 64.0;
 
 /// Most parts of a sub-step: bounded work. Velocities that would turn faster are left unchanged.
 const MOST_PARTS: f64 = 64.0;
 
 impl Kirchhoff {
-    /// `None` if surge and sway have the same mass: the momentum does not turn then.
+    /// For masses in surge, sway and yaw (kg, kg, kg·m²). `None` if surge and sway have the same mass: the momentum does not
+    /// turn then.
     pub(crate) fn new(surge_kg: f64, sway_kg: f64, yaw_kgm2: f64) -> Option<Kirchhoff> {
-        let coupling = 2.0 * (sway_kg / surge_kg + surge_kg / sway_kg);
-        (surge_kg != sway_kg).then_some(Kirchhoff { surge_kg, sway_kg, yaw_kgm2, coupling })
+        let (sway_by_surge, surge_by_sway) = (sway_kg / surge_kg, surge_kg / sway_kg);
+        (surge_kg != sway_kg).then_some(Kirchhoff {
+            sway_by_surge,
+            surge_by_sway,
+            surge_by_yaw: surge_kg / yaw_kgm2,
+            sway_by_yaw: sway_kg / yaw_kgm2,
+            coupling: 2.0 * (sway_by_surge + surge_by_sway),
+        })
     }
 
     /// The velocities after `h` seconds of Kirchhoff's equations without forces,
@@ -34,12 +44,13 @@ impl Kirchhoff {
     /// by the implicit midpoint rule. It conserves the kinetic energy exactly, so a body that nothing touches neither gains
     /// nor loses energy by the time step. `before` is the attitude that the velocities in `state` belong to, `after` the
     /// one that the body has turned to.
+    #[inline]
     pub(crate) fn turn(&self, state: &mut BodyState, before: Rotation, after: Rotation, h: f64) {
         let own = before.apply_inverse(state.velocity_mps);
         let mut velocity = (own.x, own.y, state.yaw_rate_radps);
         let turns_squared = h * h * self.rate_squared(velocity);
         if turns_squared <= 1.0 {
-            velocity = self.part(velocity, h);
+            velocity = self.part(velocity, h, turns_squared);
         } else if turns_squared <= MOST_PARTS * MOST_PARTS {
             velocity = self.in_parts(velocity, h, libm::ceil(libm::sqrt(turns_squared)) as u32);
         }
@@ -50,51 +61,65 @@ impl Kirchhoff {
     /// A bound on the square of the rate at which the equations turn velocities of this energy (1/s²). In √m_x u,
     /// √m_y v and √I r their Jacobian has, with ρ² twice the energy, a Frobenius norm of at most
     /// ρ √(2(m_y/m_x + m_x/m_y)/I).
+    #[inline]
     fn rate_squared(&self, (u, v, r): (f64, f64, f64)) -> f64 {
-        let &Kirchhoff { surge_kg, sway_kg, yaw_kgm2, coupling } = self;
-        let energy = surge_kg * u * u + sway_kg * v * v + yaw_kgm2 * r * r;
-        coupling * energy / yaw_kgm2
+        self.coupling * (self.surge_by_yaw * u * u + self.sway_by_yaw * v * v + r * r)
     }
 
     /// A step in which they turn too far for one fixed-point iteration.
     #[cold]
+    #[inline(never)]
     fn in_parts(&self, velocity: (f64, f64, f64), h: f64, parts: u32) -> (f64, f64, f64) {
-        (0..parts).fold(velocity, |velocity, _| self.part(velocity, h / f64::from(parts)))
+        (0..parts).fold(velocity, |velocity, _| self.part(velocity, h / f64::from(parts), 1.0))
     }
 
-    /// One step of the midpoint rule, by a fixed point.
-    fn part(&self, (u0, v0, r0): (f64, f64, f64), h: f64) -> (f64, f64, f64) {
-        let (mut u, mut v, mut r) = (u0, v0, r0);
-        for _ in 0..ROUNDS {
-            let (um, vm, rm) = (0.5 * (u0 + u), 0.5 * (v0 + v), 0.5 * (r0 + r));
-            let next = (
-                u0 + h * self.sway_kg * vm * rm / self.surge_kg,
-                v0 - h * self.surge_kg * um * rm / self.sway_kg,
-                r0 - h * (self.sway_kg - self.surge_kg) * um * vm / self.yaw_kgm2,
-            );
-            let settled = next == (u, v, r);
-            (u, v, r) = next;
-            if settled {
-                break;
+    /// One step of the midpoint rule, by a fixed point of the mean velocities. `turns_squared` is a bound on h² times
+    /// [`Kirchhoff::rate_squared`], at most 1.
+    ///
+    /// A round divides the error in √m_x u, √m_y v and √I r by two over √`turns_squared` at least, and the start is wrong by
+    /// less than one round would change it. So the number of rounds is known beforehand, and no round waits for a comparison.
+    #[inline]
+    fn part(&self, start: (f64, f64, f64), h: f64, turns_squared: f64) -> (f64, f64, f64) {
+        let ((u0, v0, r0), half_s) = (start, 0.5 * h);
+        let (of_u, of_v) = (half_s * self.sway_by_surge, half_s * self.surge_by_sway);
+        let of_r = half_s * (self.sway_by_yaw - self.surge_by_yaw);
+        let (mut u, mut v, mut r) = start;
+        let reduction_squared = 0.25 * turns_squared;
+        let mut error_squared = reduction_squared;
+        loop {
+            (u, v, r) = (u0 + of_u * (v * r), v0 - of_v * (u * r), r0 - of_r * (u * v));
+            error_squared *= reduction_squared;
+            if error_squared <= ERROR_SQUARED {
+                return (2.0 * u - u0, 2.0 * v - v0, 2.0 * r - r0);
             }
         }
-        (u, v, r)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::lesser;
     use crate::vec2::Vec2;
 
-    fn ship() -> Kirchhoff {
-        Kirchhoff::new(9e7, 1.4e8, 8e11).expect("the masses differ")
+    /// Masses in surge, sway and yaw (kg, kg, kg·m²).
+    type Masses = [f64; 3];
+
+    const SHIP: Masses = [9e7, 1.4e8, 8e11];
+    const TUG: Masses = [1.01e6, 1.71e6, 8.3e7];
+
+    fn of([surge_kg, sway_kg, yaw_kgm2]: Masses) -> Kirchhoff {
+        Kirchhoff::new(surge_kg, sway_kg, yaw_kgm2).expect("the masses differ")
+    }
+
+    fn twice_energy_j([surge_kg, sway_kg, yaw_kgm2]: Masses, own: Vec2, r: f64) -> f64 {
+        surge_kg * own.x * own.x + sway_kg * own.y * own.y + yaw_kgm2 * r * r
     }
 
     /// A ship that drifts and turns, alone for ten minutes, in steps of 0.1 s.
     #[test]
     fn a_free_body_conserves_energy_and_momentum() {
-        let ship = ship();
+        let ship = of(SHIP);
         let mut state = BodyState {
             velocity_mps: vec2(2.0, 0.6),
             yaw_rate_radps: 0.01,
@@ -102,14 +127,12 @@ mod tests {
         };
         let energy = |state: &BodyState| {
             let own = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps);
-            ship.surge_kg * own.x * own.x
-                + ship.sway_kg * own.y * own.y
-                + ship.yaw_kgm2 * state.yaw_rate_radps * state.yaw_rate_radps
+            twice_energy_j(SHIP, own, state.yaw_rate_radps)
         };
         let momentum = |state: &BodyState| {
             let rotation = Rotation::from_angle(state.heading_rad);
             let own = rotation.apply_inverse(state.velocity_mps);
-            rotation.apply(vec2(ship.surge_kg * own.x, ship.sway_kg * own.y))
+            rotation.apply(vec2(SHIP[0] * own.x, SHIP[1] * own.y))
         };
         let (start_j, start) = (energy(&state), momentum(&state));
         for _ in 0..6000 {
@@ -129,11 +152,9 @@ mod tests {
     /// a step of a minute was refused, though she was alone.
     #[test]
     fn a_free_body_conserves_energy_in_steps_of_any_length() {
-        let tug = Kirchhoff::new(1.01e6, 1.71e6, 8.3e7).expect("the masses differ");
-        for body in [ship(), tug] {
-            let energy = |own: Vec2, r: f64| {
-                body.surge_kg * own.x * own.x + body.sway_kg * own.y * own.y + body.yaw_kgm2 * r * r
-            };
+        for masses in [SHIP, TUG] {
+            let body = of(masses);
+            let energy = |own, r| twice_energy_j(masses, own, r);
             for h in [0.1, 1.0, 5.0, 20.0, 60.0, 600.0, 1e6] {
                 let own = vec2(6.0, 0.6);
                 let mut state =
@@ -143,6 +164,38 @@ mod tests {
                 }
                 let off = energy(state.velocity_mps, state.yaw_rate_radps) / energy(own, 0.05);
                 assert!((off - 1.0).abs() < 1e-10, "{h} s: {off}");
+            }
+        }
+    }
+
+    /// The midpoint rule holds to rounding for slow and fast velocities, in steps up to the longest without parts.
+    #[test]
+    fn the_iteration_ends_at_the_midpoint_rule() {
+        for masses in [SHIP, TUG] {
+            let body = of(masses);
+            let [surge_kg, sway_kg, yaw_kgm2] = masses;
+            for speed in [1e-9, 1e-6, 1e-3, 0.1, 1.0, 6.0] {
+                for (u0, v0, r0) in [(1.0, 0.1, 0.01), (-0.3, 1.0, 0.0), (0.1, -0.2, -0.03)] {
+                    let start = (speed * u0, speed * v0, speed * r0);
+                    let longest_s = 1.0 / libm::sqrt(body.rate_squared(start));
+                    for h in [lesser(0.1, longest_s), 0.999 * longest_s] {
+                        let turns_squared = h * h * body.rate_squared(start);
+                        let (u1, v1, r1) = body.part(start, h, turns_squared);
+                        let (u0, v0, r0) = start;
+                        let (u, v, r) = (0.5 * (u0 + u1), 0.5 * (v0 + v1), 0.5 * (r0 + r1));
+                        let off_j = twice_energy_j(
+                            masses,
+                            vec2(
+                                u0 + h * sway_kg / surge_kg * v * r - u1,
+                                v0 - h * surge_kg / sway_kg * u * r - v1,
+                            ),
+                            r0 - h * (sway_kg - surge_kg) / yaw_kgm2 * u * v - r1,
+                        );
+                        let all_j = twice_energy_j(masses, vec2(u0, v0), r0);
+                        // A few roundings of each number.
+                        assert!(off_j <= 1e-31 * all_j, "{start:?}, {h} s: {off_j} of {all_j}");
+                    }
+                }
             }
         }
     }

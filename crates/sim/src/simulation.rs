@@ -164,7 +164,7 @@ impl Simulation {
         self.update_world(t_s);
         self.dolphins.take(self.work.piles());
         self.account_energy();
-        Ok(self.record(t_s))
+        self.record(t_s)
     }
 
     /// Copies what a failing step would leave half-changed. The world is copied only if steps change it.
@@ -258,10 +258,12 @@ impl Simulation {
         self.world.settle(world, fenders, touched, &self.states, (t_s, self.setup.step_s));
     }
 
-    /// Adds the step to the summaries of the run, and gives its record.
-    fn record(&mut self, t_s: f64) -> StepRecord<'_> {
+    /// Adds the step to the summaries of the run, and gives its record. It is wrapped here: a record is not small, and would be
+    /// copied otherwise.
+    #[inline(always)]
+    fn record(&mut self, t_s: f64) -> Result<StepRecord<'_>, SimError> {
         self.dolphins.summarise(&self.setup, t_s);
-        let record = StepRecord {
+        let mut record = StepRecord {
             index: self.index,
             t_s,
             states: &self.buffers.before,
@@ -293,7 +295,7 @@ impl Simulation {
             sinking_mps(vessels, now, record.states, contact, host)
         };
         self.fender_summaries.add(setups, &record, sinking_mps);
-        let record = StepRecord { chains: &self.fender_summaries.chains, ..record };
+        record.chains = &self.fender_summaries.chains;
         if let Some(study) = &mut self.study {
             study.add(
                 &self.setup.fenders,
@@ -302,7 +304,7 @@ impl Simulation {
             );
         }
         self.index += 1;
-        record
+        Ok(record)
     }
 }
 
