@@ -184,7 +184,7 @@ pub(crate) fn clip_otherwise(
         }
     }
     let found;
-    (found, *hint) = cold(a, &placed, &mut buffers.cold, outline_m);
+    (found, *hint) = cold(a, &placed, &mut buffers.cold, (corners, outline_m));
     found
 }
 
@@ -245,15 +245,19 @@ fn cold(
     a: &ConvexPolygon,
     b: &Placed<'_>,
     buffers: &mut Buffers,
-    outline_m: &mut Vec<Vec2>,
+    (corners, outline_m): (Corners, &mut Vec<Vec2>),
 ) -> (Option<Clip>, Hint) {
+    if let Some((stretch, through)) = guess::beyond_an_edge(a, b) {
+        let clip = through.clip(a, b.polygon, b.pose, (corners, outline_m));
+        return (Some(clip), Hint::Lens(stretch));
+    }
     match apart::find(a, b) {
         apart::Found::Apart(BestAxis { on_a, edge, support, .. }) => {
             return (None, Hint::Apart { on_a, edge, support });
         }
-        apart::Found::Overlap(corners) => {
-            if let Some((stretch, through)) = guess::find(a, b, corners) {
-                let clip = through.clip(a, b.polygon, b.pose, (Corners::Always, outline_m));
+        apart::Found::Overlap(nearest) => {
+            if let Some((stretch, through)) = guess::find(a, b, nearest) {
+                let clip = through.clip(a, b.polygon, b.pose, (corners, outline_m));
                 return (Some(clip), Hint::Lens(stretch));
             }
         }
@@ -278,7 +282,7 @@ fn cold(
                 hint = Hint::Lens(*stretch);
                 // The same code as on the warm path gives the same bits.
                 if let Some(through) = through::find(a, b.polygon, b.pose, *stretch) {
-                    let clip = through.clip(a, b.polygon, b.pose, (Corners::Always, outline_m));
+                    let clip = through.clip(a, b.polygon, b.pose, (corners, outline_m));
                     return (Some(clip), hint);
                 }
             }

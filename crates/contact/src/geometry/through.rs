@@ -50,16 +50,28 @@ pub(crate) fn find(
     b_in_a: Pose,
     hint: Stretch,
 ) -> Option<Through> {
+    find_within(a, b, b_in_a, hint, 0.0)
+}
+
+/// The same, if all of the overlap keeps this distance from the other edges of the edge's polygon (m).
+#[inline(always)]
+pub(super) fn find_within(
+    a: &ConvexPolygon,
+    b: &ConvexPolygon,
+    b_in_a: Pose,
+    hint: Stretch,
+    margin_m: f64,
+) -> Option<Through> {
     let Stretch { enter, leave } = hint;
     if enter.a == leave.a {
         let edge = a.edges().get(enter.a as usize)?;
-        let behind = behind(edge, edge.frame.seen_by(b_in_a), b, leave.b, enter.b)?;
+        let behind = behind((edge, margin_m), edge.frame.seen_by(b_in_a), b, leave.b, enter.b)?;
         // A's boundary runs along the edge, and enters B where B's boundary leaves A.
         Some(behind.through(hint, edge.frame, [behind.last_m, 0.0]))
     } else if enter.b == leave.b {
         let edge = b.edges().get(enter.b as usize)?;
         let of_a = edge.frame.placed_at(b_in_a);
-        let behind = behind(edge, of_a, a, enter.a, leave.a)?;
+        let behind = behind((edge, margin_m), of_a, a, enter.a, leave.a)?;
         Some(behind.through(hint, of_a, [0.0, behind.last_m]))
     } else {
         None
@@ -78,10 +90,10 @@ struct Behind {
 }
 
 /// The part of `polygon` behind the edge, if its boundary enters by edge `first`, leaves by edge `last`, and is
-/// within the edge's polygon in between.
+/// within the edge's polygon in between, with a margin.
 #[inline(always)]
 fn behind(
-    edge: &Edge,
+    (edge, margin_m): (&Edge, f64),
     frame: Frame,
     polygon: &ConvexPolygon,
     first: u32,
@@ -109,7 +121,7 @@ fn behind(
     let crosses = greater(outside.y, beyond.y) < 0.0
         && lesser(inside.y, before.y) >= 0.0
         && greater(first.slope.abs(), last.slope.abs()) < 1.0 / FLAT;
-    let held = edge.holds(&first, &last, deepest_m);
+    let held = edge.holds([&first, &last], deepest_m, margin_m);
     if !(crosses && held && last_m < -SHORTEST_M && twice_m2 > 0.0) {
         return None;
     }
