@@ -150,6 +150,7 @@ mod room;
 mod several;
 mod slice;
 mod snapshot;
+mod spread;
 mod state;
 mod step;
 mod touch;

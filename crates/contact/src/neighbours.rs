@@ -13,6 +13,7 @@ use crate::model::Model;
 use crate::number::greater;
 use crate::pair::{Bounds, RankedPair};
 use crate::room::room_for;
+use crate::spread::SpreadSort;
 use crate::vec2::Vec2;
 
 /// How much larger a body's circle in the list is than its own, as a fraction. A larger margin makes the list longer, a
@@ -37,12 +38,16 @@ pub(crate) struct NeighbourList {
     bounds: Vec<Bounds>,
     /// The bodies in the order of the sweep.
     order: Vec<Swept>,
+    sort_of_order: SpreadSort<Swept>,
+    /// Ranks of the pairs, the lower in the upper half: sorted as numbers, they are in the order of their ranks.
+    ranks: Vec<u64>,
+    sort_of_ranks: SpreadSort<u64>,
 }
 
 /// A body in the sweep. The plane is cut into strips from west to east, as wide as the largest circle: two circles that meet
 /// have their southern ends in the same strip or in neighbours. Within a strip the bodies are in the order of their
 /// western ends, in steps so small that hardly two share one.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Swept {
     strip: u32,
     /// Western and eastern end, in steps.
@@ -82,6 +87,9 @@ impl NeighbourList {
             pairs: room_for(pairs),
             bounds: room_for(pairs),
             order: room_for(bodies),
+            sort_of_order: SpreadSort::with_room(bodies),
+            ranks: room_for(pairs),
+            sort_of_ranks: SpreadSort::with_room(pairs),
         }
     }
 
@@ -123,19 +131,18 @@ impl NeighbourList {
 
     /// Sweep and prune, from west to east in strips.
     fn sweep(&mut self, model: &Model, material: MaterialId) {
-        let NeighbourList { circles, order, pairs, .. } = self;
-        pairs.clear();
-        let widest_steps = arrange(circles, order);
+        let NeighbourList { circles, order, ranks, .. } = self;
+        let widest_steps = arrange(circles, order, &mut self.sort_of_order);
+        ranks.clear();
         let mut add = |one: &Swept, two: &Swept| {
             let [circle, other] = [one, two].map(|swept| &circles[swept.rank as usize]);
             if two.west > one.east || two.east < one.west || !circle.meets(other) {
                 return;
             }
             let (a, b) = (one.rank.min(two.rank), one.rank.max(two.rank));
-            let [body_a, body_b] = [a, b].map(|rank| &model.ranked[rank as usize]);
-            let both_stand = body_a.stands && body_b.stands;
+            let both_stand = [a, b].iter().all(|&rank| model.ranked[rank as usize].stands);
             if !both_stand && !is_named(model, a, b) {
-                pairs.push(RankedPair::new((a, body_a), (b, body_b), material));
+                ranks.push(joined(a, b));
             }
         };
         let mut of_strips = order.chunk_by(|one, two| one.strip == two.strip).peekable();
@@ -153,7 +160,13 @@ impl NeighbourList {
                 beside.iter().take_while(reached).for_each(|two| add(one, two));
             }
         }
-        self.pairs.sort_unstable_by_key(|pair| (u64::from(pair.a) << 32) | u64::from(pair.b));
+        self.sort_of_ranks.sort(ranks, joined(model.ranked.len() as u32, 0), |&ranks| ranks);
+        self.pairs.clear();
+        self.pairs.extend(ranks.iter().map(|&ranks| {
+            let [a, b] = [(ranks >> 32) as u32, ranks as u32];
+            let [body_a, body_b] = [a, b].map(|rank| &model.ranked[rank as usize]);
+            RankedPair::new((a, body_a), (b, body_b), material)
+        }));
         self.bounds.clear();
         self.bounds.extend(
             self.pairs.iter().map(|pair| Bounds::of(&model.ranked, model.materials(), pair)),
@@ -161,8 +174,14 @@ impl NeighbourList {
     }
 }
 
+/// Two numbers in one that is ordered by the first, then by the second.
+#[inline]
+fn joined(first: u32, second: u32) -> u64 {
+    (u64::from(first) << 32) | u64::from(second)
+}
+
 /// Arranges the bodies for the sweep. Returns the width of the largest circle in steps, or a little more.
-fn arrange(circles: &[Circle], order: &mut Vec<Swept>) -> u32 {
+fn arrange(circles: &[Circle], order: &mut Vec<Swept>, sort: &mut SpreadSort<Swept>) -> u32 {
     let all = circles.iter().fold(Extent::EMPTY, |all, circle| {
         all.and(Extent::of_circle(circle.center_m, circle.radius_m))
     });
@@ -181,7 +200,8 @@ fn arrange(circles: &[Circle], order: &mut Vec<Swept>) -> u32 {
             rank,
         }
     }));
-    order.sort_unstable_by_key(|swept| (u64::from(swept.strip) << 32) | u64::from(swept.west));
+    let strips = ((all.high_m.x - all.low_m.x) * strips_per_m) as u32;
+    sort.sort(order, joined(strips, u32::MAX), |swept| joined(swept.strip, swept.west));
     ((widest_m * steps_per_m) as u32).saturating_add(2)
 }
 

@@ -9,7 +9,8 @@ use crate::model::Model;
 /// An empty list with room for `count` entries. All of its memory is written once: a system gives pages when they are first
 /// written, and the first step of many contacts would else wait for thousands of them.
 pub(crate) fn room_for<T>(count: usize) -> Vec<T> {
-    let mut list = Vec::with_capacity(count);
+    // Unseen by the compiler, which would else ask the system for memory that is zero unwritten.
+    let mut list = core::hint::black_box(Vec::with_capacity(count));
     list.spare_capacity_mut().fill_with(MaybeUninit::zeroed);
     list
 }

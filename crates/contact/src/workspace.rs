@@ -73,7 +73,7 @@ impl Workspace {
             overlap: Overlap::with_room(contacts),
             clip: ClipBuffers::with_room(most_corners(model)),
             inheritance: Inheritance::with_room(contacts),
-            constraints: Constraints::with_room(contacts),
+            constraints: Constraints::with_room(contacts, count),
             group: Group::with_room(count),
             kept: Kept::with_room(contacts),
             gathered: ContactMemory::default(),

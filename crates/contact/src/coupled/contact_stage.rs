@@ -2,6 +2,7 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
+use core::ops::Range;
 
 use crate::coupled::assemble::{Aside, Diagnostics, Heritage, Start, Target, assemble};
 use crate::coupled::constraint::Constraint;
@@ -16,6 +17,7 @@ use crate::memory::{Past, PatchMemory};
 use crate::model::Model;
 use crate::patch::Patch;
 use crate::report::{Event, EventKind};
+use crate::room::room_for;
 
 /// The contact constraints of a sub-step, and the solver's buffers.
 #[derive(Clone, Debug, Default)]
@@ -35,12 +37,12 @@ pub(crate) struct SolverBuffers {
 }
 
 impl Constraints {
-    /// With room for so many contacts.
-    pub(crate) fn with_room(contacts: usize) -> Constraints {
+    /// With room for so many contacts, of so many bodies.
+    pub(crate) fn with_room(contacts: usize, bodies: usize) -> Constraints {
         Constraints {
             list: vec![Constraint::default(); contacts],
             diagnostics: vec![Diagnostics::default(); contacts],
-            solver: SolverBuffers::default(),
+            solver: SolverBuffers { unbalanced_j: room_for(bodies), ..SolverBuffers::default() },
         }
     }
 
@@ -112,32 +114,33 @@ impl Assembly<'_> {
     /// The laws of the contacts from number `from` on: new ones, and heirs of several old ones or of a part.
     #[inline(never)]
     pub(crate) fn add_others(&mut self, past: Past<'_>, inheritance: &Inheritance, from: usize) {
+        let (islands, first) = self.islands;
+        let mut islands = islands.iter().map(|island| island.patches_from(first));
+        let mut island = 0..0;
         for (index, &inherited) in (from..self.patches.len()).zip(&inheritance.inherited) {
+            while island.end <= index {
+                island = islands.next().expect("every patch is of an island");
+            }
             let candidate = self.patches[index].candidate;
             let displaced =
                 past.last_step_s == 0.0 || past.displaced.is_displaced(candidate.a, candidate.b);
             let heritage = Heritage {
                 inherited,
                 old: inherited.of(past.patches, &inheritance.shares),
-                displaced: if displaced { self.contacts_beside(index) } else { 0 },
+                displaced: if displaced { self.contacts_beside(index, island.clone()) } else { 0 },
             };
             self.add(index, heritage);
         }
     }
 
-    /// How many contacts a contact's floating bodies have, this one included.
+    /// How many contacts a contact's floating bodies have, this one included. All of them are in its island.
     #[cold]
-    #[inline(never)]
-    fn contacts_beside(&self, index: usize) -> u32 {
+    fn contacts_beside(&self, index: usize, island: Range<usize>) -> u32 {
         let floats = |rank: u32| !self.start.scene.model.ranked[rank as usize].is_fixed();
-        // All of them are in its island.
-        let (islands, first) = self.islands;
-        let at = islands.partition_point(|island| island.patches_from(first).end <= index);
-        let island = &self.patches[islands[at].patches_from(first)];
         let own = self.patches[index].candidate;
         let shares = |rank: u32| [own.a, own.b].contains(&rank) && floats(rank);
         let beside = |patch: &&Patch| shares(patch.candidate.a) || shares(patch.candidate.b);
-        (island.iter().filter(beside).count() as u32).max(1)
+        (self.patches[island].iter().filter(beside).count() as u32).max(1)
     }
 
     /// The law of a contact of two outlines.

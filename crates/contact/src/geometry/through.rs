@@ -53,7 +53,8 @@ pub(crate) fn find(
     find_within(a, b, b_in_a, hint, 0.0)
 }
 
-/// The same, if all of the overlap keeps this distance from the other edges of the edge's polygon (m).
+/// The same, if the overlap keeps this distance from the other edges of the edge's polygon, and the ends of the edges that
+/// cross keep it from the edge's line (m).
 #[inline(always)]
 pub(super) fn find_within(
     a: &ConvexPolygon,
@@ -118,8 +119,8 @@ fn behind(
     sums.add(before - origin);
     let last_m = last.x_m - first.x_m;
     let Sums { twice_m2, moment, .. } = sums.closed(last_m);
-    let crosses = greater(outside.y, beyond.y) < 0.0
-        && lesser(inside.y, before.y) >= 0.0
+    let crosses = greater(outside.y, beyond.y) < -margin_m
+        && lesser(inside.y, before.y) >= margin_m
         && greater(first.slope.abs(), last.slope.abs()) < 1.0 / FLAT;
     let held = edge.holds([&first, &last], deepest_m, margin_m);
     if !(crosses && held && last_m < -SHORTEST_M && twice_m2 > 0.0) {
