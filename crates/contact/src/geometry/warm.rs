@@ -9,6 +9,10 @@
 //! vertices are within the *far* part of the other polygon, whose edges are not Q's. It is enough that
 //! they are within a polygon inscribed in that far part, of three or four of its vertices. Then Q's
 //! boundary is part of the overlap's boundary; both are simple closed curves, so they are the same.
+//!
+//! A chain may turn by more than half a turn if the other one is on a single edge, as of a fender whose last corner alone is
+//! beyond a bow. The boundary of a convex polygon crosses that edge's line twice at most, so that Q is all of the polygon behind
+//! the line, and convex. The rest of the proof is the same.
 
 use alloc::vec::Vec;
 
@@ -72,11 +76,19 @@ pub(crate) fn find(
     let found = Located { at, enters_m: enter.point(), leaves_m: leave.point() };
     let a_chain = ring_distance(enter.at.a, leave.at.a, a.count());
     let b_chain = ring_distance(leave.at.b, enter.at.b, b.count());
-    let little = a_chain <= CHAIN
-        && b_chain <= CHAIN
-        && chain_turns_little(a_chain, enter.a_along, leave.a_along, enter.share < leave.share)
-        && chain_turns_little(b_chain, leave.b_along, enter.b_along, b_order(&enter, &found));
-    if !little {
+    if a_chain > CHAIN || b_chain > CHAIN {
+        return None;
+    }
+    let a_turns_little =
+        chain_turns_little(a_chain, enter.a_along, leave.a_along, enter.share < leave.share);
+    let b_turns_little =
+        chain_turns_little(b_chain, leave.b_along, enter.b_along, b_order(&enter, &found));
+    let is_convex = match (a_chain, b_chain) {
+        (0, 1..) => a_turns_little,
+        (1.., 0) => b_turns_little,
+        _ => a_turns_little && b_turns_little,
+    };
+    if !is_convex {
         return None;
     }
     let start = outline_m.len();
@@ -243,4 +255,37 @@ impl FarPart {
 #[inline(always)]
 fn is_left(start: Vec2, end: Vec2, p: Vec2) -> bool {
     (end - start).cross(p - start) >= 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::halfplanes::{self, Buffers, Found};
+    use super::super::lens::assemble;
+    use super::*;
+    use crate::vec2::{Pose, vec2};
+
+    /// A tug pressed so far over a fender that one corner alone is beyond her bow: the fender's chain turns by 270°.
+    #[test]
+    fn three_corners_behind_one_edge_are_found_from_the_last_step() {
+        let block = |x: f64, y: f64| {
+            ConvexPolygon::new(&[vec2(-x, -y), vec2(x, -y), vec2(x, y), vec2(-x, y)])
+        };
+        let (tug, fender) = (block(16.0, 5.0), block(0.5, 2.0));
+        for (a, b, pose) in [
+            (&tug, &fender, Pose::new(vec2(15.5, 0.3), 0.04)),
+            (&fender, &tug, Pose::new(vec2(15.5, 0.3), 0.04).to(Pose::IDENTITY)),
+        ] {
+            let placed = Placed { polygon: b, pose };
+            let mut buffers = Buffers::default();
+            buffers.b_m.extend(b.closed().iter().map(|&v| pose.apply(v)));
+            let swept = halfplanes::intersect(a, &mut buffers);
+            assert_eq!(swept, Found::Crossings { collinear: false });
+            let (mut warm_m, mut cold_m) = (Vec::new(), Vec::new());
+            let found = find(a, &placed, buffers.stretches[0], &mut warm_m);
+            assert_eq!(found.map(|found| found.at), Some(buffers.stretches[0]));
+            assemble(a, &placed, &buffers.stretches, &mut cold_m);
+            assert_eq!(warm_m, cold_m);
+            assert_eq!(warm_m.len(), 5);
+        }
+    }
 }
