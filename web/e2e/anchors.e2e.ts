@@ -63,3 +63,50 @@ test("the port anchor is let go, reported, drawn and hove in, and a windlass wit
   await instructor.close();
   expect(errors).toEqual([]);
 });
+
+/** With anchors there is a tab more, and the instructor has most of all. */
+test.each([
+  { width: 1366, height: 768 },
+  { width: 1024, height: 768 },
+  { width: 390, height: 844 },
+])(
+  "the row of tabs stays one line at $width × $height, and its arrows reach every tab",
+  async (size) => {
+    for (const role of ["pilot", "instructor"]) {
+      const page = await open(browser.context, served, role, errors);
+      await page.setViewportSize(size);
+      await page.getByRole("tab", { name: "Anchors" }).waitFor();
+      const tabs = await page.getByRole("tab").all();
+      expect(tabs.length).toBeGreaterThan(role === "pilot" ? 7 : 11);
+      const tops = new Set<number>();
+      const heights = new Set<number>();
+      for (const tab of tabs) {
+        const box = await tab.boundingBox();
+        if (!box) continue;
+        tops.add(Math.round(box.y));
+        heights.add(Math.round(box.height));
+      }
+      expect([...tops].length, `${role}: one line`).toBe(1);
+      expect([...heights].length, `${role}: no tab has two lines of text`).toBe(1);
+      expect([...heights][0]).toBeGreaterThanOrEqual(44);
+      // The tab at the far end is reached by the arrow, and stays in view when it is chosen.
+      const more = page.getByRole("button", { name: "More tabs" });
+      const last = tabs.at(-1);
+      if (!last) throw new Error("there are tabs");
+      for (let i = 0; i < 10 && (await more.isVisible()); i++) {
+        if ((await more.getAttribute("class"))?.includes("ended")) break;
+        await more.click();
+      }
+      await last.click();
+      const [box, list] = [await last.boundingBox(), await page.locator(".tab-list").boundingBox()];
+      if (!box || !list) throw new Error("it is shown");
+      expect(box.x).toBeGreaterThanOrEqual(list.x - 1);
+      expect(box.x + box.width).toBeLessThanOrEqual(list.x + list.width + 1);
+      await page.getByRole("tab", { name: "Anchors" }).click();
+      expect(await sizes(page)).toEqual([]);
+      await page.screenshot({ path: join(SHOTS, `anchor-tabs-${role}-${size.width}.png`) });
+      await page.close();
+    }
+    expect(errors).toEqual([]);
+  },
+);

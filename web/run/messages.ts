@@ -1,5 +1,6 @@
 /** The messages between the page and the worker that runs scenarios. */
 import type { Problem, ScenarioInfo, Verdict } from "fenderline";
+import type { NewExercise } from "../src/protocol";
 
 /** A scenario to run. `files`: texts of the files that it names. */
 export interface Job {
@@ -14,9 +15,20 @@ export type ToWorker =
   /** Runs a scenario; one that runs is given up. */
   | { type: "run"; id: number; job: Job }
   /** Ends the run, with the results so far. */
-  | { type: "stop"; id: number };
+  | { type: "stop"; id: number }
+  /** Wants what a new exercise can be made of. */
+  | { type: "choices"; ask: number; scenarios: Job[] }
+  /** Wants the text of a new exercise; at the berth of a scenario, if one is given. */
+  | { type: "make"; ask: number; exercise: NewExercise; berth: Job | null };
+
+/** An answer to a question that is no run. */
+export type Answer =
+  | { type: "choices"; ask: number; library: string; berths: (string | null)[] }
+  | { type: "made"; ask: number; text: string }
+  | { type: "unmade"; ask: number; why: string };
 
 export type FromWorker =
+  | Answer
   | { type: "ready"; version: string }
   /** The scenario has a mistake, or cannot be simulated. */
   | { type: "refused"; id: number; problem: Problem }
@@ -38,4 +50,4 @@ export interface Results {
 }
 
 /** What a listener of a run hears; the others are the runner's own matter. */
-export type Heard = Exclude<FromWorker, { type: "ready" } | { type: "broken" }>;
+export type Heard = Exclude<FromWorker, Answer | { type: "ready" } | { type: "broken" }>;

@@ -1,6 +1,7 @@
 /** The worker as the page sees it: it can always be stopped, and is replaced when it breaks or hangs. */
 import wasm from "../../crates/wasm/npm/dist/raw/raw_bg.wasm?url";
-import type { FromWorker, Heard, Job, ToWorker } from "./messages";
+import type { NewExercise } from "../src/protocol";
+import type { Answer, FromWorker, Heard, Job, ToWorker } from "./messages";
 // oxlint-disable-next-line import/default -- Vite makes it of the worker's code
 import RunWorker from "./worker?worker&inline";
 
@@ -20,6 +21,9 @@ export class Runner {
   private id = 0;
   private running = false;
   private timer = 0;
+  private asked = 0;
+  /** Questions that wait for their answers. */
+  private readonly waiting = new Map<number, (answer: Answer) => void>();
 
   constructor(private readonly listener: Listener) {}
 
@@ -43,6 +47,25 @@ export class Runner {
     if (!this.running) return;
     this.say({ type: "stop", id: this.id });
     this.expect("A step took too long: the run was ended without results.");
+  }
+
+  /** What a new exercise can be made of, with the berths of scenarios. */
+  choices(scenarios: Job[]): Promise<Answer> {
+    return this.ask((ask) => ({ type: "choices", ask, scenarios }));
+  }
+
+  /** The text of a new exercise; at the berth of a scenario, if one is given. */
+  make(exercise: NewExercise, berth: Job | null): Promise<Answer> {
+    return this.ask((ask) => ({ type: "make", ask, exercise, berth }));
+  }
+
+  private ask(question: (ask: number) => ToWorker): Promise<Answer> {
+    this.asked += 1;
+    const ask = this.asked;
+    return new Promise((answered) => {
+      this.waiting.set(ask, answered);
+      this.say(question(ask));
+    });
   }
 
   private expect(why: string): void {
@@ -69,6 +92,11 @@ export class Runner {
       this.listener.ready(message.version);
       return;
     }
+    if ("ask" in message) {
+      this.waiting.get(message.ask)?.(message);
+      this.waiting.delete(message.ask);
+      return;
+    }
     if (message.id !== this.id) return;
     if (message.type === "broken") {
       this.replace(message.why);
@@ -87,6 +115,9 @@ export class Runner {
     this.worker?.terminate();
     this.running = false;
     this.id += 1;
+    // Whoever waits hears why.
+    for (const [ask, answered] of this.waiting) answered({ type: "unmade", ask, why });
+    this.waiting.clear();
     this.begin();
     this.listener.lost(why);
   }

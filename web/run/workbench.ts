@@ -14,6 +14,7 @@ import type { View } from "../src/views/view";
 import { Editor } from "./editor";
 import { EXAMPLES, titleOf } from "./examples";
 import type { Heard, Job } from "./messages";
+import { Maker } from "./maker";
 import { Outcome } from "./outcome";
 import { Runner } from "./runner";
 import { Timeline } from "./timeline";
@@ -40,6 +41,10 @@ export class Workbench {
   });
   private readonly editor = new Editor(() => this.changed());
   private readonly outcome = new Outcome();
+  private readonly maker = new Maker(this.runner, (file, text, files) => {
+    this.offer(file);
+    this.openText(file, text, files);
+  });
   private readonly timeline = new Timeline(
     (index) => this.go(index),
     () => this.peak(),
@@ -355,6 +360,7 @@ export class Workbench {
       ["Charts", new Strips(this.history, whole)],
       ["Verdict", new Verdict()],
       ["Report", this.outcome],
+      ["New exercise", this.maker],
     ];
   }
 
@@ -377,7 +383,10 @@ export class Workbench {
       class: "widen",
     });
     this.tabRow = new TabRow(this.tabs.map((tab) => tab.button));
-    this.panel.replaceChildren(h("div", { class: "tabs" }, this.tabRow.root, size));
+    this.panel.replaceChildren(
+      h("h2", { class: "unseen" }, "Views"),
+      h("div", { class: "tabs" }, this.tabRow.root, size),
+    );
     for (const { name, view } of this.tabs) {
       view.root.classList.add("view");
       view.root.setAttribute("role", "tabpanel");
@@ -392,6 +401,7 @@ export class Workbench {
 
   private show(name: string): void {
     this.shownTab = name;
+    if (name === "New exercise") void this.maker.open();
     for (const tab of this.tabs) {
       setClass(tab.view.root, "shown", tab.name === name);
       setAttribute(tab.button, "aria-selected", String(tab.name === name));

@@ -1,6 +1,6 @@
 /** Runs scenarios away from the page's thread. */
-import { FenderlineError, Run, load, version } from "fenderline";
-import type { FromWorker, Job, Results, ToWorker } from "./messages";
+import { FenderlineError, Run, berthOf, library, load, newExercise, version } from "fenderline";
+import type { Answer, FromWorker, Job, Results, ToWorker } from "./messages";
 
 /** Frames of a run that the page keeps for its timeline. */
 const FRAMES = 600;
@@ -35,8 +35,27 @@ addEventListener("message", ({ data }: MessageEvent<ToWorker>) => {
     case "run":
       asked.run = data.id;
       void play(data.id, data.job);
+      break;
+    case "choices":
+    case "make":
+      say(answer(data));
   }
 });
+
+/** Answers a question that is no run, between two slices of one. */
+function answer(question: Extract<ToWorker, { ask: number }>): Answer {
+  const { ask } = question;
+  try {
+    if (question.type === "choices") {
+      const berths = question.scenarios.map((job) => berthOf(job));
+      return { type: "choices", ask, library: library(), berths };
+    }
+    const { exercise, berth } = question;
+    return { type: "made", ask, text: newExercise(JSON.stringify(exercise), berth) };
+  } catch (error) {
+    return { type: "unmade", ask, why: error instanceof Error ? error.message : String(error) };
+  }
+}
 
 async function play(id: number, job: Job): Promise<void> {
   // The loop of the run before sees that it is no longer wanted, and gives its memory back.

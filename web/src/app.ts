@@ -38,6 +38,7 @@ import { Docking } from "./views/docking";
 import { Exercise } from "./views/exercise";
 import { Fenders } from "./views/fenders";
 import { Lines } from "./views/lines";
+import { GalleryKeeper } from "./views/gallery_keeper";
 import { NewExerciseView } from "./views/new_exercise";
 import { Place } from "./views/place";
 import { Plan } from "./views/plan";
@@ -280,6 +281,7 @@ export class App implements Page {
     this.build(hello);
     for (const group of this.groups) group.claims(hello);
     for (const { view } of this.tabs) view.claims?.(hello);
+    this.newExercise?.offer(hello.gallery);
     this.say(`This page is about ${spoken(next.name)} now.`);
   }
 
@@ -312,6 +314,7 @@ export class App implements Page {
     }
     for (const group of this.groups) group.claims(hello);
     for (const { view } of this.tabs) view.claims?.(hello);
+    this.newExercise?.offer(hello.gallery);
     const briefing = hello.gallery.find((entry) => entry.file === hello.file)?.text ?? "";
     this.help.brief(briefing);
     this.hints.start(hello.role.name, briefing, fresh);
@@ -363,7 +366,7 @@ export class App implements Page {
       }
       if (hello.library) {
         // Kept when the gallery changes, so that nobody loses what is filled in.
-        this.newExercise ??= new NewExerciseView(this, hello.library);
+        this.newExercise ??= new NewExerciseView(new GalleryKeeper(this), hello.library);
         own.push(["New exercise", null, this.newExercise]);
       }
       views.unshift(...own);

@@ -110,7 +110,7 @@ pub use library::{
 pub use load::{LoadError, read_stream, read_text};
 pub use new_exercise::{
     BerthSource, BerthingSide, NewBerth, NewExercise, NewExerciseError, NewShip, NewTugs,
-    NewWeather, can_be_ship, can_be_tug, fixed_berth,
+    NewWeather, berth_words, can_be_ship, can_be_tug, fixed_berth,
 };
 pub use option_value::{LengthOrShare, force_n, in_unit, length_m, length_or_share, percent};
 pub use order::order;

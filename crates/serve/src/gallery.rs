@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use fenderline_live::message::GalleryEntry;
 use fenderline_live::{Outline, Session, Source};
-use fenderline_scenario::{fixed_berth, read_text};
+use fenderline_scenario::{berth_words, read_text};
 
 use super::kept_seats::{self, KeptSeats};
 use super::saved::{self, ENDING, Replayed, Watch};
@@ -109,11 +109,7 @@ fn scenario_entry(path: &Path, file: String) -> Option<GalleryEntry> {
     if scenario.setup.world.vessels.is_empty() {
         return None;
     }
-    let berth = fixed_berth(&scenario.setup).map(|berth| {
-        let on = &scenario.setup.bodies[berth.body];
-        let fenders = scenario.setup.fenders.iter().filter(|of| of.body == berth.body).count();
-        format!("{}: {fenders} fenders over {:.0} m", on.name, berth.length_m())
-    });
+    let berth = berth_words(&scenario.setup);
     Some(GalleryEntry { file, title: scenario.title, text: comment, berth })
 }
 

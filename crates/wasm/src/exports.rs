@@ -10,6 +10,7 @@ use fenderline_scenario::schema;
 use wasm_bindgen::prelude::*;
 
 use crate::engine::HostedEngine;
+use crate::exercise;
 use crate::numbers::{CONTACT_FIELDS, FENDER_FIELDS, STATE_FIELDS, WRENCH_FIELDS};
 use crate::problem::Problem;
 use crate::run::{Run, Source, Wanted};
@@ -96,6 +97,46 @@ pub fn fields() -> String {
 pub fn check(text: &str, file: &str, set: Vec<String>, files: &str) -> Result<String, JsValue> {
     let source = source(text, file, &set, files).map_err(thrown)?;
     Run::new(&source, Wanted::default()).map(|run| run.description()).map_err(thrown)
+}
+
+/// See [`crate::exercise::library`].
+#[wasm_bindgen]
+pub fn library() -> String {
+    exercise::library()
+}
+
+/// See [`crate::exercise::berth`].
+///
+/// # Errors
+/// The first mistake.
+#[wasm_bindgen]
+pub fn berth(text: &str, file: &str, files: &str) -> Result<Option<String>, JsValue> {
+    let source = source(text, file, &[], files).map_err(thrown)?;
+    exercise::berth(&source).map_err(thrown)
+}
+
+/// See [`crate::exercise::new_exercise`]: the straight berth of the choices.
+///
+/// # Errors
+/// Why the choices make no exercise.
+#[wasm_bindgen(js_name = newExercise)]
+pub fn new_exercise(choices: &str) -> Result<String, JsValue> {
+    exercise::new_exercise(choices, None).map_err(thrown)
+}
+
+/// See [`crate::exercise::new_exercise`]: at the berth of a scenario.
+///
+/// # Errors
+/// Why the choices make no exercise.
+#[wasm_bindgen(js_name = newExerciseAt)]
+pub fn new_exercise_at(
+    choices: &str,
+    text: &str,
+    file: &str,
+    files: &str,
+) -> Result<String, JsValue> {
+    let source = source(text, file, &[], files).map_err(thrown)?;
+    exercise::new_exercise(choices, Some(&source)).map_err(thrown)
 }
 
 /// A run of a scenario: [`Run`].

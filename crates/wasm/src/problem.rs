@@ -14,7 +14,7 @@ pub struct Problem(Box<Details>);
 /// What is wrong, and where. The fields that do not apply are `None`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Details {
-    /// `scenario`, `setup`, `step`, `model`, `engine` or `call`.
+    /// `scenario`, `setup`, `step`, `model`, `engine`, `exercise` or `call`.
     pub kind: &'static str,
     /// What is wrong, in one line.
     pub message: String,

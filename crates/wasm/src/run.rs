@@ -29,6 +29,17 @@ pub struct Source<'a> {
     pub files: BTreeMap<String, String>,
 }
 
+impl Source<'_> {
+    /// The text of a file that the scenario names.
+    ///
+    /// # Errors
+    /// It was not given.
+    pub fn read(&self, name: &str) -> Result<String, String> {
+        let text = self.files.get(name).cloned();
+        text.ok_or_else(|| format!("{name}: its text was not given with the scenario"))
+    }
+}
+
 /// What a run is made for, beside its summary.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Wanted {
@@ -64,10 +75,7 @@ pub fn parse(source: &Source<'_>) -> Result<Scenario, Problem> {
     check_size(source.file, source.text)?;
     let set: Result<Vec<Override>, _> =
         source.set.iter().map(|text| Override::parse(text)).collect();
-    let mut read = |name: &str| {
-        let text = source.files.get(name).cloned();
-        text.ok_or_else(|| format!("{name}: its text was not given with the scenario"))
-    };
+    let mut read = |name: &str| source.read(name);
     Ok(Scenario::parse_among(source.text, source.file, &set?, &mut read)?)
 }
 

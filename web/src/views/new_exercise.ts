@@ -1,8 +1,9 @@
-/** The instructor's editor: a new exercise from berth, ship, tugs and weather, saved in the gallery. */
-import type { Page } from "../page";
-import type { Hello, LibraryInfo, NewExercise } from "../protocol";
+/**
+ * The editor of a new exercise from berth, ship, tugs and weather. Who keeps it is another matter: the server's gallery, or the page without
+ * a server.
+ */
+import type { LibraryInfo, NewExercise } from "../protocol";
 import { button, h, setClass, setText } from "../ui/dom";
-import { openButton } from "./save_exercise";
 import { KNOT_MPS, fixed, spoken } from "../units";
 import type { View } from "./view";
 
@@ -23,6 +24,28 @@ function choice(name: string, options: [value: string, text: string][], chosen?:
     ...options.map(([value, text]) => h("option", { value, selected: value === chosen }, text)),
   );
   return { select, row: row(name, select), value: () => select.value };
+}
+
+/** What became of an exercise, in words; `taken`: another has the name, and may be replaced. */
+export interface Kept {
+  outcome: "kept" | "taken" | "refused";
+  text: string;
+}
+
+/** Who makes and keeps exercises. */
+export interface Keeper {
+  /** The words of the button that keeps one. */
+  keep_text: string;
+  /** What to do with one that was kept: hidden without. */
+  after: HTMLElement;
+  keep(name: string, exercise: NewExercise, replace: boolean): Promise<Kept>;
+}
+
+/** A scenario whose berth can be taken; `berth`: in words. */
+export interface OfferedBerth {
+  file: string;
+  title: string;
+  berth: string | null;
 }
 
 const degrees = (bearing: number): number => (bearing * Math.PI) / 180;
@@ -69,15 +92,10 @@ export class NewExerciseView implements View {
   ]);
   private readonly note = h("p", { class: "note", role: "status", "aria-label": "Saved" });
   private readonly replace = button("Replace it", () => void this.save(true), { class: "hidden" });
-  /** Opens what was saved last. */
-  private readonly open = openButton(
-    () => this.page,
-    () => `${this.name.value.trim()}.toml`,
-  );
   readonly root: HTMLElement;
 
   constructor(
-    private readonly page: Page,
+    private readonly keeper: Keeper,
     private readonly library: LibraryInfo,
   ) {
     const vessels = (is_tug: boolean): [string, string][] =>
@@ -123,16 +141,16 @@ export class NewExerciseView implements View {
       h(
         "div",
         { class: "row" },
-        h("button", { type: "submit", class: "take" }, "Save exercise"),
+        h("button", { type: "submit", class: "take" }, keeper.keep_text),
         this.replace,
-        this.open,
+        keeper.after,
       ),
       this.note,
     );
     // A tab's panel must not be a form itself.
     this.root = h("div", {}, form);
     this.name.addEventListener("input", () => {
-      for (const each of [this.replace, this.open]) setClass(each, "hidden", true);
+      for (const each of [this.replace, keeper.after]) setClass(each, "hidden", true);
     });
     this.berth.select.addEventListener("change", () => this.sizes());
     this.sizes();
@@ -140,10 +158,10 @@ export class NewExerciseView implements View {
 
   tick(): void {}
 
-  /** Fills in the berths of the gallery. */
-  claims(hello: Hello): void {
+  /** Fills in the berths that can be taken. */
+  offer(berths: OfferedBerth[]): void {
     const chosen = this.berth.value();
-    const offered = hello.gallery.flatMap(({ file, title, berth }): [string, string][] =>
+    const offered = berths.flatMap(({ file, title, berth }): [string, string][] =>
       berth === null ? [] : [[file, `${title} (${berth})`]],
     );
     const first = this.berth.select.options[0];
@@ -217,7 +235,6 @@ export class NewExerciseView implements View {
     };
   }
 
-  /** The server decides: it refuses a name that is taken, and then the page asks. */
   private async save(replace: boolean): Promise<void> {
     const name = this.name.value.trim();
     if (this.title.value.trim() === "" || name === "") {
@@ -225,25 +242,12 @@ export class NewExerciseView implements View {
       return;
     }
     setText(this.note, "");
-    const exercise = this.choices();
-    const done = await this.page.order({ do: "create", of: { name, exercise, replace } });
-    const { hello } = this.page.live;
-    const isTaken = !done && isInGallery(hello, name);
-    setClass(this.replace, "hidden", !isTaken);
-    setClass(this.open, "hidden", !done);
-    if (done)
-      setText(
-        this.note,
-        `Saved as ${name}.toml. It is among the scenarios of the tab Session too.`,
-      );
-    else if (isTaken)
-      setText(this.note, `There is an exercise ${name} already. Nothing was changed.`);
-    else setText(this.note, "Not saved: the reason is above.");
+    const { outcome, text } = await this.keeper.keep(name, this.choices(), replace);
+    setClass(this.replace, "hidden", outcome !== "taken");
+    setClass(this.keeper.after, "hidden", outcome !== "kept");
+    setText(this.note, text);
   }
 }
-
-const isInGallery = (hello: Hello | null, name: string): boolean =>
-  hello?.gallery.some(({ file }) => file === `${name}.toml`) ?? false;
 
 function group(name: string, fields: { row: HTMLElement }[], kind = ""): HTMLElement {
   return h(

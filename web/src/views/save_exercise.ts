@@ -91,5 +91,6 @@ export class SaveExercise {
   }
 }
 
-const isInGallery = (hello: Hello | null, name: string): boolean =>
+/** Whether the gallery has an exercise of a name. */
+export const isInGallery = (hello: Hello | null, name: string): boolean =>
   hello?.gallery.some(({ file }) => file === `${name}.toml`) ?? false;

@@ -54,6 +54,15 @@ pub fn fixed_berth(setup: &Setup) -> Option<Berth> {
     Berth::of(setup, first, |body| setup.bodies[body].is_fixed())
 }
 
+/// The berth of a scenario in words, for a choice of berths; `None` without one.
+#[must_use]
+pub fn berth_words(setup: &Setup) -> Option<String> {
+    let berth = fixed_berth(setup)?;
+    let on = &setup.bodies[berth.body];
+    let fenders = setup.fenders.iter().filter(|of| of.body == berth.body).count();
+    Some(format!("{}: {fenders} fenders over {:.0} m", on.name, berth.length_m()))
+}
+
 impl NewExercise {
     /// The text of the scenario file at the berth of another scenario, in place of the straight quay. `read` reads the files that
     /// the other scenario names. The text was read and is good.

@@ -4,7 +4,7 @@
 mod at_berth;
 mod text;
 
-pub use at_berth::{BerthSource, fixed_berth};
+pub use at_berth::{BerthSource, berth_words, fixed_berth};
 
 use core::fmt;
 

@@ -6,6 +6,7 @@
  */
 export { load, version } from "./module.js";
 export { FenderlineError, type Problem } from "./problem.js";
+export { berthOf, library, newExercise } from "./exercise.js";
 export {
   Run,
   check,

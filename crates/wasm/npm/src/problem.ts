@@ -4,9 +4,10 @@
 export interface Problem {
   /**
    * `scenario`: the text of a scenario; `setup`: it cannot be simulated; `step`: a step failed; `model`: the JSON of an
-   * engine's model; `engine`: a call that the engine refuses; `call`: a call with wrong arguments.
+   * engine's model; `engine`: a call that the engine refuses; `exercise`: choices that make no
+   * exercise; `call`: a call with wrong arguments.
    */
-  kind: "scenario" | "setup" | "step" | "model" | "engine" | "call";
+  kind: "scenario" | "setup" | "step" | "model" | "engine" | "exercise" | "call";
   /** In one line. */
   message: string;
   /** Over several lines, with the line of the file and what to write instead. */
