@@ -636,7 +636,7 @@ fn chart_programs_get_the_origin_of_a_geojson_chart_and_that_of_the_option_in_it
             // A sea mile is a minute of latitude on the sphere that the sentences use to within 0.5 %; 4 m is more than that of
             // 552 m, and what the four digits of a minute leave.
             let north_m = (north_min - 60.0 * latitude_deg) * 1852.0;
-            let parallel_m = 1852.0 * latitude_deg.to_radians().cos();
+            let parallel_m = 1852.0 * libm::cos(latitude_deg.to_radians());
             let east_m = (east_min - 60.0 * longitude_deg) * parallel_m;
             assert!((north_m + 551.8).abs() < 4.0, "{north_m} {text}");
             assert!((east_m + 296.6).abs() < 4.0, "{east_m} {text}");

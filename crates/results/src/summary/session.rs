@@ -21,21 +21,29 @@ pub(super) fn session_json(session: &RecordedSession) -> Value {
 fn branch_json(branch: &BranchOutcome) -> Value {
     let BranchOutcome { id, parent, from_s, ends_s, verdict, findings, score, .. } = branch;
     let BranchOutcome { fender_share, line_share, approach_mps, commands, alarms, .. } = branch;
-    json!({
+    let mut object = json!({
         "branch": id,
-        "parent": parent,
         "from_s": from_s,
         "ends_s": ends_s,
         "verdict": verdict.key(),
         "findings": findings.len(),
-        "score": score.map(|(score, _)| score),
-        "passed": score.and_then(|(_, passed)| passed),
-        "largest_share_of_rated_energy": fender_share,
         "largest_share_of_break_load": line_share,
-        "fastest_approach_mps": approach_mps,
         "commands": commands,
         "alarms": alarms,
-    })
+    });
+    // What there is not is left out: the writer takes a null for a number that is not finite.
+    for (key, value) in [
+        ("parent", parent.map(|parent| json!(parent))),
+        ("score", score.map(|(score, _)| json!(score))),
+        ("passed", score.and_then(|(_, passed)| passed).map(|passed| json!(passed))),
+        ("largest_share_of_rated_energy", fender_share.map(|share| json!(share))),
+        ("fastest_approach_mps", approach_mps.map(|speed_mps| json!(speed_mps))),
+    ] {
+        if let Some(value) = value {
+            object[key] = value;
+        }
+    }
+    object
 }
 
 fn line_json(line: &LogLine) -> Value {
