@@ -213,7 +213,7 @@ fn the_table_of_branches_has_the_numbers_of_the_run_of_each_branch() {
         assert_eq!(row[6], format!("{:.0}", 100.0 * largest("fenders", "share_of_rated_energy")));
         assert_eq!(row[7], format!("{:.0}", 100.0 * largest("lines", "share_of_break_load")));
         assert_eq!(row[8], count("command").to_string(), "{log}");
-        assert_eq!(row[9], count("alarm").to_string(), "{log}");
+        assert_eq!(row[9], (count("alarm") + count("caution")).to_string(), "{log}");
         // She drifts at 0.25 m/s without a rudder: both ends close at what is left of it.
         assert_eq!(row[5], "0.25");
     }

@@ -33,7 +33,7 @@ pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
         (table(all, session.branch))
         p class="note" {
             "Approach: fastest closing speed of an end of the ship within " (fixed(BranchOutcome::NEAR_M, 0))
-            " m of the fenders. Commands: those after the branch goes off."
+            " m of the fenders. Commands: those after the branch goes off. Alarms: with cautions."
             @if session.branches > all.len() {
                 " The latest " (all.len()) " of " (session.branches) " branches."
             }
