@@ -23,6 +23,8 @@ mod motion;
 mod place;
 mod restart;
 
+use std::sync::Arc;
+
 use fenderline_contact::{
     self as contact, BodyState, Contact, Memory, Model, Rotation, Vec2, Workspace,
 };
@@ -58,7 +60,9 @@ use crate::world::{VesselSetup, VesselState, World, motions};
 pub struct Simulation {
     // Constant.
     setup: Setup,
-    model: Model,
+    /// Clones share it until hulls by height change it: with a thousand simulations side by side steps are slowed down by the memory
+    /// that they read.
+    model: Arc<Model>,
     inertias: Vec<Inertia>,
     steps_total: u64,
     /// The loads of the set-up, in the order of summation.
@@ -129,7 +133,7 @@ impl Simulation {
             index: 0,
             loads,
             setup,
-            model,
+            model: Arc::new(model),
             inertias,
             steps_total,
             states,
@@ -182,7 +186,9 @@ impl Simulation {
         if self.setup.integrator == Integrator::Rk4 || !self.sides.is_empty() {
             self.memory.copy_from(&self.buffers.backup);
         }
-        self.sides.restore(&mut self.model);
+        if !self.sides.is_empty() {
+            self.sides.restore(Arc::make_mut(&mut self.model));
+        }
         if self.setup.world.changes() {
             self.world.put_back(&mut self.buffers.world);
         }
@@ -209,7 +215,7 @@ impl Simulation {
             return;
         }
         let heights = self.world.heights(&self.setup.world, (t_s, self.setup.step_s));
-        let engine = (&mut self.model, &mut self.memory);
+        let engine = (Arc::make_mut(&mut self.model), &mut self.memory);
         self.sides.renew(&self.setup, engine, &self.states, &heights);
     }
 
