@@ -60,8 +60,8 @@ use crate::world::{VesselSetup, VesselState, World, motions};
 pub struct Simulation {
     // Constant.
     setup: Setup,
-    /// Clones share it until hulls by height change it: with a thousand simulations side by side steps are slowed down by the memory
-    /// that they read.
+    /// Clones share it until hulls by height change it: of a thousand simulations side by side no more than this need be in the
+    /// processor's cache once.
     model: Arc<Model>,
     inertias: Vec<Inertia>,
     steps_total: u64,

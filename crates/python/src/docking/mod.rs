@@ -68,7 +68,7 @@ impl Docking {
         if levers.len() < SHIP_ORDERS {
             return Err(PyValueError::new_err("the ship has four controls"));
         }
-        // Clones of one simulation share its contact model: the memory that steps read is what slows a thousand of them down.
+        // Clones of one simulation share its contact model: a thousand of them wait for memory most of the time.
         let first = common.run(&[]).map_err(|error| variants::exception(py, 0, &error))?;
         let episodes = (0..count).map(|_| Episode::new(first.clone())).collect();
         Ok(Docking { berth, levers, episodes, threads: parallel::threads(Some(threads)) })
