@@ -86,8 +86,8 @@ test.each([
         tops.add(Math.round(box.y));
         heights.add(Math.round(box.height));
       }
-      expect([...tops].length, `${role}: one line`).toBe(1);
-      expect([...heights].length, `${role}: no tab has two lines of text`).toBe(1);
+      expect(tops.size, `${role}: one line`).toBe(1);
+      expect(heights.size, `${role}: no tab has two lines of text`).toBe(1);
       expect([...heights][0]).toBeGreaterThanOrEqual(44);
       // The tab at the far end is reached by the arrow, and stays in view when it is chosen.
       const more = page.getByRole("button", { name: "More tabs" });
