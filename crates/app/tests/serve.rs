@@ -366,6 +366,38 @@ fn three_hundred_slow_requests_do_not_keep_a_new_client_out() {
 }
 
 #[test]
+fn observers_that_come_and_go_do_not_flood_the_others_with_frames_and_notices() {
+    block_on(async {
+        let server = Server::start(&[]);
+        let mut instructor = Client::join(&server, "instructor").await;
+        // No ticks, so that every frame is one of the crowd, or one a second.
+        assert_eq!(instructor.ask(json!({ "do": "pause" })).await["type"], "ack");
+        let began = std::time::Instant::now();
+        for _ in 0..60 {
+            let mut observer = Client::join(&server, "observer").await;
+            let first = observer.next("frame").await;
+            assert_eq!(first["run"]["paused"], true, "{first}");
+            observer.vanish();
+        }
+        instructor.send(r#"{"type":"command","id":7777,"action":{"do":"pace","pace":1}}"#).await;
+        let (mut frames, mut notices) = (0_u32, 0_u32);
+        loop {
+            let message = instructor.any().await;
+            frames += u32::from(message["type"] == "frame");
+            notices += u32::from(message["type"] == "notice");
+            if message["type"] == "ack" && message["id"] == 7777 {
+                break;
+            }
+        }
+        // A frame each tenth of a second, ten notices at once and one a second, and a few of its own.
+        let seconds = began.elapsed().as_secs_f64();
+        assert!(f64::from(frames) < 10.0 * seconds + 5.0, "{frames} frames in {seconds} s");
+        assert!(f64::from(notices) < 12.0 + seconds, "{notices} notices in {seconds} s");
+        server.stop_and_check();
+    });
+}
+
+#[test]
 fn many_chart_programs_do_not_keep_another_one_out() {
     block_on(async {
         let server = Server::start(&["--nmea-tcp", "0", "--origin", "35.3,139.7"]);

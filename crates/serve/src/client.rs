@@ -90,7 +90,8 @@ async fn exchange(
     let mut ping = interval(PING_INTERVAL);
     ping.set_missed_tick_behavior(MissedTickBehavior::Delay);
     let mut listener = Listener::new(client);
-    let mut is_greeted = false;
+    // A prediction without a frame of this role could show what fog hides.
+    let (mut is_greeted, mut has_frame) = (false, false);
     loop {
         let message = tokio::select! {
             biased;
@@ -109,9 +110,11 @@ async fn exchange(
             changed = async { if is_greeted { frames.changed().await } else { pending().await } } => {
                 changed.ok()?;
                 let published = frames.borrow_and_update().clone();
+                let published = published.filter(|published| published.is_for(role));
+                has_frame |= published.is_some();
                 published.map(|published| frame_for(&published, role, &mut last_event))
             }
-            changed = predictions.changed() => {
+            changed = async { if has_frame { predictions.changed().await } else { pending().await } } => {
                 changed.ok()?;
                 let predicted = predictions.borrow_and_update().clone();
                 let latest = frames.borrow().clone();

@@ -5,6 +5,7 @@ mod chart_output;
 mod client;
 mod clients;
 mod commands;
+mod crowd;
 mod event_log;
 mod files;
 mod history;
@@ -21,19 +22,20 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
-use fenderline_live::message::{self, PlannedNow, Reply, Role, RunState};
+use fenderline_live::message::{self, Frame, PlannedNow, Reply, Role, RunState};
 use fenderline_live::{Session, StepError};
 use fenderline_nautical::ChartOrigin;
 
 use self::chart_output::ChartOutput;
 use self::client::Client;
+use self::crowd::Crowd;
 use self::event_log::EventLog;
 use self::kept_history::KeptHistory;
 use self::predictor::Predictor;
 use self::trials::Trials;
 use super::claims::{Claims, ClientId};
 use super::gallery::{Gallery, Opened};
-use super::hub::{Hub, InFog, Published, ToEngine};
+use super::hub::{Hub, InFog, Published, Text, ToEngine};
 use super::kept_seats::Keeper;
 use super::opening::{MakeReport, Work};
 use super::pacer::Pacer;
@@ -67,6 +69,7 @@ pub(crate) struct Engine {
     starts_with_first_client: bool,
     claims: Claims,
     clients: BTreeMap<ClientId, Client>,
+    crowd: Crowd,
     events: EventLog,
     /// When the last frame was published.
     published: Instant,
@@ -113,6 +116,7 @@ impl Engine {
             starts_with_first_client: !paused,
             claims: Claims::default(),
             clients: BTreeMap::new(),
+            crowd: Crowd::new(now),
             events: EventLog::new(),
             published: now,
             predictor: Predictor::default(),
@@ -153,6 +157,7 @@ impl Engine {
                 self.pacer.begin(now);
                 self.tick();
             }
+            self.show_crowd();
             if !self.clients.is_empty() {
                 self.predictor.start_if_due(now, self.paused, &self.session, &self.hub);
             }
@@ -168,7 +173,13 @@ impl Engine {
 
     /// How long to wait for a message.
     fn wait(&self) -> Duration {
-        if self.paused { self.between_paused_frames() / 2 } else { self.pacer.wait(Instant::now()) }
+        let now = Instant::now();
+        let wait =
+            if self.paused { self.between_paused_frames() / 2 } else { self.pacer.wait(now) };
+        match self.crowd.due_at(self.published) {
+            Some(at) => wait.min(at.saturating_duration_since(now)),
+            None => wait,
+        }
     }
 
     fn between_paused_frames(&self) -> Duration {
@@ -224,6 +235,29 @@ impl Engine {
         for (t_s, text) in self.session.take_events() {
             self.events.add(t_s, text);
         }
+        let frame = self.frame();
+        let mut roles: Vec<Role> =
+            self.clients.values().map(|client| client.role.clone()).collect();
+        roles.sort();
+        roles.dedup();
+        // What fog hides from a role is not sent to it.
+        let in_fog = roles.iter().filter_map(|role| {
+            let seen = self.session.in_fog(&frame, role)?;
+            let hidden = self.session.hidden_vessels(role);
+            Some(InFog { role: role.clone(), frame: message::text(&seen).into(), hidden })
+        });
+        let in_fog = in_fog.collect();
+        let frame = message::text(&frame).into();
+        let events = self.events.latest();
+        let (roles, marks) = (roles.into(), self.marks());
+        self.hub.frames.send_replace(Some(Published { frame, roles, in_fog, events, marks }));
+        self.crowd.is_shown();
+        self.published = Instant::now();
+        self.tell_planned();
+    }
+
+    /// The frame of the present state, as those see it who see everything.
+    fn frame(&self) -> Frame {
         let (late_ticks, latest_ms) = self.pacer.late();
         let run = RunState {
             paused: self.paused,
@@ -234,23 +268,12 @@ impl Engine {
             opening: self.work.as_ref().and_then(Work::now),
             ..RunState::default()
         };
-        let frame = self.session.frame(unix_ms(), run);
-        let mut roles: Vec<&Role> = self.clients.values().map(|client| &client.role).collect();
-        roles.sort();
-        roles.dedup();
-        // What fog hides from a role is not sent to it.
-        let in_fog = roles.into_iter().filter_map(|role| {
-            let seen = self.session.in_fog(&frame, role)?;
-            let hidden = self.session.hidden_vessels(role);
-            Some(InFog { role: role.clone(), frame: message::text(&seen).into(), hidden })
-        });
-        let in_fog = in_fog.collect();
-        let frame = message::text(&frame).into();
-        let marks = self.session.exercise_marks().map(|marks| message::text(&marks).into());
-        let events = self.events.latest();
-        self.hub.frames.send_replace(Some(Published { frame, in_fog, events, marks }));
-        self.published = Instant::now();
-        self.tell_planned();
+        self.session.frame(unix_ms(), run)
+    }
+
+    /// The marks of the exercise.
+    fn marks(&self) -> Option<Text> {
+        self.session.exercise_marks().map(|marks| message::text(&marks).into())
     }
 
     /// Tells the instructors what is planned, if it has changed. Nobody else may know.

@@ -32,6 +32,8 @@ pub(crate) type Sentences = Option<Arc<[String]>>;
 pub(crate) struct Published {
     /// The frame of those who see everything.
     pub(crate) frame: Text,
+    /// The roles that get it: those for which fog was looked through.
+    pub(crate) roles: Arc<[Role]>,
     /// What roles get from which fog hides something.
     pub(crate) in_fog: Arc<[InFog]>,
     pub(crate) events: Arc<[(u64, EventNow)]>,
@@ -49,6 +51,11 @@ pub(crate) struct InFog {
 }
 
 impl Published {
+    /// Whether a role gets it. The first client of a role waits for the next one, so that she sees nothing that fog hides.
+    pub(crate) fn is_for(&self, role: &Role) -> bool {
+        self.roles.contains(role)
+    }
+
     /// The frame that a role gets.
     pub(crate) fn frame_for(&self, role: &Role) -> &Text {
         self.fog_of(role).map_or(&self.frame, |fog| &fog.frame)

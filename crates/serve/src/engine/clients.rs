@@ -46,8 +46,11 @@ impl Engine {
         out: mpsc::Sender<Text>,
     ) {
         let label = format!("{} {client}", role_words(&role));
-        self.notify_all(&format!("{label} has joined"));
-        let trials = Trials::bucket(Instant::now());
+        let now = Instant::now();
+        if role != Role::Observer || self.crowd.may_tell(now) {
+            self.notify_all(&format!("{label} has joined"));
+        }
+        let trials = Trials::bucket(now);
         let is_instructor = role == Role::Instructor;
         self.clients.insert(client, Client { role, label, hello, out, trials, asked: None });
         self.greet(client);
@@ -56,9 +59,36 @@ impl Engine {
         }
         if mem::take(&mut self.starts_with_first_client) {
             self.paused = false;
-            self.pacer.restart(Instant::now());
+            self.pacer.restart(now);
+            self.publish_frame();
         }
-        self.publish_frame();
+        self.send_first_frame(client);
+        self.crowd.change();
+    }
+
+    /// Sends a newcomer the present frame, unless the last one that was published is for her role too. The others see that she is there
+    /// in their next frame.
+    fn send_first_frame(&self, client: ClientId) {
+        let Some(of) = self.clients.get(&client) else { return };
+        if self.hub.frames.borrow().as_ref().is_some_and(|last| last.is_for(&of.role)) {
+            return;
+        }
+        let frame = self.frame();
+        let seen = self.session.in_fog(&frame, &of.role);
+        let text = message::text(seen.as_ref().unwrap_or(&frame));
+        let marks = self.marks().filter(|_| of.role == Role::Instructor);
+        let _ = of.out.try_send(message::with_events(&text, &[], marks.as_deref()).into());
+    }
+
+    /// Shows the number of clients, and tells of observers of whom nobody has been told, if that is due.
+    pub(super) fn show_crowd(&mut self) {
+        let now = Instant::now();
+        if self.crowd.due_at(self.published).is_some_and(|at| at <= now) {
+            self.publish_frame();
+        }
+        if let Some(others) = self.crowd.untold(now) {
+            self.notify_all(&format!("observers have joined or left {others} times more"));
+        }
     }
 
     pub(super) fn leave(&mut self, client: ClientId) {
@@ -76,11 +106,13 @@ impl Engine {
         if !names.is_empty() {
             text += &format!("; the orders of {} stay as they are", names.join(", "));
         }
-        self.notify_all(&text);
+        if gone.role != Role::Observer || self.crowd.may_tell(Instant::now()) {
+            self.notify_all(&text);
+        }
         if !vacated.is_empty() {
             self.greet_all();
         }
-        self.publish_frame();
+        self.crowd.change();
     }
 
     /// Greets all clients after a change of roles or holders, and keeps both.
