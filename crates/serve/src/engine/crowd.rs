@@ -80,7 +80,7 @@ mod tests {
         }
         assert_eq!(frames, 99);
         assert!((15..=20).contains(&notices) && told > 8_000, "{notices} {told}");
-        assert_eq!(crowd.due_at(published).is_some(), true);
+        assert!(crowd.due_at(published).is_some());
         crowd.is_shown();
         assert_eq!(crowd.due_at(published), None);
         let later = start + Duration::from_secs(20);
