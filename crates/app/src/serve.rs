@@ -36,8 +36,10 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
     let interrupted = stop_on_interrupt()
         .map_err(|e| Failure::case(format_args!("error: cannot listen for Ctrl-C: {e}")))?;
     say(server.greeting())?;
-    let recording = server.run(interrupted)?;
-    say(&format!("recorded: {}\n", recording.display()))
+    for recording in server.run(interrupted)? {
+        say(&format!("recorded: {}\n", recording.display()))?;
+    }
+    Ok(())
 }
 
 /// Replays a recorded session and compares every recorded state; or a dump of an engine.

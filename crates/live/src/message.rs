@@ -168,6 +168,8 @@ pub struct GalleryEntry {
     pub text: String,
     /// The berth that a new exercise can take, in words.
     pub berth: Option<String>,
+    /// When the file of a recording was last written (seconds since the start of 1970); `None` for a scenario.
+    pub written_unix_s: Option<u64>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]

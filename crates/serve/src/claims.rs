@@ -55,10 +55,18 @@ impl Claims {
     pub(crate) fn may_use(&self, control: &Control, client: ClientId) -> Result<(), Refusal> {
         match self.0.get(control) {
             Some(holder) if holder.connected && holder.client != client => {
-                Err(Refusal::new(format_args!("{} has it", holder.label)))
+                Err(Refusal::new(format_args!(
+                    "{} has it, and must release it first; the instructor can take it",
+                    holder.label
+                )))
             }
             _ => Ok(()),
         }
+    }
+
+    /// The connected client that holds a control.
+    pub(crate) fn holder(&self, control: &Control) -> Option<ClientId> {
+        self.0.get(control).filter(|holder| holder.connected).map(|holder| holder.client)
     }
 
     pub(crate) fn holds(&self, control: &Control, client: ClientId) -> bool {
@@ -143,7 +151,14 @@ mod tests {
         assert_eq!(claims.take(helm(), (1, "pilot 1"), false), Ok(None));
         assert!(claims.may_use(&helm(), 1).is_ok());
         let refused = claims.take(helm(), (2, "pilot 2"), false).expect_err("it is held");
-        assert_eq!(refused.to_string(), "pilot 1 has it");
+        assert_eq!(
+            refused.to_string(),
+            "pilot 1 has it, and must release it first; the instructor can take it"
+        );
+        assert_eq!(
+            (claims.holder(&helm()), claims.holder(&Control::Tug("aft".into()))),
+            (Some(1), None)
+        );
         assert!(!claims.release(&helm(), 2) && claims.holds(&helm(), 1));
         assert_eq!(claims.take(helm(), (3, "instructor 3"), true), Ok(Some(1)));
         assert_eq!(claims.gone(3), [helm()]);

@@ -57,6 +57,8 @@ pub(crate) struct Engine {
     sessions: PathBuf,
     make_report: MakeReport,
     recorder: Recorder,
+    /// The recordings of sessions that ended before this one.
+    ended: Vec<PathBuf>,
     recording_failed: bool,
     /// Keeps links and holders beside the recording.
     keeper: Keeper,
@@ -109,6 +111,7 @@ impl Engine {
             sessions,
             make_report,
             recorder,
+            ended: Vec::new(),
             recording_failed: false,
             keeper: keeper.map_err(|e| format!("no thread that keeps the links: {e}"))?,
             work: None,
@@ -138,8 +141,8 @@ impl Engine {
         self.recorder.path()
     }
 
-    /// Runs until a message stops it.
-    pub(crate) fn run(mut self, messages: &Receiver<ToEngine>) {
+    /// Runs until a message stops it. Returns the recordings that it made, in their order.
+    pub(crate) fn run(mut self, messages: &Receiver<ToEngine>) -> Vec<PathBuf> {
         self.publish_frame();
         loop {
             match messages.recv_timeout(self.wait()) {
@@ -169,6 +172,8 @@ impl Engine {
         if let Some(work) = self.work.take() {
             work.finish();
         }
+        self.ended.push(self.recorder.path().to_owned());
+        self.ended
     }
 
     /// How long to wait for a message.

@@ -2,6 +2,7 @@
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
+use std::time::UNIX_EPOCH;
 
 use fenderline_live::message::GalleryEntry;
 use fenderline_live::{Outline, Session, Source};
@@ -110,14 +111,24 @@ fn scenario_entry(path: &Path, file: String) -> Option<GalleryEntry> {
         return None;
     }
     let berth = berth_words(&scenario.setup);
-    Some(GalleryEntry { file, title: scenario.title, text: comment, berth })
+    Some(GalleryEntry { file, title: scenario.title, text: comment, berth, written_unix_s: None })
 }
 
 fn recording_entry(path: &Path, file: String) -> Option<GalleryEntry> {
-    let title = saved::title(&saved::open(path).ok()??)?;
+    let recording = saved::open(path).ok()??;
+    let title = saved::title(&recording)?;
+    let written = recording.metadata().and_then(|of| of.modified()).ok();
+    let written_unix_s =
+        written.and_then(|at| at.duration_since(UNIX_EPOCH).ok()).map(|at| at.as_secs());
     let name = file.strip_suffix(ENDING).unwrap_or(&file);
     let text = format!("Saved as {name}. It continues where it ended.");
-    Some(GalleryEntry { title: format!("Session: {title}"), text, file, berth: None })
+    Some(GalleryEntry {
+        title: format!("Session: {title}"),
+        text,
+        file,
+        berth: None,
+        written_unix_s,
+    })
 }
 
 /// Reads the files that a scenario names, which lie beside it.

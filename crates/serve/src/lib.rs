@@ -153,7 +153,7 @@ pub struct Server {
     listener: TcpListener,
     site: Arc<Site>,
     hub: Arc<Hub>,
-    simulation: JoinHandle<()>,
+    simulation: JoinHandle<Vec<PathBuf>>,
     simulation_ended: oneshot::Receiver<()>,
     greeting: String,
     recording: PathBuf,
@@ -221,8 +221,9 @@ impl Server {
         let simulation = std::thread::Builder::new()
             .name("simulation".into())
             .spawn(move || {
-                engine.run(&messages);
+                let recordings = engine.run(&messages);
                 drop(alive);
+                recordings
             })
             .map_err(|e| {
                 ServeError::failed(format_args!("error: no thread for the simulation: {e}"))
@@ -248,14 +249,13 @@ impl Server {
         &self.greeting
     }
 
-    /// Serves until `stop` is sent or dropped, or the simulation's thread ends; returns the recording's file.
+    /// Serves until `stop` is sent or dropped, or the simulation's thread ends; returns the files of the recordings, one a
+    /// session that was opened, the last one last.
     ///
     /// # Errors
     /// The simulation's thread panicked.
-    pub fn run(self, stop: oneshot::Receiver<()>) -> Result<PathBuf, ServeError> {
-        let Server {
-            runtime, listener, site, hub, simulation, simulation_ended, recording, ..
-        } = self;
+    pub fn run(self, stop: oneshot::Receiver<()>) -> Result<Vec<PathBuf>, ServeError> {
+        let Server { runtime, listener, site, hub, simulation, simulation_ended, .. } = self;
         runtime.block_on(async {
             tokio::select! {
                 () = http::serve(listener, site) => {}
@@ -264,10 +264,9 @@ impl Server {
             }
         });
         hub.send_to_engine(ToEngine::Stop);
-        if simulation.join().is_err() {
-            return Err(ServeError::failed("error: the simulation's thread panicked: see above"));
-        }
-        Ok(recording)
+        simulation
+            .join()
+            .map_err(|_| ServeError::failed("error: the simulation's thread panicked: see above"))
     }
 }
 

@@ -259,7 +259,16 @@ impl Engine {
             return Err(Refusal::new("your link does not open this control"));
         }
         let by_force = *role == Role::Instructor;
-        let former = self.claims.take(control, (client, label), by_force)?;
+        let holder = self.claims.holder(&control);
+        let taken = self.claims.take(control, (client, label), by_force);
+        if taken.is_err()
+            && let Some(holder) = holder
+        {
+            let text =
+                format!("{label} asks for the control that you hold: release it to hand it over");
+            self.reply(holder, &Reply::Notice { text });
+        }
+        let former = taken?;
         if let Some(former) = former {
             let text = format!("{label} has taken the control from you");
             self.reply(former, &Reply::Notice { text });

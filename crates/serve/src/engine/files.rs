@@ -1,6 +1,7 @@
 //! Loading and saving sessions, and their reports. All take a while and run on a thread of their own; this thread begins them and takes
 //! their result.
 
+use std::mem;
 use std::path::Path;
 use std::sync::{Arc, PoisonError};
 use std::time::Instant;
@@ -207,8 +208,13 @@ impl Engine {
         recorder: Recorder,
     ) -> Result<(), String> {
         self.end_recording();
+        // What was just run can be opened again, if there was a run.
+        let ended = mem::replace(&mut self.recorder, recorder).path().to_owned();
+        if self.session.branches().iter().any(|branch| branch.ends_tick > 0) {
+            self.gallery.add(&ended);
+        }
+        self.ended.push(ended);
         self.session = opened.session;
-        self.recorder = recorder;
         self.recording_failed = false;
         self.claims.clear();
         self.make_tokens().map_err(|e| e.to_string())?;
