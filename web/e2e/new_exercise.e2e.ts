@@ -42,6 +42,7 @@ test("the instructor makes an exercise from nothing and saves it", async () => {
   await save();
   await saved().filter({ hasText: "title and a file name" }).waitFor();
   await field("Title").fill("Container ship at a new berth");
+  expect(await field("File name").inputValue()).toBe("Container_ship_at_a_new_berth");
   await field("Ship").selectOption("container-ship");
   await field("Berths with her").selectOption("port");
   await field("Length of the quay").fill("420");
@@ -61,6 +62,14 @@ test("the instructor makes an exercise from nothing and saves it", async () => {
   await instructor.screenshot({ path: join(SHOTS, "new_exercise.png") });
   await save();
   await saved().filter({ hasText: "Saved as first_try.toml" }).waitFor();
+  // The form stays where it was scrolled to, with what comes next in sight.
+  expect(await form().evaluate((view) => view.scrollTop)).toBeGreaterThan(0);
+  const next = await instructor.getByRole("button", { name: /^Open the saved/ }).boundingBox();
+  const panel = await form().boundingBox();
+  expect(next?.y).toBeGreaterThan(panel?.y ?? Infinity);
+  expect((next?.y ?? Infinity) + (next?.height ?? 0)).toBeLessThan(
+    (panel?.y ?? 0) + (panel?.height ?? 0),
+  );
   expect(readdirSync(folder).toSorted()).toEqual(["berthing.toml", "first_try.toml"]);
 });
 

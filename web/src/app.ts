@@ -300,12 +300,15 @@ export class App implements Page {
     this.outdated = hello.protocol !== PROTOCOL || unknownOrders(hello).length > 0;
     this.why = "";
     this.name.greet();
-    const fresh = this.live.hello?.file !== hello.file;
+    const former = this.live.hello?.file;
+    const fresh = former !== hello.file;
     this.live.welcome(hello);
     if (fresh) {
       this.history.clear();
       this.past.forget();
       this.sound.welcome(hello.role);
+      // Another exercise was opened: its plan must not stay behind a panel over the whole page.
+      if (former !== undefined) this.stage.classList.remove("panel-only");
     }
     const key = structure(hello);
     if (key !== this.built) {
@@ -423,12 +426,13 @@ export class App implements Page {
       view.root.setAttribute("aria-label", name);
       panel.append(view.root);
     }
+    // A view that is built anew, such as after a file was saved, stays where it was scrolled to.
+    const scrolled = this.stage.querySelector(".view.shown")?.scrollTop ?? 0;
     this.stage.replaceChildren(plan.root, panel, this.said);
-    this.show(
-      this.tabs.some((tab) => tab.name === this.shownTab)
-        ? this.shownTab
-        : (this.tabs[0]?.name ?? ""),
-    );
+    const isThere = this.tabs.some((tab) => tab.name === this.shownTab);
+    this.show(isThere ? this.shownTab : (this.tabs[0]?.name ?? ""));
+    const shown = this.stage.querySelector(".view.shown");
+    if (isThere && shown) shown.scrollTop = scrolled;
   }
 
   private buildStrip(hello: Hello): void {

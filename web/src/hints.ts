@@ -93,7 +93,10 @@ export class Hints {
     setInterval(() => this.place(), 200);
   }
 
-  /** Starts the hints of a role. `fresh`: the page did not show this exercise before. Its text is always shown. */
+  /**
+   * Starts the hints of a role. `fresh`: the page did not show this exercise before. Its text is shown, but not again to
+   * somebody who has read it and loads the page again.
+   */
   start(role: Role["name"], briefing: string, fresh: boolean): void {
     const key = `hints seen ${role}`;
     if (this.key === key && !fresh) return;
@@ -102,7 +105,11 @@ export class Hints {
       briefing === ""
         ? []
         : [{ until: "briefing", at: [".readout"], text: briefing, corner: true }];
-    this.steps = [...this.briefing, ...(localStorage.getItem(key) === null ? HINTS[role] : [])];
+    const isRead = sessionStorage.getItem("briefing read") === briefing;
+    this.steps = [
+      ...(isRead ? [] : this.briefing),
+      ...(localStorage.getItem(key) === null ? HINTS[role] : []),
+    ];
     this.place();
   }
 
@@ -111,7 +118,13 @@ export class Hints {
     this.place();
   }
 
+  /** Keeps over a reload that the text of the exercise was read. */
+  private read(): void {
+    sessionStorage.setItem("briefing read", this.briefing[0]?.text ?? "");
+  }
+
   did(what: string): void {
+    if (what === "briefing") this.read();
     this.steps = this.steps.filter((step) => step.until !== what);
     if (this.steps.length === 0 && this.key !== "") localStorage.setItem(this.key, "yes");
     this.place();
@@ -124,6 +137,7 @@ export class Hints {
 
   private stop(): void {
     this.steps = [];
+    this.read();
     localStorage.setItem(this.key, "yes");
     this.place();
   }

@@ -50,7 +50,14 @@ export interface Hello {
   claims: { control: Control; holder: string | null; connected: boolean }[];
   /** Scenarios that the instructor can open. */
   /** `berth`: what a new exercise can take of it, in words. */
-  gallery: { file: string; title: string; text: string; berth: string | null }[];
+  gallery: {
+    file: string;
+    title: string;
+    text: string;
+    berth: string | null;
+    /** When the file of a recording was last written [s since 1970]; `null`: a scenario. */
+    written_unix_s: number | null;
+  }[];
   /** The berth: a line [m] and the side of the water, on a body (a quay, a ship). Distances are to this line. */
   berth: { body: number; from: Pair; to: Pair; facing: Pair } | null;
   depth_m: number | null;

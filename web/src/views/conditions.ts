@@ -1,10 +1,10 @@
 /** The instructor's weather and faults. */
 import { Visibility } from "../controls/visibility";
 import type { Page } from "../page";
-import type { AnchorFault, Fault, Frame, Hello, Pair } from "../protocol";
+import type { AnchorFault, Fault, Frame, Hello, OtherAction, Pair } from "../protocol";
 import { button, h, setAttribute, setText, sureButton } from "../ui/dom";
 import { Ring } from "../ui/ring";
-import { KNOT_MPS, fixed, heading, spoken, toKnots } from "../units";
+import { KNOT_MPS, clock, fixed, heading, spoken, toKnots } from "../units";
 import { Planned } from "./planned";
 import type { View } from "./view";
 
@@ -29,6 +29,12 @@ const ANCHOR_FAULTS: { fault: AnchorFault; text: string }[] = [
   { fault: "does_not_bite", text: "Does not bite" },
 ];
 
+/** Whether a change began now, and how long it takes [s]. */
+interface Applied {
+  done: boolean;
+  over_s: number;
+}
+
 /** A flow of air or water. "Set" sends speed and direction together, so that a half-turned ring changes nothing yet. */
 class Flow {
   private readonly speed = h("output", { class: "wanted" });
@@ -36,6 +42,9 @@ class Flow {
   private readonly ring: Ring;
   private kn = 0;
   private touched = false;
+  /** The change that was ordered last on this page and takes its time: where it goes, and from when until when [s]. */
+  private going: { to: string; from_s: number; until_s: number } | null = null;
+  private t_s = 0;
   readonly root: HTMLElement;
 
   constructor(
@@ -43,13 +52,18 @@ class Flow {
     private readonly verb: string,
     private readonly step_kn: number,
     [least_mps, most_mps]: Pair,
-    apply: (mps: number, rad: number) => Promise<boolean>,
+    apply: (mps: number, rad: number) => Promise<Applied>,
   ) {
-    const show = () =>
-      setText(
-        this.speed,
-        `${fixed(this.kn, step_kn < 1 ? 1 : 0)} kn ${verb} ${heading(this.ring.value, 0)}`,
-      );
+    const wanted = () =>
+      `${fixed(this.kn, step_kn < 1 ? 1 : 0)} kn ${verb} ${heading(this.ring.value, 0)}`;
+    const show = () => setText(this.speed, wanted());
+    const set = async () => {
+      const to = wanted();
+      const { done, over_s } = await apply(this.kn * KNOT_MPS, this.ring.value);
+      if (!done) return;
+      this.touched = false;
+      this.going = over_s === 0 ? null : { to, from_s: this.t_s, until_s: this.t_s + over_s };
+    };
     this.ring = new Ring(`${name} ${verb}`, "north", () => {
       this.touched = true;
       show();
@@ -73,21 +87,23 @@ class Flow {
         { class: "row" },
         button("−", change(-step_kn), { name: `Less ${name.toLowerCase()}` }),
         button("+", change(step_kn), { name: `More ${name.toLowerCase()}` }),
-        button(
-          "Set",
-          () =>
-            void apply(this.kn * KNOT_MPS, this.ring.value).then(
-              (done) => done && (this.touched = false),
-            ),
-          { name: `Set the ${name.toLowerCase()}`, class: "take" },
-        ),
+        button("Set", () => void set(), { name: `Set the ${name.toLowerCase()}`, class: "take" }),
       ),
       this.now,
     );
   }
 
-  tick(mps: number, rad: number): void {
-    setText(this.now, `now ${fixed(toKnots(mps), 1)} kn ${this.verb} ${heading(rad, 0)}`);
+  tick(mps: number, rad: number, t_s: number): void {
+    this.t_s = t_s;
+    const now = `now ${fixed(toKnots(mps), 1)} kn ${this.verb} ${heading(rad, 0)}`;
+    const { going } = this;
+    const changes = going !== null && t_s >= going.from_s && t_s < going.until_s;
+    setText(
+      this.now,
+      (this.touched ? "not set yet; " : "") +
+        now +
+        (changes ? `; goes to ${going.to} until ${clock(going.until_s)}` : ""),
+    );
     if (this.touched) return;
     this.kn = Math.round(toKnots(mps) / this.step_kn) * this.step_kn;
     this.ring.follow(rad);
@@ -134,11 +150,17 @@ export class Conditions implements View {
     const planned = new Planned(page);
     this.planned = planned;
     const over_s = () => planned.over_s();
+    // What is planned for later is in the list of what is planned.
+    const applied = async (event: OtherAction, over_s: number): Promise<Applied> => {
+      const isNow = planned.after_s() === 0;
+      const done = await planned.happen(event);
+      return { done, over_s: isNow ? over_s : 0 };
+    };
     this.wind = new Flow("Wind", "from", 1, hello.limits.wind_mps, (speed_mps, from_rad) =>
-      planned.happen({ do: "wind", speed_mps, from_rad, over_s: over_s() }),
+      applied({ do: "wind", speed_mps, from_rad, over_s: over_s() }, over_s()),
     );
     this.current = new Flow("Current", "to", 0.1, hello.limits.current_mps, (speed_mps, to_rad) =>
-      planned.happen({ do: "current", speed_mps, to_rad, over_s: over_s() }),
+      applied({ do: "current", speed_mps, to_rad, over_s: over_s() }, over_s()),
     );
     const faults = hello.vessels.map((vessel, index) => {
       const fits = FAULTS.filter(
@@ -277,8 +299,8 @@ export class Conditions implements View {
   tick(frame: Frame): void {
     this.frame = frame;
     this.visibility.tick(frame);
-    this.wind.tick(frame.wind.speed_mps, frame.wind.from_rad);
-    this.current.tick(frame.current.speed_mps, frame.current.to_rad);
+    this.wind.tick(frame.wind.speed_mps, frame.wind.from_rad, frame.t_s);
+    this.current.tick(frame.current.speed_mps, frame.current.to_rad, frame.t_s);
     for (const entry of this.faults) {
       entry.on = frame.vessels[entry.vessel]?.faults.includes(entry.fault) ?? false;
       setAttribute(entry.root, "aria-pressed", String(entry.on));

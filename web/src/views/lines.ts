@@ -37,6 +37,8 @@ class Row {
   private readonly sending: HTMLElement;
   private readonly work: HTMLElement;
   private shown_s = -Infinity;
+  /** A bollard was chosen by hand; until then it is the nearest. */
+  private chosen = false;
   readonly root: HTMLElement;
 
   constructor(
@@ -73,6 +75,7 @@ class Row {
       { name: `Let go ${info.name}` },
     );
     setAttribute(this.bollards, "aria-label", `Bollard for ${spoken(info.name)}`);
+    this.bollards.addEventListener("change", () => (this.chosen = true));
     this.send = h(
       "button",
       { type: "button", "aria-label": `Send ${spoken(info.name)} ashore` },
@@ -121,7 +124,8 @@ class Row {
         h("option", { value: bollard.name }, `${spoken(bollard.name)} · ${m.toFixed(0)} m`),
       ),
     );
-    if (near.some(({ bollard }) => bollard.name === chosen)) this.bollards.value = chosen;
+    if (this.chosen && near.some(({ bollard }) => bollard.name === chosen))
+      this.bollards.value = chosen;
   }
 
   show(now: LineNow, mayWinch: boolean, bodies: (BodyNow | null | undefined)[], t_s: number): void {

@@ -3,6 +3,7 @@
  * a server.
  */
 import type { LibraryInfo, NewExercise } from "../protocol";
+import { NAME_RULE, followTitle, isFileName } from "../file_name";
 import { button, h, setClass, setText } from "../ui/dom";
 import { KNOT_MPS, fixed, spoken } from "../units";
 import type { View } from "./view";
@@ -127,17 +128,18 @@ export class NewExerciseView implements View {
         { class: "note" },
         "A berth, a ship on her way to it, tugs on their lines. The berth is a straight quay of your own, or that of another scenario with its chart.",
       ),
-      row("Title", this.title),
+      group("", [{ row: row("Title", this.title) }], "wide"),
       group("Berth", [this.berth], "wide"),
       group("", [this.quay, this.depth, this.family, this.size, this.height, this.reaction]),
       group("", [this.fenders, this.spacing, this.bollards]),
-      group("Ship", [this.ship, this.side, this.off, this.astern, this.speed]),
-      group("Tugs", [this.tug, this.tugs]),
-      group("Weather", [this.wind, this.windFrom]),
-      row("Gusts", this.gusts),
+      group("Ship", [this.ship], "wide"),
+      group("", [this.side, this.off, this.astern, this.speed]),
+      group("Tugs", [this.tug], "wide"),
+      group("", [this.tugs]),
+      group("Weather", [this.wind, this.windFrom, { row: row("Gusts", this.gusts) }]),
       group("", [this.current, this.currentTo, this.visibility]),
       h("h3", {}, "Save"),
-      row("File name", this.name),
+      group("", [{ row: row("File name", this.name) }], "wide"),
       h(
         "div",
         { class: "row" },
@@ -149,6 +151,7 @@ export class NewExerciseView implements View {
     );
     // A tab's panel must not be a form itself.
     this.root = h("div", {}, form);
+    followTitle(this.title, this.name);
     this.name.addEventListener("input", () => {
       for (const each of [this.replace, keeper.after]) setClass(each, "hidden", true);
     });
@@ -239,6 +242,12 @@ export class NewExerciseView implements View {
     const name = this.name.value.trim();
     if (this.title.value.trim() === "" || name === "") {
       setText(this.note, "Give the exercise a title and a file name.");
+      (name === "" && this.title.value.trim() !== "" ? this.name : this.title).focus();
+      return;
+    }
+    if (!isFileName(name)) {
+      setText(this.note, `Not saved. ${NAME_RULE}`);
+      this.name.focus();
       return;
     }
     setText(this.note, "");

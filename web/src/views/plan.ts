@@ -37,6 +37,8 @@ type PlanCanvas = HTMLCanvasElement & { labelled?: { placed: Placed[]; taken: Bo
 
 /** A canvas of at most this width is a phone's. */
 const PHONE_PX = 480;
+/** A plan narrower than this has no room for its scale bar beside the tools [px]. */
+const TOOLS_PX = 720;
 
 export class Plan implements View {
   readonly root: HTMLElement;
@@ -454,8 +456,8 @@ class Readout {
 /** The scale bar. Returns its box. */
 function drawScale(to: CanvasRenderingContext2D, camera: Camera, colours: Palette): Box {
   const long = roundLength(Math.min(180, camera.width * 0.25) / camera.pixels_per_m);
-  // On a phone the tools take the foot.
-  const [left, top] = [14, camera.width < PHONE_PX ? 18 : camera.height - 16];
+  // On a phone and on a tablet the tools take the foot.
+  const [left, top] = [14, camera.width < TOOLS_PX ? 18 : camera.height - 16];
   const right = left + long * camera.pixels_per_m;
   stroke(to, [left, top], [right, top], colours.text, 3);
   for (const x of [left, (left + right) / 2, right])

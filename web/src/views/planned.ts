@@ -79,9 +79,14 @@ export class Planned {
     return Number(this.over.value) * 60;
   }
 
+  /** How much later changes happen [s]; 0: now. */
+  after_s(): number {
+    return Number(this.after.value) * 60;
+  }
+
   /** Gives a command now, or plans it. */
   async happen(event: OtherAction): Promise<boolean> {
-    const after_s = Number(this.after.value) * 60;
+    const after_s = this.after_s();
     if (after_s === 0) return this.page.order(event);
     const at_s = (this.page.live.frame?.t_s ?? 0) + after_s;
     const done = await this.page.order({ do: "plan", at_s, event });

@@ -1,6 +1,7 @@
 /** Saves the present state as an exercise: a scenario file of the gallery. */
 import type { Page } from "../page";
 import type { Hello } from "../protocol";
+import { NAME_RULE, followTitle, isFileName } from "../file_name";
 import { button, h, setClass, setText, sureButton } from "../ui/dom";
 
 /** A hidden button that opens an exercise that was just saved. */
@@ -37,6 +38,7 @@ export class SaveExercise {
   readonly root: HTMLElement;
 
   constructor(private readonly page: Page) {
+    followTitle(this.title, this.name);
     this.name.addEventListener("input", () => {
       for (const each of [this.replace, this.open]) setClass(each, "hidden", true);
     });
@@ -75,6 +77,10 @@ export class SaveExercise {
       setText(this.note, "Give the exercise a title and a file name.");
       return;
     }
+    if (!isFileName(name)) {
+      setText(this.note, `Not saved. ${NAME_RULE}`);
+      return;
+    }
     setText(this.note, "");
     const done = await this.page.order({ do: "save_exercise", name, title, replace });
     const isTaken = !done && isInGallery(this.page.live.hello, name);
@@ -83,7 +89,7 @@ export class SaveExercise {
     setText(
       this.note,
       done
-        ? `Saved as ${name}.toml. It is among the scenarios above.`
+        ? `Saved as ${name}.toml. It is among the scenarios below.`
         : isTaken
           ? `There is an exercise ${name} already. Nothing was changed.`
           : "Not saved: the reason is above.",

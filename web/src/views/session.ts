@@ -1,6 +1,7 @@
 /** The instructor's view of the session: clients and their controls, links to hand out, scenarios, saving. */
 import type { Page } from "../page";
 import type { Control, Frame, Hello, Role } from "../protocol";
+import { withoutSpaces } from "../file_name";
 import { button, h, setClass, setText, sureButton } from "../ui/dom";
 import { spoken } from "../units";
 import type { SaveExercise } from "./save_exercise";
@@ -33,6 +34,7 @@ export class Session implements View {
       placeholder: "name",
       maxlength: 60,
     });
+    withoutSpaces(name);
     const save = button("Save session", () => {
       const text = name.value.trim();
       if (text === "") page.say("Give the session a name to save it under.", "refusal");
@@ -44,6 +46,9 @@ export class Session implements View {
       this.opening,
       button("Stop opening", () => void page.order({ do: "stop_opening" })),
     );
+    const recordings = hello.gallery
+      .filter(({ written_unix_s }) => written_unix_s !== null)
+      .toSorted((a, b) => (b.written_unix_s ?? 0) - (a.written_unix_s ?? 0));
     this.root = h(
       "div",
       { class: "session" },
@@ -53,15 +58,17 @@ export class Session implements View {
       this.claimRows,
       h("h3", {}, "Links to hand out"),
       this.links(hello),
-      h("h3", {}, "Scenarios"),
-      h(
-        "ul",
-        { class: "rows gallery" },
-        ...hello.gallery.map((entry) => this.scenario(entry, entry.file === hello.file)),
-      ),
       h("h3", {}, "Keep this session"),
       h("form", { class: "row", onsubmit: (event) => event.preventDefault() }, name, save),
       this.exercise.root,
+      // What was run and kept first: the scenarios are many and have long texts.
+      recordings.length > 0 && h("h3", {}, "Recorded sessions"),
+      recordings.length > 0 && this.entries(recordings, hello.file),
+      h("h3", {}, "Scenarios"),
+      this.entries(
+        hello.gallery.filter(({ written_unix_s }) => written_unix_s === null),
+        hello.file,
+      ),
     );
   }
 
@@ -97,8 +104,20 @@ export class Session implements View {
     }
   }
 
+  private entries(entries: Hello["gallery"], shown: string): HTMLElement {
+    return h(
+      "ul",
+      { class: "rows gallery" },
+      ...entries.map((entry) => this.scenario(entry, entry.file === shown)),
+    );
+  }
+
   private scenario(entry: Hello["gallery"][number], open: boolean): HTMLElement {
     const label = open ? "Start anew" : "Open";
+    const when =
+      entry.written_unix_s === null
+        ? ""
+        : `${new Date(entry.written_unix_s * 1000).toLocaleString(undefined, { dateStyle: "medium", timeStyle: "short" })}. `;
     const load = sureButton(
       label,
       "End this run?",
@@ -108,7 +127,7 @@ export class Session implements View {
     return h(
       "li",
       { class: open ? "chosen" : "" },
-      h("div", {}, h("b", {}, entry.title), h("p", { class: "note" }, entry.text)),
+      h("div", {}, h("b", {}, entry.title), h("p", { class: "note" }, when + entry.text)),
       load,
     );
   }
