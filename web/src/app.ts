@@ -337,6 +337,8 @@ export class App implements Page {
   }
 
   private buildStage(hello: Hello): void {
+    // A view that is built anew, such as after a file was saved, stays where it was scrolled to.
+    const scrolled = this.stage.querySelector(".view.shown")?.scrollTop ?? 0;
     const isInstructor = hello.role.name === "instructor";
     const plan = new Plan(this.live, this.trial, isInstructor ? this.placing : null);
     this.plan = plan;
@@ -426,8 +428,6 @@ export class App implements Page {
       view.root.setAttribute("aria-label", name);
       panel.append(view.root);
     }
-    // A view that is built anew, such as after a file was saved, stays where it was scrolled to.
-    const scrolled = this.stage.querySelector(".view.shown")?.scrollTop ?? 0;
     this.stage.replaceChildren(plan.root, panel, this.said);
     const isThere = this.tabs.some((tab) => tab.name === this.shownTab);
     this.show(isThere ? this.shownTab : (this.tabs[0]?.name ?? ""));
