@@ -59,6 +59,7 @@ test("a run that was ended is among the recorded sessions, the newest first, wit
   await instructor.getByRole("button", { name: /^Panel over the whole page/ }).click();
   await anew.click();
   await instructor.locator(".run-state", { hasText: "PAUSED" }).waitFor();
+  expect(await instructor.getByRole("img", { name: "Plan of ship" }).isVisible()).toBe(true);
   const recorded = instructor.locator(".gallery li", { hasText: "It continues where it ended" });
   await recorded.first().waitFor();
   expect(await recorded.first().textContent()).toMatch(/\b20\d\d\b.*Saved as berthing-001\./);

@@ -168,6 +168,8 @@ export class App implements Page {
     if (this.tries(action)) return true;
     const done = this.answered(await this.connection.send(action));
     if (done) this.hinted(action);
+    // The plan of what is opened must not stay behind a panel over the whole page.
+    if (done && action.do === "load") this.stage.classList.remove("panel-only");
     return done;
   }
 
@@ -300,15 +302,12 @@ export class App implements Page {
     this.outdated = hello.protocol !== PROTOCOL || unknownOrders(hello).length > 0;
     this.why = "";
     this.name.greet();
-    const former = this.live.hello?.file;
-    const fresh = former !== hello.file;
+    const fresh = this.live.hello?.file !== hello.file;
     this.live.welcome(hello);
     if (fresh) {
       this.history.clear();
       this.past.forget();
       this.sound.welcome(hello.role);
-      // Another exercise was opened: its plan must not stay behind a panel over the whole page.
-      if (former !== undefined) this.stage.classList.remove("panel-only");
     }
     const key = structure(hello);
     if (key !== this.built) {
