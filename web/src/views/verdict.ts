@@ -22,13 +22,6 @@ export function setGravity(element: HTMLElement, gravity: Gravity): void {
   setClass(element, "well", gravity === "ok");
 }
 
-/** The words with the page's clock beside their seconds, by which the timeline goes. */
-const withClock = (text: string): string =>
-  text.replaceAll(
-    /\b(?:at|from) (\d+\.\d) s\b/g,
-    (words, t_s) => `${words} (${clock(Number(t_s))})`,
-  );
-
 export class Verdict implements View {
   private readonly words = h("p", { class: "verdict", "aria-label": "Verdict" });
   private readonly when = h("p", { class: "note" });
@@ -67,7 +60,7 @@ export class Verdict implements View {
     this.shown = key;
     this.list.replaceChildren(
       ...findings.map(({ gravity, text }) => {
-        const row = h("li", {}, `${withClock(text)}.`);
+        const row = h("li", {}, `${text}.`);
         setGravity(row, gravity);
         return row;
       }),
