@@ -13,15 +13,19 @@ pub(crate) fn threads(given: Option<usize>) -> usize {
     given.unwrap_or_else(all).max(1)
 }
 
-/// Takes the indices below `count` in order, one at a time as runs differ in length, on `threads` other threads, until `goes_on` says
-/// no. Each thread has something of its own for `work`, which `own` makes. Meanwhile this one runs `wait`, with a channel that closes when
-/// all have ended. The results are in the order of the indices: each that was taken is done.
+/// What a thread did: results with their indices.
+type Share<T> = Vec<(usize, T)>;
+
+/// Takes the indices below `count` in order, one at a time as runs differ in length, on `others` other threads, until `goes_on` says
+/// no. Each thread has something of its own for `work`, which `own` makes. Meanwhile this one runs `here`, with a channel that closes when
+/// all others have ended, and with the worker, for a share of its own. The results are in the order of the indices: each that was taken
+/// is done.
 fn spread<T: Send, W>(
-    (count, threads): (usize, usize),
+    (count, others): (usize, usize),
     own: impl Fn() -> W + Sync,
     goes_on: impl Fn() -> bool + Sync,
     work: impl Fn(&mut W, usize) -> T + Sync,
-    wait: impl FnOnce(&Receiver<()>),
+    here: impl FnOnce(&Receiver<()>, &dyn Fn() -> Share<T>) -> Share<T>,
 ) -> Vec<T> {
     let next = AtomicUsize::new(0);
     let worker = || {
@@ -35,9 +39,9 @@ fn spread<T: Send, W>(
         }
         done
     };
-    let mut done: Vec<(usize, T)> = thread::scope(|scope| {
+    let mut done: Share<T> = thread::scope(|scope| {
         let (all, ended) = mpsc::channel::<()>();
-        let workers: Vec<_> = (0..threads.min(count))
+        let workers: Vec<_> = (0..others.min(count))
             .map(|_| {
                 let (all, worker) = (all.clone(), &worker);
                 scope.spawn(move || {
@@ -48,17 +52,17 @@ fn spread<T: Send, W>(
             })
             .collect();
         drop(all);
-        wait(&ended);
-        let joined = workers.into_iter().map(thread::ScopedJoinHandle::join);
-        joined
-            .flat_map(|done| done.unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
-            .collect()
+        let mut done = here(&ended, &worker);
+        for other in workers {
+            done.extend(other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
+        }
+        done
     });
     done.sort_unstable_by_key(|(index, _)| *index);
     done.into_iter().map(|(_, result)| result).collect()
 }
 
-/// Runs `work` for each index below `count`.
+/// Runs `work` for each index below `count`, on this thread too: short work is begun before another thread has started.
 pub(crate) fn each<T: Send>(
     count: usize,
     threads: usize,
@@ -67,7 +71,7 @@ pub(crate) fn each<T: Send>(
     if threads == 1 || count < 2 {
         return (0..count).map(work).collect();
     }
-    spread((count, threads), || (), || true, |(), index| work(index), |_| ())
+    spread((count, threads - 1), || (), || true, |(), index| work(index), |_, worker| worker())
 }
 
 /// The reason why not all of the work was done.
@@ -100,12 +104,13 @@ pub(crate) fn each_watched<T: Send, E: Send, W>(
         finished.fetch_add(1, Ordering::Relaxed);
         result
     };
-    let done = spread((count, threads), own, goes_on, one, |ended| {
+    let done = spread((count, threads), own, goes_on, one, |ended, _| {
         while ended.recv_timeout(WATCH) == Err(RecvTimeoutError::Timeout) {
             if !watch(finished.load(Ordering::Relaxed)) {
                 is_stopped.store(true, Ordering::Relaxed);
             }
         }
+        Vec::new()
     });
     if is_stopped.load(Ordering::Relaxed) {
         return Err(Ended::Stopped);
