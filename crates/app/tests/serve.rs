@@ -638,3 +638,45 @@ fn a_chart_program_gets_sentences_over_tcp_and_udp() {
         assert!(server::refused(&["--nmea-udp", "192.0.2.1:10110"]).contains("--allow-remote"));
     });
 }
+
+/// Latitude and longitude of the first RMC sentence (minutes of arc).
+fn fix_min(text: &str) -> [f64; 2] {
+    let line = text.lines().find(|line| line.contains("RMC")).expect("an RMC sentence");
+    let cells: Vec<&str> = line.split(',').collect();
+    let minutes = |cell: &str, degrees: usize| {
+        let (whole, rest) = cell.split_at(degrees);
+        60.0 * whole.parse::<f64>().expect("degrees") + rest.parse::<f64>().expect("minutes")
+    };
+    assert_eq!((cells[4], cells[6]), ("N", "E"), "{line}");
+    [minutes(cells[3], 2), minutes(cells[5], 3)]
+}
+
+/// The harbour is drawn from GeoJSON in longitude and latitude: her place on a chart is that of the harbour, and with `--origin` that of
+/// the given origin, while the harbour stays drawn where it is. The ship lies 551.8 m south and 296.6 m west of the origin.
+#[test]
+fn chart_programs_get_the_origin_of_a_geojson_chart_and_that_of_the_option_in_its_place() {
+    block_on(async {
+        let harbour = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("../../scenarios/live/harbour.toml");
+        for (options, [latitude_deg, longitude_deg]) in [
+            (&["--nmea-tcp", "0"][..], [54.02, 8.02]),
+            (&["--nmea-tcp", "0", "--origin", "35.3,139.7"][..], [35.3_f64, 139.7]),
+        ] {
+            let server = Server::start_with(&harbour, options);
+            let text = client::lines(server.nmea.expect("a port for chart programs"), 30).await;
+            let [north_min, east_min] = fix_min(&text);
+            // A sea mile is a minute of latitude on the sphere that the sentences use to within 0.5 %; 4 m is more than that of
+            // 552 m, and what the four digits of a minute leave.
+            let north_m = (north_min - 60.0 * latitude_deg) * 1852.0;
+            let parallel_m = 1852.0 * libm::cos(latitude_deg.to_radians());
+            let east_m = (east_min - 60.0 * longitude_deg) * parallel_m;
+            assert!((north_m + 551.8).abs() < 4.0, "{north_m} {text}");
+            assert!((east_m + 296.6).abs() < 4.0, "{east_m} {text}");
+            let mut observer = Client::join(&server, "observer").await;
+            let hello = observer.latest_hello().await;
+            let drawn = hello["chart"].as_array().map_or(0, Vec::len);
+            assert!(drawn > 5, "the chart is drawn with both: {drawn}");
+            server.stop_and_check();
+        }
+    });
+}

@@ -144,6 +144,84 @@ fn a_report_of_a_session_has_its_commands_faults_and_alarms() {
     assert!(!page.contains("rudder stuck"));
 }
 
+/// The cells of the table of branches, row by row.
+fn table_of_branches(page: &str) -> Vec<Vec<String>> {
+    let (_, section) = page.split_once("Branches side by side").expect("the section");
+    let (_, body) = section.split_once("<tbody>").expect("the table");
+    let (body, _) = body.split_once("</tbody>").expect("its end");
+    let text = |cell: &str| {
+        let (_, rest) = cell.split_once('>').expect("the tag's end");
+        rest.split('<').next().unwrap_or("").trim().to_owned()
+    };
+    let cells = |row: &str| row.split("<td").skip(1).map(text).collect();
+    body.split("<tr").skip(1).map(cells).collect()
+}
+
+/// The ship drifts towards the fenders, 4 m off; in the branch she is pushed. Each number of the table is that of `fenderline run` of the
+/// branch.
+#[test]
+fn the_table_of_branches_has_the_numbers_of_the_run_of_each_branch() {
+    let place = Workplace::new("session_branches");
+    let set = [
+        "environment.wind.speed=0",
+        "environment.wind.gusts=false",
+        "body.ship.position=[0, -20.9]",
+        "body.ship.heading=\"0 deg\"",
+        "body.ship.velocity={ surge = 0, sway = 0.25 }",
+        "body.forward_tug.position=[40, -90]",
+        "body.after_tug.position=[-80, -90]",
+    ];
+    let set = set.map(str::to_owned).to_vec();
+    let none = |name: &str| Err(format!("{name}: none is needed"));
+    let (source, _) = Source::collect("berthing.toml", harbour(), set, none).expect("a scenario");
+    let mut live = Session::open(source).expect("a set-up");
+    while live.tick() < 400 {
+        live.step().expect("a good step");
+    }
+    live.rewind(100).expect("it is there");
+    live.branch().expect("a branch");
+    let fault = OtherAction::Fault { vessel: "ship".into(), fault: Fault::RudderStuck, on: true };
+    live.command("instructor 1", 0, fault.into()).expect("a fault");
+    steer(&mut live, 350);
+    place.write("a.session.jsonl", recording(live).as_bytes());
+    let report = place.run(&["report", "a.session.jsonl", "--allow-failures"]);
+    assert_eq!(report.code, 0, "{}", report.stderr);
+    let rows = table_of_branches(&place.text("a.html"));
+    assert_eq!(rows.len(), 2, "{rows:?}");
+    for (branch, row) in rows.iter().enumerate() {
+        let (number, out) = (branch.to_string(), format!("branch_{branch}"));
+        let run =
+            ["run", "a.session.jsonl", "--branch", &number, "--out", &out, "--allow-failures"];
+        let run = place.run(&run);
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        let summary = place.json(&format!("{out}/summary.json"));
+        let largest = |list: &str, key: &str| {
+            let shares = summary[list].as_array().into_iter().flatten();
+            shares
+                .filter_map(|of| of[key].as_f64())
+                .fold(0.0_f64, |most, share| if share > most { share } else { most })
+        };
+        let log = place.text(&format!("{out}/log.csv"));
+        let count =
+            |kind: &str| log.lines().filter(|line| line.split(',').nth(2) == Some(kind)).count();
+        let ends = summary["duration_s"].as_f64().expect("a duration");
+        println!("{row:?}");
+        assert_eq!(row[2], format!("0:{ends:.1}"));
+        assert_eq!(row[3], summary["verdict"]["text"].as_str().expect("a verdict"));
+        let score = summary["exercise"]["score"].as_f64().expect("a score");
+        assert!(row[4].starts_with(&format!("{score:.1} ")), "{row:?} {score}");
+        assert_eq!(row[6], format!("{:.0}", 100.0 * largest("fenders", "share_of_rated_energy")));
+        assert_eq!(row[7], format!("{:.0}", 100.0 * largest("lines", "share_of_break_load")));
+        assert_eq!(row[8], count("command").to_string(), "{log}");
+        assert_eq!(row[9], (count("alarm") + count("caution")).to_string(), "{log}");
+        // She drifts at 0.25 m/s without a rudder: both ends close at what is left of it.
+        assert_eq!(row[5], "0.25");
+    }
+    assert_eq!((rows[0][0].as_str(), rows[0][1].as_str()), ("First run", "the start"));
+    assert_eq!((rows[1][0].as_str(), rows[1][1].as_str()), ("Branch 1", "the first run at 0:10.0"));
+    assert_eq!((rows[0][2].as_str(), rows[1][2].as_str()), ("0:40.0", "0:35.0"));
+}
+
 #[test]
 fn a_session_cannot_be_changed_and_a_torn_one_is_reported_up_to_its_end() {
     let place = Workplace::new("session_mistakes");
