@@ -30,6 +30,7 @@ mod limits;
 pub mod message;
 mod named_order;
 mod order_info;
+mod outlook;
 mod past;
 mod place;
 mod prediction;
@@ -58,6 +59,7 @@ pub use library_info::library_info;
 pub use limits::{Full, LARGEST_RECORDING_BYTES, LONGEST_NAME};
 pub use named_order::NamedOrder;
 pub use order_info::order_infos;
+pub use outlook::Outlook;
 pub use prediction::{MOST_PATHS, Prediction};
 pub use present::PresentFile;
 pub use recording::{

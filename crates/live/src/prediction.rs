@@ -1,6 +1,6 @@
 //! Predictions of ships' paths, by a copy of the simulation.
 
-use fenderline_sim::Simulation;
+use fenderline_sim::{SimError, Simulation};
 
 use crate::cast::Cast;
 use crate::message::{Reply, ShipPath};
@@ -13,7 +13,12 @@ pub const MOST_PATHS: usize = 3;
 #[derive(Clone, Debug)]
 pub struct Prediction {
     simulation: Simulation,
+    /// The tick from which it begins.
     tick: u64,
+    /// How often commands, events or going to another tick had changed the run.
+    interventions: u64,
+    /// Number of orders of the scenario that were dropped.
+    dropped: usize,
     /// Indices of the vessels whose paths are kept.
     vessels: Vec<usize>,
 }
@@ -32,8 +37,10 @@ impl Session {
     #[must_use]
     pub fn prediction(&self) -> Option<Prediction> {
         let vessels = self.cast().predicted();
-        (!vessels.is_empty())
-            .then(|| Prediction::of(self.simulation().clone(), self.tick(), vessels))
+        (!vessels.is_empty()).then(|| Prediction {
+            interventions: self.interventions(),
+            ..Prediction::of(self.simulation().clone(), self.tick(), vessels)
+        })
     }
 }
 
@@ -42,13 +49,15 @@ impl Prediction {
     /// stays as it is.
     pub(crate) fn of(mut simulation: Simulation, tick: u64, vessels: Vec<usize>) -> Prediction {
         let end_s = simulation.time_s() + simulation.setup().step_s;
+        let planned = simulation.pending_orders().len();
         simulation.retain_orders(|order| order.at_s < end_s);
+        let dropped = planned - simulation.pending_orders().len();
         // Setting the weather of now ends changes over a time: a pilot must not see the instructor's plan in a path.
         let environment = &simulation.setup().world.environment;
         let (wind, current) = (environment.wind.clone(), environment.current.clone());
         simulation.set_wind(wind);
         simulation.set_current(current);
-        Prediction { simulation, tick, vessels }
+        Prediction { simulation, tick, interventions: 0, dropped, vessels }
     }
 
     /// Leaves out the paths of these vessels.
@@ -59,6 +68,39 @@ impl Prediction {
     /// The tick from which it begins.
     pub(crate) fn tick(&self) -> u64 {
         self.tick
+    }
+
+    /// Whether it begins in the state that another prediction from the same run foresees for this tick, if its bits are the same: nothing but steps has
+    /// changed the run since, and no order is due that the other one dropped.
+    pub(crate) fn may_continue(&self, other: &Prediction) -> bool {
+        self.interventions == other.interventions
+            && self.dropped == other.dropped
+            && self.simulation.pending_orders().is_empty()
+    }
+
+    pub(crate) fn vessels(&self) -> &[usize] {
+        &self.vessels
+    }
+
+    /// Goes on by one step.
+    ///
+    /// # Errors
+    /// The step failed.
+    pub(crate) fn step(&mut self) -> Result<(), SimError> {
+        self.simulation.step().map(|_| ())
+    }
+
+    /// Steps in a time (s), and between two positions.
+    pub(crate) fn steps_of(&self, seconds: f64, every_s: f64) -> (u64, u64) {
+        let steps = |time_s: f64| libm::round(time_s / self.simulation.setup().step_s) as u64;
+        (steps(seconds), steps(every_s).max(1))
+    }
+
+    /// Time (s), position (m) and heading (rad) of one of the vessels, as a path has them.
+    pub(crate) fn position(&self, vessel: usize) -> [f64; 4] {
+        let body = self.simulation.setup().world.vessels[vessel].body;
+        let state = &self.simulation.states()[body];
+        [self.simulation.time_s(), state.position_m.x, state.position_m.y, state.heading_rad]
     }
 
     pub(crate) fn simulation(&self) -> &Simulation {
@@ -85,9 +127,7 @@ impl Prediction {
         every_s: f64,
         mut go_on: impl FnMut(&[ShipPath]) -> bool,
     ) -> (Vec<ShipPath>, bool) {
-        let step_s = self.simulation.setup().step_s;
-        let steps = libm::round(seconds / step_s) as u64;
-        let every = (libm::round(every_s / step_s) as u64).max(1);
+        let (steps, every) = self.steps_of(seconds, every_s);
         let path = |vessel: &usize| ShipPath { vessel: *vessel, path: Vec::new() };
         let mut paths: Vec<ShipPath> = self.vessels.iter().map(path).collect();
         for step in 0..=steps {
@@ -97,7 +137,7 @@ impl Prediction {
                     return (paths, step == steps);
                 }
             }
-            if step < steps && self.simulation.step().is_err() {
+            if step < steps && self.step().is_err() {
                 return (paths, false);
             }
         }
@@ -105,11 +145,8 @@ impl Prediction {
     }
 
     fn add_positions(&self, paths: &mut [ShipPath]) {
-        let t_s = self.simulation.time_s();
         for ShipPath { vessel, path } in paths {
-            let body = self.simulation.setup().world.vessels[*vessel].body;
-            let state = &self.simulation.states()[body];
-            path.push([t_s, state.position_m.x, state.position_m.y, state.heading_rad]);
+            path.push(self.position(*vessel));
         }
     }
 }

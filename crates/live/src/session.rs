@@ -121,6 +121,8 @@ pub struct Session {
     past: Past,
     /// The planned events that fired before the last step.
     fired: Vec<OtherAction>,
+    /// How often something other than a step, or an order of the scenario, has changed the simulation.
+    interventions: u64,
 }
 
 /// Why a session cannot be opened.
@@ -202,6 +204,7 @@ impl Session {
             writer,
             events: Vec::new(),
             fired: Vec::new(),
+            interventions: 0,
         })
     }
 
@@ -250,6 +253,12 @@ impl Session {
     #[must_use]
     pub fn simulation(&self) -> &Simulation {
         &self.now.simulation
+    }
+
+    /// How often something other than a step, or an order of the scenario, has changed the simulation: commands, events, going to
+    /// another tick.
+    pub(crate) fn interventions(&self) -> u64 {
+        self.interventions
     }
 
     pub(crate) fn now(&self) -> &Now {
@@ -306,6 +315,7 @@ impl Session {
         let line = self.writer.prepare(&line).map_err(Refusal::new)?;
         let said = self.said_of(who, &action);
         let dropped = carry_out(&action, &self.cast, &mut self.now)?;
+        self.interventions += 1;
         if let Some(text) = said {
             self.tell(text);
         }
@@ -450,6 +460,7 @@ impl Session {
         seen.keep(&record);
         each(&record);
         *tick += 1;
+        self.interventions += u64::from(!self.fired.is_empty());
         let ending = self.now.mark_exercise();
         let sample = self.now.note_alarms(&self.cast, &self.info);
         let Now { simulation, seen, alarms, tick, .. } = &self.now;
@@ -477,6 +488,7 @@ impl Session {
         for Given { action, .. } in &self.branches[segment].commands[of_tick] {
             let again = carry_out(action, &self.cast, &mut self.now);
             assert!(again.is_ok(), "it was carried out before in this state: {action:?}");
+            self.interventions += 1;
         }
     }
 
@@ -566,6 +578,7 @@ impl Session {
             let (segment, from) = self.segment(at, to);
             if let Some((_, state)) = self.checkpoints.latest(segment, from, to) {
                 self.now = state.clone();
+                self.interventions += 1;
                 return;
             }
             // The branch has no checkpoint: it begins with its parent's state before the commands of that tick.

@@ -1,11 +1,10 @@
 //! Predictions of the ships' paths, on a thread of their own.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{self, Receiver, SyncSender};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-use fenderline_live::{Prediction, Session};
+use fenderline_live::{Outlook, Prediction, Session};
 
 use crate::hub::{Hub, Predicted};
 
@@ -20,10 +19,12 @@ const LONGEST: Duration = Duration::from_secs(1);
 const AHEAD_S: f64 = 300.0;
 const EVERY_S: f64 = 10.0;
 
-/// Starts predictions, one at a time.
+/// Asks for predictions, one after the other.
 #[derive(Debug, Default)]
 pub(super) struct Predictor {
     due: Due,
+    /// Number of changes after which no earlier prediction can be continued.
+    changes: u64,
     thread: Option<Thread>,
 }
 
@@ -44,21 +45,54 @@ impl Due {
     }
 }
 
+/// A prediction to be made, and the number of changes before it.
+#[derive(Debug)]
+struct Job {
+    prediction: Prediction,
+    changes: u64,
+}
+
+/// What the engine has last asked for.
+#[derive(Debug, Default)]
+struct Asked {
+    job: Option<Job>,
+    ended: bool,
+}
+
+#[derive(Debug, Default)]
+struct Desk {
+    asked: Mutex<Asked>,
+    changed: Condvar,
+}
+
+impl Desk {
+    fn asked(&self) -> MutexGuard<'_, Asked> {
+        self.asked.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Takes the latest job, waiting for one. `None` when there is no engine any more.
+    fn take(&self) -> Option<Job> {
+        let waits = |asked: &mut Asked| asked.job.is_none() && !asked.ended;
+        let asked = self.changed.wait_while(self.asked(), waits);
+        asked.unwrap_or_else(PoisonError::into_inner).job.take()
+    }
+}
+
 /// The thread. It lasts: threads that come and go would each leave memory behind.
 #[derive(Debug)]
 struct Thread {
-    work: SyncSender<Prediction>,
-    /// It works or rests.
-    is_busy: Arc<AtomicBool>,
+    desk: Arc<Desk>,
+    handle: JoinHandle<()>,
 }
 
 impl Predictor {
-    /// The next prediction is due at once: the state or the orders have changed.
+    /// The next prediction is due at once, and is made anew: the state, the orders or the whole run have changed.
     pub(super) fn reset(&mut self) {
         self.due = Due::default();
+        self.changes += 1;
     }
 
-    /// Starts a prediction if one is due and none is running.
+    /// Asks for a prediction if one is due. If the one before is still being made, it comes after that; only the latest waits.
     pub(super) fn start_if_due(
         &mut self,
         now: Instant,
@@ -66,70 +100,85 @@ impl Predictor {
         session: &Session,
         hub: &Arc<Hub>,
     ) {
-        let is_busy =
-            self.thread.as_ref().is_some_and(|thread| thread.is_busy.load(Ordering::Acquire));
-        if is_busy || !self.due.is_due(now, paused) {
+        if !self.due.is_due(now, paused) {
             return;
         }
         self.due.start(now);
         let Some(prediction) = session.prediction() else { return };
-        let thread = match self.thread.take() {
-            Some(thread) => thread,
-            None => match Thread::start(hub) {
-                Ok(thread) => thread,
-                // The next one tries again.
-                Err(_) => return,
-            },
-        };
-        thread.is_busy.store(true, Ordering::Release);
-        // A thread that has ended by a panic is replaced for the next prediction.
-        self.thread = thread.work.try_send(prediction).is_ok().then_some(thread);
+        // A thread that has ended by a panic is replaced.
+        if self.thread.as_ref().is_none_or(|thread| thread.handle.is_finished()) {
+            // Without a thread the next one tries again.
+            self.thread = Thread::start(hub).ok();
+        }
+        if let Some(Thread { desk, .. }) = &self.thread {
+            desk.asked().job = Some(Job { prediction, changes: self.changes });
+            desk.changed.notify_one();
+        }
+    }
+}
+
+impl Drop for Predictor {
+    fn drop(&mut self) {
+        if let Some(Thread { desk, .. }) = &self.thread {
+            desk.asked().ended = true;
+            desk.changed.notify_one();
+        }
     }
 }
 
 impl Thread {
     fn start(hub: &Arc<Hub>) -> std::io::Result<Thread> {
-        let (work, jobs) = mpsc::sync_channel(1);
-        let is_busy = Arc::new(AtomicBool::new(false));
-        let (busy, hub) = (Busy(Arc::clone(&is_busy)), Arc::clone(hub));
+        let (desk, hub) = (Arc::<Desk>::default(), Arc::clone(hub));
+        let of_thread = Arc::clone(&desk);
         let thread = std::thread::Builder::new().name("prediction".into());
-        thread.spawn(move || predict(&jobs, &busy, &hub))?;
-        Ok(Thread { work, is_busy })
+        let handle = thread.spawn(move || predict(&of_thread, &hub))?;
+        Ok(Thread { desk, handle })
     }
 }
 
-/// Free again also when the thread ends by a panic.
-#[derive(Debug)]
-struct Busy(Arc<AtomicBool>);
-
-impl Busy {
-    fn end(&self) {
-        self.0.store(false, Ordering::Release);
-    }
-}
-
-impl Drop for Busy {
-    fn drop(&mut self) {
-        self.end();
-    }
-}
-
-/// Runs predictions until there is no engine any more.
-fn predict(jobs: &Receiver<Prediction>, busy: &Busy, hub: &Hub) {
-    let only_one = std::thread::available_parallelism().is_ok_and(|count| count.get() == 1);
-    while let Ok(prediction) = jobs.recv() {
+/// Makes predictions until there is no engine any more.
+fn predict(desk: &Desk, hub: &Hub) {
+    let processors = std::thread::available_parallelism().map_or(1, usize::from);
+    let mut allowance = Allowance::new(if processors == 1 { 0.5 } else { 2.0 / 3.0 });
+    let (mut outlook, mut changes) = (Outlook::default(), 0);
+    while let Some(job) = desk.take() {
+        if job.changes != changes {
+            outlook.forget();
+            changes = job.changes;
+        }
         let begun = Instant::now();
         let until = begun + LONGEST;
-        let path = prediction.run(AHEAD_S, EVERY_S, |_| Instant::now() < until);
+        let path = outlook.run(job.prediction, AHEAD_S, EVERY_S, || Instant::now() < until);
         hub.predictions.send_replace(Some(Arc::new(Predicted::new(path))));
-        std::thread::sleep(rest(begun.elapsed(), only_one));
-        busy.end();
+        std::thread::sleep(allowance.rest(begun, Instant::now()));
     }
 }
 
-/// The rest after some work: predictions take at most two thirds of a processor, and half of it if there is only one.
-fn rest(work: Duration, only_one: bool) -> Duration {
-    if only_one { work } else { work / 2 }
+/// The time that predictions may take, so that they leave something of a processor to others.
+#[derive(Debug)]
+struct Allowance {
+    /// Share of a processor.
+    share: f64,
+    /// What is left (s), at a time.
+    left_s: f64,
+    at: Option<Instant>,
+}
+
+/// What is left of the allowance after a long time without predictions (s): some may follow each other without a rest.
+const MOST_LEFT_S: f64 = 0.5;
+
+impl Allowance {
+    fn new(share: f64) -> Allowance {
+        Allowance { share, left_s: MOST_LEFT_S, at: None }
+    }
+
+    /// The rest after a prediction that began and ended at these times.
+    fn rest(&mut self, begun: Instant, ended: Instant) -> Duration {
+        let gained_s = self.at.map_or(0.0, |at| self.share * (ended - at).as_secs_f64());
+        self.at = Some(ended);
+        self.left_s = (self.left_s + gained_s).min(MOST_LEFT_S) - (ended - begun).as_secs_f64();
+        Duration::from_secs_f64((-self.left_s / self.share).max(0.0))
+    }
 }
 
 #[cfg(test)]
@@ -138,26 +187,48 @@ mod tests {
 
     const MS: Duration = Duration::from_millis(1);
 
-    /// Starts within ten seconds, with a tick each tenth of a second that begins some milliseconds late, and a prediction that takes
-    /// `busy_ms` with its rest.
-    fn starts(busy_ms: u32) -> usize {
+    /// Starts within ten seconds, with a tick each tenth of a second that begins some milliseconds late.
+    #[test]
+    fn there_is_a_prediction_for_every_tick_of_a_tenth_of_a_second_though_ticks_begin_late() {
         let begun = Instant::now();
-        let (mut due, mut busy_until, mut starts) = (Due::default(), begun, 0);
-        for tick in 0..100_u32 {
+        let mut due = Due::default();
+        let starts = (0..100_u32).filter(|tick| {
             let now = begun + MS * (100 * tick + tick * 7 % 11);
-            if now >= busy_until && due.is_due(now, false) {
+            let is_due = due.is_due(now, false);
+            if is_due {
                 due.start(now);
-                busy_until = now + MS * busy_ms;
-                starts += 1;
             }
+            is_due
+        });
+        assert_eq!(starts.count(), 100);
+    }
+
+    /// Predictions within a minute that take this long each, when another one always waits.
+    fn made(work_ms: u32) -> u32 {
+        let begun = Instant::now();
+        let mut allowance = Allowance::new(0.5);
+        let (mut now, mut made) = (begun, 0);
+        while now < begun + MS * 60_000 {
+            let ended = now + MS * work_ms;
+            now = ended + allowance.rest(now, ended);
+            made += 1;
         }
-        starts
+        made
     }
 
     #[test]
-    fn there_is_a_prediction_for_every_tick_of_a_tenth_of_a_second_though_ticks_begin_late() {
-        assert_eq!(starts(85), 100);
-        assert_eq!(starts(150), 50);
+    fn long_predictions_take_half_of_a_processor_where_there_is_one_and_a_few_need_no_rest() {
+        // Half of a minute, and half a second at the start.
+        for work_ms in [20, 120, 1000] {
+            let worked_ms = made(work_ms) * work_ms;
+            assert!((30_000..=31_500).contains(&worked_ms), "{work_ms} ms: {worked_ms} ms");
+        }
+        let mut allowance = Allowance::new(0.5);
+        let begun = Instant::now();
+        for turn in 0..4 {
+            let at = begun + MS * (150 * turn);
+            assert_eq!(allowance.rest(at, at + MS * 120), Duration::ZERO);
+        }
     }
 
     #[test]
