@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use fenderline_live::{Repeat, Session};
-use fenderline_report::run_page::Recorder;
+use fenderline_report::run_page::{Recorder, WindTrace};
 use fenderline_results::{
     EstimateError, Events, Interrupted, Outcome, ProviderNotices, RecordedSession, WorldTotals,
 };
@@ -191,6 +191,7 @@ impl Start {
         let mut events = Events::default();
         let mut world = WorldTotals::new(start.setup());
         let mut providers = ProviderNotices::default();
+        let mut wind = WindTrace::of(start);
         let mut each = |step: &StepRecord<'_>| {
             each(step)?;
             recorder.record(step);
@@ -203,19 +204,20 @@ impl Start {
                 let progress = progress(simulation.steps_total());
                 let notices = &mut providers;
                 let marked = (&mut *simulation, exercise.as_mut());
-                play(marked, notices, &mut each, interrupt, progress)?;
+                play(marked, (notices, &mut wind), &mut each, interrupt, progress)?;
                 let is_done = simulation.is_done();
                 (*simulation, exercise, None, is_done, None)
             }
             Driven::Session(mut repeat, mut about, setup, session) => {
                 let progress = progress(repeat.steps_total());
-                step_through(&mut repeat, &mut each, interrupt, progress)?;
+                step_through(&mut repeat, &mut wind, &mut each, interrupt, progress)?;
                 let exercise = repeat.exercise().cloned();
                 about.log = lines_of(repeat.log(), exercise.as_ref(), repeat.simulation().setup());
                 about.beside = outcomes(&session, interrupt)?;
                 (repeat.simulation().clone(), exercise, Some(about), repeat.is_done(), Some(setup))
             }
         };
+        recorder.wind = Some(wind);
         if let Some(gain) = simulation.energy_gain() {
             notice(gain);
             notices.push(gain.to_string());
@@ -295,7 +297,7 @@ fn estimate_errors(setup: &Setup) -> &'static [EstimateError] {
 /// A provider that does not start, a step that the simulation cannot make, or the first error of `each`.
 fn play(
     (simulation, mut exercise): (&mut Simulation, Option<&mut Assessment>),
-    notices: &mut ProviderNotices,
+    (notices, wind): (&mut ProviderNotices, &mut WindTrace),
     each: &mut impl FnMut(&StepRecord<'_>) -> Result<(), Failure>,
     interrupt: &Interrupt,
     mut progress: Progress,
@@ -306,6 +308,7 @@ fn play(
         let step = simulation.step().map_err(|e| Failure::case(format_args!("error: {e}")))?;
         each(&step)?;
         progress.advance(step.index + 1);
+        wind.note(simulation);
         if let Some(exercise) = &mut exercise {
             exercise.update(simulation);
         }
@@ -322,6 +325,7 @@ fn play(
 /// A step that the simulation cannot make, or the first error of `each`.
 fn step_through(
     repeat: &mut Repeat,
+    wind: &mut WindTrace,
     each: &mut impl FnMut(&StepRecord<'_>) -> Result<(), Failure>,
     interrupt: &Interrupt,
     mut progress: Progress,
@@ -334,6 +338,7 @@ fn step_through(
         });
         stepped.map_err(|e| Failure::case(format_args!("error: {e}")))?;
         taken?;
+        wind.note(repeat.simulation());
     }
     Ok(())
 }

@@ -144,6 +144,33 @@ fn a_report_of_a_session_has_its_commands_faults_and_alarms() {
     assert!(!page.contains("rudder stuck"));
 }
 
+/// What an instructor asks first comes before the assumptions and results, and the wind is not that of the start alone.
+#[test]
+fn the_log_is_at_the_front_of_the_report_and_the_wind_is_told_with_its_ramp() {
+    let place = Workplace::new("session_order");
+    let mut live = session();
+    steer(&mut live, 50);
+    let wind = OtherAction::Wind { speed_mps: 14.0, from_rad: 4.0_f64.to_radians(), over_s: 10.0 };
+    live.command("instructor 1", 0, wind.into()).expect("it may blow");
+    steer(&mut live, TICKS);
+    place.write("a.session.jsonl", recording(live).as_bytes());
+    let report = place.run(&["report", "a.session.jsonl"]);
+    assert_eq!(report.code, 0, "{}", report.stderr);
+    let page = place.text("a.html");
+    let at = |heading: &str| {
+        page.find(&format!("<h2>{heading}</h2>")).unwrap_or_else(|| panic!("no {heading}"))
+    };
+    assert!(at("Log of the session") < at("Results") && at("Results") < at("Assumptions"));
+    contains_all(
+        &page,
+        &[
+            "; changing from 0:05.0 until 0:15.0 to 14 m/s (27.2 kn) from 004°",
+            " to 14 m/s (",
+            "at the end from 004°",
+        ],
+    );
+}
+
 /// The cells of the table of branches, row by row.
 fn table_of_branches(page: &str) -> Vec<Vec<String>> {
     let (_, section) = page.split_once("Branches side by side").expect("the section");

@@ -44,7 +44,8 @@ def test_each_run_equals_a_simulation() -> None:
         assert runs.verdicts["verdict"][index] == simulation.verdict == "not_rated"
         found = simulation.summary()["findings"]["text"].tolist()
         assert runs.findings["text"][runs.findings["run"] == index].tolist() == found
-        assert found == ["ship and tug touched; no permissible load is known for them"]
+        (sentence,) = found
+        assert sentence.startswith("ship and tug touched with at most ")
 
 
 def test_variants_of_the_start_and_of_other_keys_in_any_order_equal_simulations() -> None:

@@ -80,12 +80,13 @@ mod tests {
         assert!(words.starts_with("quay: "), "{words}");
         let text = new_exercise(&choices(6, Some("berthing.toml")), Some(&berthing()));
         assert!(text.expect("good choices").contains("the berth of berthing.toml"));
-        let without =
-            "[time]\nstep = 0.1\nduration = 1\n[body.a]\nmass = 1e6\nlength = 50\nbeam = 10\n";
-        let source = Source { text: without, file: "a.toml", ..Source::default() };
-        if let Ok(words) = berth(&source) {
-            assert_eq!(words, None);
-        }
+    }
+
+    #[test]
+    fn a_scenario_without_a_berth_offers_none() {
+        let tug = include_str!("../../../scenarios/paper/experiment_2_4kn.toml");
+        let source = Source { text: tug, file: "tug.toml", ..Source::default() };
+        assert_eq!(berth(&source).expect("a scenario"), None);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use fenderline_live::Watched;
-use fenderline_report::run_page::{self, Recorder};
+use fenderline_report::run_page::{self, Recorder, WindTrace};
 use fenderline_results::{
     EstimateError, Events, InMemory, Interrupted, KeptTable, KeptValues, Outcome, ProviderNotices,
     Tables, WorldTotals, summary,
@@ -95,7 +95,8 @@ impl Run {
         }
         let simulation = Simulation::new(setup).map_err(|e| Problem::new("setup", e))?;
         let file = file_name(source.file);
-        let recorder = Recorder::new(simulation.setup(), simulation.energy());
+        let mut recorder = Recorder::new(simulation.setup(), simulation.energy());
+        recorder.wind = Some(WindTrace::of(&simulation));
         let tables = wanted.tables.then(|| tables(&simulation, &output)).transpose()?;
         let mut run = Run {
             report,
@@ -148,6 +149,9 @@ impl Run {
         });
         stepped.map_err(|e| Problem::new("step", e))?;
         written.map_err(|e| Problem::new("step", e))?;
+        if let Some(wind) = &mut self.recorder.wind {
+            wind.note(self.watched.simulation());
+        }
         if self.wanted.frames {
             self.watched.note();
         }

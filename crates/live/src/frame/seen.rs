@@ -94,17 +94,23 @@ impl Seen {
         all
     }
 
-    /// The texts of the events.
+    /// The texts of the events. Several contacts of one pair in one step are said once.
     pub(crate) fn events(&self, setup: &Setup) -> impl Iterator<Item = String> {
-        let text = |event| contact_text(event, setup, &self.contacts);
-        let contact = self.contact_events.iter().filter_map(text);
+        let mut contact: Vec<String> = Vec::new();
+        for event in &self.contact_events {
+            if let Some(text) = contact_text(event, setup, &self.contacts)
+                && !contact.contains(&text)
+            {
+                contact.push(text);
+            }
+        }
         let world = self.world_events.iter().map(|event| match event.kind {
             WorldEventKind::LineParted => {
                 world_text(event, setup) + self.passages.why_parted(event.who)
             }
             _ => world_text(event, setup),
         });
-        contact.chain(world).chain(self.passages.ended().iter().cloned())
+        contact.into_iter().chain(world).chain(self.passages.ended().iter().cloned())
     }
 }
 
@@ -171,5 +177,45 @@ fn world_text(event: &WorldEvent, setup: &Setup) -> String {
         WorldEventKind::Anchor(what) => {
             format!("{}: {}", called("anchor", &world.anchors[event.who].gear.name), what.text())
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use fenderline_contact::BodyId;
+
+    use super::*;
+    use crate::session::Session;
+    use crate::source::Source;
+
+    /// A ship that comes to several fenders of a quay in one step, or leaves them, touches or leaves the quay once.
+    #[test]
+    fn the_log_does_not_say_touches_quay_four_times_at_one_time() {
+        let text = include_str!("../../../../scenarios/berth/alongside_with_two_tugs.toml");
+        let none = |name: &str| Err(format!("{name}: none is needed"));
+        let (source, _) =
+            Source::collect("a.toml", text.to_owned(), vec![], none).expect("a scenario");
+        let session = Session::open(source).expect("a set-up");
+        let setup = session.simulation().setup();
+        let body = |name: &str| {
+            setup.bodies.iter().position(|body| body.name == name).expect("it has that body")
+        };
+        let bodies = [body("quay"), body("ship")];
+        let event = |kind| Event { bodies: bodies.map(|body| BodyId(body as u32)), kind };
+        let contact = |fender| ContactNow {
+            bodies,
+            fender: Some(fender),
+            at_m: [0.0; 2],
+            force_n: [0.0; 2],
+            slips: false,
+        };
+        let seen = |contacts: Vec<ContactNow>, kinds: &[EventKind]| -> Vec<String> {
+            let contact_events = kinds.iter().map(|kind| event(*kind)).collect();
+            Seen { contacts, contact_events, ..Seen::default() }.events(setup).collect()
+        };
+        let touched = seen(vec![contact(0), contact(1)], &[EventKind::ContactBegan; 4]);
+        let [one, two] = [0, 1].map(|fender: usize| &*setup.fenders[fender].name);
+        assert_eq!(touched, [format!("quay touches ship at {one}, {two}")]);
+        assert_eq!(seen(vec![], &[EventKind::ContactEnded; 4]), ["quay leaves ship"]);
     }
 }

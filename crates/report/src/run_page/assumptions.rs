@@ -5,7 +5,7 @@ use fenderline_sim::hydro::shallow::PUBLISHED_RATIO;
 use fenderline_sim::{BodySetup, Integrator, Method, Setup};
 use maud::{Markup, html};
 
-use super::{fenders, scene, vessels};
+use super::{Recorder, fenders, scene, vessels};
 use crate::plot::{fixed, plain};
 use fenderline_results::Outcome;
 
@@ -15,7 +15,7 @@ const HOUR_S: f64 = 3600.0;
 const SHIPS: usize = 8;
 
 /// The whole section.
-pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
+pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let setup = outcome.setup;
     html! {
         section class="assumptions" {
@@ -25,7 +25,7 @@ pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
                 (ships(setup))
                 (contact(setup))
                 (formula(outcome))
-                (water(setup))
+                (water(setup, recorder))
             }
             (fenders::data(setup))
             (to_check(outcome))
@@ -126,9 +126,9 @@ fn formula(outcome: &Outcome<'_>) -> Markup {
     html! { dt { "Energy by formula" } dd { (super::berthing::factors_in_words(berthing)) } }
 }
 
-fn water(setup: &Setup) -> Markup {
+fn water(setup: &Setup, recorder: &Recorder) -> Markup {
     let environment = &setup.world.environment;
-    let weather = scene::weather_texts(environment);
+    let weather = scene::weather_texts(environment, recorder);
     html! {
         dt { "Wind, current, waves" }
         dd { (if weather.is_empty() { "none".to_owned() } else { weather.join("; ") }) }

@@ -32,7 +32,7 @@ use fenderline_results::{Outcome, is_plain};
 
 pub use cover::detail_label;
 pub use governing::{Governing, governing};
-pub use recorder::Recorder;
+pub use recorder::{Recorder, WindTrace};
 pub use vessels::{addressee, order_text};
 
 use recorder::PairTrace;
@@ -49,17 +49,17 @@ pub fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
     let drawn = strongest(recorder);
     let body = html! {
         (cover::cover(outcome, recorder))
-        (assumptions::section(outcome))
-        h2 { "Results" }
-        (fenders::headline(outcome))
-        (vessels::headline(outcome))
-        (tables::results(outcome))
-        (remarks(outcome))
-        (vessels::remarks(outcome))
-        (exercise::section(outcome))
-        (vessels::motions(outcome, recorder))
-        (branches::section(outcome))
-        (session::section(outcome))
+        @if outcome.session.is_some() {
+            // What an instructor asks first: what came of it, and who did what when.
+            (exercise::section(outcome))
+            (branches::section(outcome))
+            (session::section(outcome))
+            (results(outcome, recorder))
+            (assumptions::section(outcome, recorder))
+        } @else {
+            (assumptions::section(outcome, recorder))
+            (results(outcome, recorder))
+        }
         (system::section(outcome, recorder))
         (fenders::section(outcome, recorder))
         (berthing::section(outcome))
@@ -83,6 +83,20 @@ pub fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
         }
     };
     page_of(outcome.title, &footer(outcome), &body)
+}
+
+/// The results in numbers. Those of a session come after its exercise.
+fn results(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
+    html! {
+        h2 { "Results" }
+        (fenders::headline(outcome))
+        (vessels::headline(outcome))
+        (tables::results(outcome))
+        (remarks(outcome))
+        (vessels::remarks(outcome))
+        @if outcome.session.is_none() { (exercise::section(outcome)) }
+        (vessels::motions(outcome, recorder))
+    }
 }
 
 /// Views beside that of the title page; nothing if there are none.

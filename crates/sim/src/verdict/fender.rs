@@ -20,7 +20,8 @@ impl FenderSummary {
         } else if let Some(share) = self.share_of_hull_pressure.filter(|share| *share > 1.0) {
             Finding::HullPressure { fender, share }
         } else if setup.rated.is_none() {
-            Finding::FenderNotRated { fender }
+            let (peak_reaction_n, at_s) = (self.peak_reaction_n, self.peak_reaction_at_s);
+            Finding::FenderNotRated { fender, peak_reaction_n, at_s }
         } else {
             return None;
         })

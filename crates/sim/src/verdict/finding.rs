@@ -191,11 +191,17 @@ pub enum Finding {
     FenderNotRated {
         /// The fender.
         fender: usize,
+        /// Its largest reaction (N).
+        peak_reaction_n: f64,
+        /// Start of the step of it (s).
+        at_s: f64,
     },
     /// Two bodies touched, and no permissible load is known for them.
     ContactNotRated {
         /// The two bodies.
         bodies: [usize; 2],
+        /// Peak normal force (N).
+        peak_force_n: f64,
     },
     /// The scenario has fenders, and none was touched.
     NoFenderTouched,
@@ -236,7 +242,7 @@ impl Finding {
         let fender = |index: usize| setup.fenders[index].name.as_str();
         match *self {
             Finding::StructureStruck { bodies, .. }
-            | Finding::ContactNotRated { bodies }
+            | Finding::ContactNotRated { bodies, .. }
             | Finding::StartInside { bodies, fender: None, .. } => bodies.map(body).to_vec(),
             Finding::StartInside { bodies, fender: Some(index), .. } => {
                 let mut names = vec![fender(index)];
@@ -251,7 +257,7 @@ impl Finding {
             | Finding::FenderOverRated { fender: index, .. }
             | Finding::AboveCatalogue { fender: index, .. }
             | Finding::HullPressure { fender: index, .. }
-            | Finding::FenderNotRated { fender: index } => vec![fender(index)],
+            | Finding::FenderNotRated { fender: index, .. } => vec![fender(index)],
             Finding::LineParted { line, .. }
             | Finding::LineOverWorking { line, .. }
             | Finding::LineNotMadeFast { line, .. }
@@ -408,15 +414,17 @@ impl Finding {
             Finding::LineRendered { rendered_m, .. } => {
                 format!("The winch of {} rendered {}", called("line", names[0]), length(rendered_m))
             }
-            Finding::FenderNotRated { .. } => {
-                format!("{} has no rating to compare with", called("Fender", names[0]))
-            }
-            Finding::ContactNotRated { .. } => {
-                format!(
-                    "{} and {} touched; no permissible load is known for them",
-                    names[0], names[1]
-                )
-            }
+            Finding::FenderNotRated { peak_reaction_n, at_s, .. } => format!(
+                "{} carried at most {}, at {at_s:.1} s; the scenario gives it no rating",
+                called("Fender", names[0]),
+                force(peak_reaction_n)
+            ),
+            Finding::ContactNotRated { peak_force_n, .. } => format!(
+                "{} and {} touched with at most {}; no permissible load is known for them",
+                names[0],
+                names[1],
+                force(peak_force_n)
+            ),
             Finding::NoFenderTouched => "No fender was touched".to_owned(),
         }
     }

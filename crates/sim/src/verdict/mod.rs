@@ -117,7 +117,7 @@ impl Verdict {
         match self {
             Verdict::AllWell => "All well",
             Verdict::NoFenderTouched => "No fender was touched",
-            Verdict::NotRated => "No rating to compare with",
+            Verdict::NotRated => "No limit exceeded; some loads have no rating",
             Verdict::AboveCatalogue => "Fender above its catalogue rating",
             Verdict::LineRendered => "A winch rendered",
             Verdict::AnchorDragged => "An anchor dragged",

@@ -241,7 +241,7 @@ impl Watch {
             Some((first_s, lasting_s)) if bodies.iter().any(|&body| self.protected[body]) => {
                 Finding::StructureStruck { bodies, first_s, lasting_s, peak_force_n, peak_depth_m }
             }
-            _ => Finding::ContactNotRated { bodies },
+            _ => Finding::ContactNotRated { bodies, peak_force_n },
         }
     }
 }

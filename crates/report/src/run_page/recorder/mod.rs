@@ -8,6 +8,7 @@ mod pair;
 mod panel;
 mod parts;
 mod path;
+mod wind;
 mod world;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -26,6 +27,8 @@ use pair::{Deflections, Touch};
 pub(super) use panel::Held;
 pub(super) use parts::PartsTrace;
 use path::Path;
+pub use wind::WindTrace;
+pub(super) use wind::both;
 use world::tug_marks;
 pub(super) use world::{TugMark, VesselTrace, WorldTrace};
 
@@ -61,6 +64,8 @@ pub struct Recorder {
     pub(super) held: Held,
     pub(super) energy: EnergyTrace,
     pub(super) world: WorldTrace,
+    /// The mean wind over the run; `None`: it was not followed, and the report has the wind of the set-up.
+    pub wind: Option<WindTrace>,
     /// All tugs in the last step.
     pub(super) last_tugs: Vec<TugMark>,
     setup: Setup,
@@ -96,6 +101,7 @@ impl Recorder {
             held: Held::new(setup),
             energy,
             world: WorldTrace::new(setup),
+            wind: None,
             last_tugs: Vec::new(),
             setup: setup.clone(),
             start_energy: start,

@@ -12,10 +12,10 @@ use crate::plot::{
     Frame, Harbour, Label, LineDrawn, PassingDrawn, Place, Plan, Stage, TugDrawn, Weather,
     chart_labels, charted_in, fixed, plain, shortened, significant,
 };
-use crate::run_page::Recorder;
 use crate::run_page::fenders::boxes;
-use crate::run_page::recorder::TugMark;
+use crate::run_page::recorder::{TugMark, both};
 use crate::run_page::vessels::compass;
+use crate::run_page::{Recorder, WindTrace};
 use fenderline_results::Outcome;
 
 /// The lines that were made fast, with bodies in these states.
@@ -90,7 +90,7 @@ pub(super) fn around(outcome: &Outcome<'_>, recorder: &Recorder, frame: Frame) -
         tugs: tugs(setup, marks),
         banks: banks(&setup.world.environment),
         passing: passing(outcome),
-        weather: weather(&setup.world.environment),
+        weather: weather(&setup.world.environment, recorder, WindTrace::range),
     }
 }
 
@@ -132,18 +132,27 @@ fn banks(environment: &Environment) -> Vec<[Vec2; 2]> {
     environment.banks.iter().map(Bank::ends_m).collect()
 }
 
-/// Wind and waves at the start, and the fastest current. As at sea, wind and waves have the direction that they come from, a current that
+/// The wind of the run, waves at the start, and the fastest current. As at sea, wind and waves have the direction that they come from, a current that
 /// to which it flows.
-fn weather(environment: &Environment) -> Vec<Weather> {
-    let wind = environment.wind.as_ref().and_then(|wind| {
+fn weather(
+    environment: &Environment,
+    recorder: &Recorder,
+    of_changed: fn(&WindTrace) -> String,
+) -> Vec<Weather> {
+    let changed = recorder.wind.as_ref().filter(|trace| trace.has_changed());
+    let of_setup = || {
+        let wind = environment.wind.as_ref()?;
         let (speed_mps, from_rad) = wind.mean_at(0.0);
         let when = if wind.is_series() { ", at the start" } else { "" };
-        let gusts = if wind.gusts().is_some() { ", with gusts" } else { "" };
-        (speed_mps > 0.0).then(|| Weather {
-            towards: direction(from_rad) * -1.0,
-            text: format!("wind {} from {}{when}{gusts}", both(speed_mps), compass(from_rad)),
-            colour: "#0072B2",
-        })
+        let text = format!("wind {} from {}{when}", both(speed_mps), compass(from_rad));
+        (speed_mps > 0.0).then_some((from_rad, text))
+    };
+    let of_run = changed.map(|trace| (trace.first_from_rad(), of_changed(trace)));
+    let has_gusts = environment.wind.as_ref().is_some_and(|wind| wind.gusts().is_some());
+    let wind = of_run.or_else(of_setup).map(|(from_rad, text)| Weather {
+        towards: direction(from_rad) * -1.0,
+        text: if has_gusts { text + ", with gusts" } else { text },
+        colour: "#0072B2",
     });
     let current = environment.current.as_ref().and_then(|current| {
         // A current that varies: where and when it is fastest, at the surface.
@@ -193,13 +202,13 @@ fn weather(environment: &Environment) -> Vec<Weather> {
     wind.into_iter().chain(current).chain(waves).chain(long_waves).collect()
 }
 
-/// Wind, current and waves in words, each with its direction.
-pub(in crate::run_page) fn weather_texts(environment: &Environment) -> Vec<String> {
-    weather(environment).into_iter().map(|weather| weather.text).collect()
-}
-
-fn both(speed_mps: f64) -> String {
-    format!("{} m/s ({} kn)", plain(speed_mps, 3), fixed(speed_mps / KNOT_MPS, 1))
+/// Wind, current and waves in words, each with its direction; a wind that changed with the times of its changes.
+pub(in crate::run_page) fn weather_texts(
+    environment: &Environment,
+    recorder: &Recorder,
+) -> Vec<String> {
+    let weather = weather(environment, recorder, WindTrace::by_time);
+    weather.into_iter().map(|weather| weather.text).collect()
 }
 
 fn direction(angle_rad: f64) -> Vec2 {
@@ -263,7 +272,7 @@ pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) ->
             tugs: tugs(setup, &marks),
             banks: banks(&setup.world.environment),
             passing: Vec::new(),
-            weather: weather(&setup.world.environment),
+            weather: weather(&setup.world.environment, recorder, WindTrace::range),
         },
         tracks: Vec::new(),
         arrows: Vec::new(),
