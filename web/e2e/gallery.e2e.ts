@@ -42,7 +42,7 @@ async function load(title: string): Promise<void> {
     .locator(".gallery li", { has: instructor.locator("b", { hasText: title }) })
     .getByRole("button", { name: `Open ${title}` });
   await button.click();
-  await button.click();
+  await instructor.getByRole("button", { name: "End this run" }).click();
   await instructor.locator(".run-state", { hasText: "PAUSED" }).waitFor();
 }
 

@@ -54,10 +54,10 @@ test("a run that was ended is among the recorded sessions, the newest first, wit
   await instructor.bringToFront();
   await instructor.getByRole("tab", { name: "Session" }).click();
   const anew = instructor.getByRole("button", { name: /^Start anew/ });
-  await anew.click();
   // The panel over the whole page would hide the plan of what is opened.
   await instructor.getByRole("button", { name: /^Panel over the whole page/ }).click();
   await anew.click();
+  await instructor.getByRole("button", { name: "End this run" }).click();
   await instructor.locator(".run-state", { hasText: "PAUSED" }).waitFor();
   expect(await instructor.getByRole("img", { name: "Plan of ship" }).isVisible()).toBe(true);
   const recorded = instructor.locator(".gallery li", { hasText: "It continues where it ended" });

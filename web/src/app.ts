@@ -28,6 +28,7 @@ import {
 import { Trial } from "./trial";
 import { button, h, setAttribute, setClass, setText } from "./ui/dom";
 import { TabRow } from "./ui/tab_row";
+import { Seat } from "./seat";
 import { Sound } from "./sound";
 import { clock, fixed, spoken } from "./units";
 import { Alarms } from "./views/alarms";
@@ -100,6 +101,7 @@ export class App implements Page {
 
   private readonly title = h("h1", {}, "fenderline");
   private readonly name = new NameBadge((name) => this.order({ do: "name", name }));
+  private readonly seat = new Seat((key) => this.connection.send({ do: "seat", key }));
   private readonly held = h("span", { class: "held" });
   private readonly time = h("span", {
     class: "time",
@@ -289,7 +291,10 @@ export class App implements Page {
 
   private linked(state: LinkState, why: string): void {
     if (why !== "") this.why = why;
-    if (state !== "open") this.name.forgotten();
+    if (state !== "open") {
+      this.name.forgotten();
+      this.seat.forgotten();
+    }
     if (state === "open") this.past.forget();
     setText(
       this.link,
@@ -301,6 +306,7 @@ export class App implements Page {
   private welcome(hello: Hello): void {
     this.outdated = hello.protocol !== PROTOCOL || unknownOrders(hello).length > 0;
     this.why = "";
+    void this.seat.take();
     this.name.greet();
     const fresh = this.live.hello?.file !== hello.file;
     this.live.welcome(hello);

@@ -62,7 +62,7 @@ export class Help {
         h(
           "li",
           {},
-          "Tugs: ⊥, fwd and aft set the direction in which a tug pulls: square to the side, or towards bow or stern. A tug with a line takes up its slack first.",
+          "Tugs: square, fwd and aft set the direction in which a tug pulls: square to the side, or towards bow or stern. A tug with a line takes up its slack first.",
         ),
       ),
       h("h3", {}, "Keys"),

@@ -1,6 +1,14 @@
 /** The page's data: the scenario, the last two ticks, the predicted path, and the delay of frames. */
 import { between } from "./geometry";
-import type { BodyNow, Control, Frame, Hello, Prediction, VesselInfo } from "./protocol";
+import type {
+  BodyNow,
+  Control,
+  FenderInfo,
+  Frame,
+  Hello,
+  Prediction,
+  VesselInfo,
+} from "./protocol";
 
 /** A running session without frames for this long is reported as a fault. */
 export const STALE_MS = 1500;
@@ -172,6 +180,10 @@ function fastest(hello: Hello | null, { bodies }: Frame): number | null {
   });
   return found;
 }
+
+/** Whether a fender is a tug's own: its load is what she pushes with. */
+export const isOfTug = ({ body }: FenderInfo, { vessels }: Hello): boolean =>
+  vessels.some((vessel) => vessel.is_tug && vessel.body === body);
 
 export function same(a: Control, b: Control): boolean {
   if ("vessel" in a) return "vessel" in b && a.vessel === b.vessel;

@@ -288,6 +288,10 @@ export interface LineInfo {
   working_n: number;
   /** Rate of a manual order to its winch [m/s]; `null`: it has none. */
   winch_mps: number | null;
+  /** The farthest bollard to which it can be sent [m]. */
+  reach_m: number;
+  /** What reaches no farther: a heaving line counts where there is no boat. */
+  reach_by: "the rope" | "a heaving line";
 }
 
 /** An anchor with its chain. */
@@ -772,6 +776,8 @@ export type OtherAction =
   | { do: "release"; control: Control }
   /** The name of the person at this page: 1 to 30 characters. */
   | { do: "name"; name: string }
+  /** `key`: a secret of this page that it keeps over a reload, 32 hexadecimal digits. */
+  | { do: "seat"; key: string }
   /**
    * Shows where orders would take the ships, on a copy of the run. `trial` messages with the number of this command follow. A new
    * trial of this page ends the one before.

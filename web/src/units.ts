@@ -62,6 +62,10 @@ export function force(newtons: number): string {
     : `${fixed(newtons / 1e6, 2)} MN`;
 }
 
+/** The load of a fender: that of a tug's own fender is what she pushes with, in tonnes like all forces of tugs. */
+export const fenderLoad = (newtons: number, ofTug: boolean): string =>
+  ofTug ? tonnes(newtons) : force(newtons);
+
 export const energy = (joules: number): string => `${fixed(joules / 1e3, 0)} kJ`;
 
 export const NAUTICAL_MILE_M = 1852;

@@ -2,6 +2,7 @@ import { expect, test } from "vitest";
 import {
   clock,
   distance,
+  fenderLoad,
   fixed,
   force,
   heading,
@@ -56,4 +57,9 @@ test("a distance is in metres near by, with cables farther off, and in miles at 
   expect(distance(1500)).toBe("1500 m (8.1 cables)");
   expect(distance(1852)).toBe("1.00 NM");
   expect(distance(4630)).toBe("2.50 NM");
+});
+
+test("the load of a tug's own fender has the unit of her push", () => {
+  expect(fenderLoad(30 * 9806.65, true)).toBe(tonnes(30 * 9806.65));
+  expect(fenderLoad(300e3, false)).toBe("300 kN");
 });

@@ -7,7 +7,7 @@ use fenderline_sim::mooring::InboardEnd;
 use fenderline_sim::order::{OrderName, SidePlace, TargetKind, Word, towline};
 use fenderline_sim::passing::PassingSetup;
 use fenderline_sim::{
-    AnchorSetup, BollardSetup, LineEnd, MooringSetup, Setup, TugSetup, VesselSetup,
+    AnchorSetup, BollardSetup, LineEnd, LineHandling, MooringSetup, Setup, TugSetup, VesselSetup,
 };
 
 use crate::berth;
@@ -82,7 +82,7 @@ impl Info {
                 .map(|index| vessel_info(setup, cast, index))
                 .collect(),
             fenders: fenders.collect(),
-            lines: world.lines.iter().map(line_info).collect(),
+            lines: world.lines.iter().map(|line| line_info(line, &world.line_handling)).collect(),
             anchors: world.anchors.iter().map(|anchor| anchor_info(anchor, setup)).collect(),
             bollards: world.bollards.iter().map(bollard_info).collect(),
             tugs: world.tugs.iter().map(|tug| tug_info(tug, &world.vessels)).collect(),
@@ -157,7 +157,12 @@ fn places(setup: &Setup, ship: &VesselSetup) -> Vec<&'static str> {
     SidePlace::ALL.iter().filter(has_side).map(|place| place.word()).collect()
 }
 
-fn line_info(line: &MooringSetup) -> LineInfo {
+fn line_info(line: &MooringSetup, handling: &LineHandling) -> LineInfo {
+    let rope_m = line.reach_m();
+    let (reach_m, reach_by) = match handling.boat_mps {
+        None if handling.heaving_line_m < rope_m => (handling.heaving_line_m, "a heaving line"),
+        _ => (rope_m, "the rope"),
+    };
     let breaking_n = line.line.kind.break_load_n();
     LineInfo {
         name: line.line.name.clone(),
@@ -175,6 +180,8 @@ fn line_info(line: &MooringSetup) -> LineInfo {
             InboardEnd::Winch(winch) => Some(lesser(MANUAL_WINCH_MPS, winch.rate_mps)),
             InboardEnd::Bitts => None,
         },
+        reach_m,
+        reach_by,
     }
 }
 

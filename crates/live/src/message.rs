@@ -262,6 +262,10 @@ pub struct LineInfo {
     pub breaking_n: f64,
     pub working_n: f64,
     pub winch_mps: Option<f64>,
+    /// The farthest bollard to which it can be sent (m).
+    pub reach_m: f64,
+    /// What reaches no farther: the rope, or a heaving line where there is no boat.
+    pub reach_by: &'static str,
 }
 
 /// An anchor with its chain.

@@ -74,6 +74,8 @@ conducts! {
     StopOpening = "stop_opening" {},
     /// Say the name of the person at this page, for labels and the recording.
     Name = "name" { name: String },
+    /// Say which page this is, by a secret that it keeps over a reload: it gets back the controls that it left.
+    Seat = "seat" { key: String },
     /// See where orders would take the ships, on a copy of the run; the answers have the command's number.
     Trial = "trial" { orders: Vec<Action>, horizon_s: f64 },
     /// Give several orders at once: all of them or none.

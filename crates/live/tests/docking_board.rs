@@ -109,7 +109,7 @@ fn the_docking_board_reports_the_position_of_each_end() {
             -1.0,
             0.0,
             [PastEnd, AtFenders],
-            [amber("PAST END"), ok("AT FENDERS")],
+            [amber("BEYOND FENDERS"), ok("AT FENDERS")],
         ),
         (
             "far past the quay's end",
@@ -117,7 +117,7 @@ fn the_docking_board_reports_the_position_of_each_end() {
             19.9,
             0.0,
             [PastEnd, PastEnd],
-            [amber("PAST END"), amber("PAST END")],
+            [amber("BEYOND FENDERS"), amber("BEYOND FENDERS")],
         ),
         (
             "her bow past the last fender",
@@ -125,7 +125,7 @@ fn the_docking_board_reports_the_position_of_each_end() {
             10.0,
             0.0,
             [PastEnd, Off],
-            [amber("PAST END"), ok("OK")],
+            [amber("BEYOND FENDERS"), ok("OK")],
         ),
         (
             "past the end and behind the line",
@@ -133,7 +133,7 @@ fn the_docking_board_reports_the_position_of_each_end() {
             -5.0,
             0.0,
             [PastEnd, PastEnd],
-            [amber("PAST END"), amber("PAST END")],
+            [amber("BEYOND FENDERS"), amber("BEYOND FENDERS")],
         ),
     ] {
         let now = Run::of(lying(along_m, off_m, heading_deg)).step();

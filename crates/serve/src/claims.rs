@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use fenderline_live::message::Claim;
+use fenderline_live::message::{Claim, Role};
 use fenderline_live::{Control, Refusal};
 
 use crate::kept_seats::KeptHolder;
@@ -16,6 +16,21 @@ struct Holder {
     label: String,
     /// The holder has disconnected; others may take the control.
     connected: bool,
+    /// The seat of the page that has disconnected.
+    left: Option<Seat>,
+}
+
+/// A page of a role: it keeps the secret `key` over a reload.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Seat {
+    pub(crate) role: Role,
+    pub(crate) key: String,
+}
+
+impl Holder {
+    fn is_left_by(&self, seat: &Seat) -> bool {
+        !self.connected && self.left.as_ref() == Some(seat)
+    }
 }
 
 /// The number that no client has: that of a holder from a former run.
@@ -34,7 +49,8 @@ impl Claims {
     /// Takes the holders of a former run of this session. They are away until they say their names again.
     pub(crate) fn restore(&mut self, holders: &[KeptHolder]) {
         for KeptHolder { control, label } in holders {
-            let holder = Holder { client: NOBODY, label: label.clone(), connected: false };
+            let holder =
+                Holder { client: NOBODY, label: label.clone(), connected: false, left: None };
             self.0.insert(control.clone(), holder);
         }
     }
@@ -87,7 +103,7 @@ impl Claims {
         if !by_force {
             self.may_use(&control, client)?;
         }
-        let holder = Holder { client, label: label.to_owned(), connected: true };
+        let holder = Holder { client, label: label.to_owned(), connected: true, left: None };
         let former = self.0.insert(control, holder);
         Ok(former.filter(|f| f.connected && f.client != client).map(|f| f.client))
     }
@@ -99,7 +115,7 @@ impl Claims {
         for holder in self.0.values_mut() {
             let returns = !holder.connected && holder.label == label;
             if returns || holder.client == client && holder.label != label {
-                *holder = Holder { client, label: label.to_owned(), connected: true };
+                *holder = Holder { client, label: label.to_owned(), connected: true, left: None };
                 changed = true;
             }
         }
@@ -115,12 +131,29 @@ impl Claims {
         held
     }
 
-    /// Marks the controls of a client that disconnected as vacated and returns them; they keep its name until somebody takes
-    /// them.
-    pub(crate) fn gone(&mut self, client: ClientId) -> Vec<Control> {
+    /// The label under which the page of a seat left its controls.
+    pub(crate) fn label_of(&self, seat: &Seat) -> Option<&str> {
+        let holder = self.0.values().find(|holder| holder.is_left_by(seat))?;
+        Some(&holder.label)
+    }
+
+    /// Gives a client the controls that its page left and nobody has taken since. Returns whether there were any.
+    pub(crate) fn back(&mut self, client: ClientId, label: &str, seat: &Seat) -> bool {
+        let mut changed = false;
+        for holder in self.0.values_mut().filter(|holder| holder.is_left_by(seat)) {
+            *holder = Holder { client, label: label.to_owned(), connected: true, left: None };
+            changed = true;
+        }
+        changed
+    }
+
+    /// Marks the controls of a client that disconnected as vacated and returns them; they keep its name, and the seat of its page, until
+    /// somebody takes them.
+    pub(crate) fn gone(&mut self, client: ClientId, seat: Option<&Seat>) -> Vec<Control> {
         let mut left = Vec::new();
         for (control, holder) in self.0.iter_mut().filter(|(_, holder)| holder.client == client) {
             holder.connected = false;
+            holder.left = seat.cloned();
             left.push(control.clone());
         }
         left
@@ -161,10 +194,30 @@ mod tests {
         );
         assert!(!claims.release(&helm(), 2) && claims.holds(&helm(), 1));
         assert_eq!(claims.take(helm(), (3, "instructor 3"), true), Ok(Some(1)));
-        assert_eq!(claims.gone(3), [helm()]);
+        assert_eq!(claims.gone(3, None), [helm()]);
         assert_eq!(claims.list(&[helm()])[0].holder.as_deref(), Some("instructor 3"));
         assert!(claims.may_use(&helm(), 2).is_ok(), "its holder has left");
         assert_eq!(claims.take(helm(), (2, "pilot 2"), false), Ok(None));
         assert!(claims.release(&helm(), 2) && !claims.holds(&helm(), 2));
+    }
+
+    #[test]
+    fn a_page_that_is_loaded_again_gets_back_what_nobody_has_taken() {
+        let mut claims = Claims::default();
+        let helm = || Control::Vessel("ship".into());
+        let tug = || Control::Tug("aft".into());
+        let seat = |key: &str| Seat { role: Role::PILOT, key: key.to_owned() };
+        for control in [helm(), tug()] {
+            assert_eq!(claims.take(control, (1, "pilot 1"), false), Ok(None));
+        }
+        assert!(!claims.back(2, "pilot 2", &seat("a")), "its holder is there");
+        claims.gone(1, Some(&seat("a")));
+        assert_eq!(claims.take(tug(), (3, "pilot 3"), false), Ok(None));
+        assert!(!claims.back(2, "pilot 2", &seat("b")), "another page");
+        assert!(!claims.back(2, "pilot 2", &Seat { role: Role::Observer, key: "a".into() }));
+        assert_eq!(claims.label_of(&seat("a")), Some("pilot 1"));
+        assert!(claims.back(2, "pilot 1", &seat("a")));
+        assert_eq!((claims.holder(&helm()), claims.holder(&tug())), (Some(2), Some(3)));
+        assert!(!claims.back(4, "pilot 4", &seat("a")), "it is taken");
     }
 }

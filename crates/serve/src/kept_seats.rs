@@ -22,7 +22,7 @@ const LINKS_ENDING: &str = ".links.json";
 /// The largest file (bytes): a scenario has some ten roles of two hundred bytes each.
 const LARGEST_BYTES: u64 = 1 << 20;
 /// Digits of a secret.
-const SECRET_DIGITS: usize = 32;
+pub(crate) const SECRET_DIGITS: usize = 32;
 /// The longest label (characters): a name and a role.
 const LONGEST_LABEL: usize = 200;
 

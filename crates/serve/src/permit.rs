@@ -109,6 +109,7 @@ pub(crate) fn for_conduct(role: &Role, conduct: &Conduct) -> Result<(), Refusal>
         Conduct::Claim { .. }
             | Conduct::Release { .. }
             | Conduct::Name { .. }
+            | Conduct::Seat { .. }
             | Conduct::Trial { .. }
             | Conduct::Give { .. }
             | Conduct::History { .. }

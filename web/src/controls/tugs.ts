@@ -26,7 +26,7 @@ const ANSWERED = { ticks: 2, ms: 500 };
 const NO_FORCE_N = 1e3;
 
 const LEADS: Record<Lead, { label: string; text: string; next: Lead }> = {
-  square: { label: "⊥", text: "square to the side", next: "forward" },
+  square: { label: "square", text: "square to the side", next: "forward" },
   forward: { label: "fwd", text: "forward", next: "aft" },
   aft: { label: "aft", text: "aft", next: "square" },
 };
@@ -40,7 +40,7 @@ class LeadButton {
     private readonly tug: string,
     changed: () => void,
   ) {
-    this.root = button("⊥", () => {
+    this.root = button("square", () => {
       this.value = LEADS[this.value].next;
       this.show();
       changed();

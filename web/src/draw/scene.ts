@@ -10,10 +10,10 @@ import {
   toScreen,
   turned,
 } from "../geometry";
-import type { Live } from "../live";
+import { type Live, isOfTug } from "../live";
 import { type Palette, loadColour } from "../palette";
 import type { BodyNow, Frame, Hello, LineInfo, LineNow, Pair, PathPoint } from "../protocol";
-import { fixed, force, spoken, tonnes } from "../units";
+import { fenderLoad, fixed, spoken, tonnes } from "../units";
 import { type Label, Rank } from "./labels";
 import { arrow, polygon, stroke } from "./marks";
 
@@ -281,7 +281,7 @@ export function drawFenders(scene: Scene): void {
     if (info.rated_reaction_n === null && info.rated_energy_j === null) {
       labels.push({
         key: `fender ${info.name}`,
-        text: force(now.reaction_n),
+        text: fenderLoad(now.reaction_n, isOfTug(info, hello)),
         rank: Rank.Fender,
         ...written,
         colour: colours.text,
@@ -302,7 +302,7 @@ export function drawFenders(scene: Scene): void {
     if (camera.pixels_per_m > 3.2) {
       labels.push({
         key: `reaction ${info.name}`,
-        text: force(now.reaction_n),
+        text: fenderLoad(now.reaction_n, isOfTug(info, hello)),
         rank: Rank.Detail,
         at: written.at,
         off: minus(corner(0, -37 / camera.pixels_per_m), written.at),

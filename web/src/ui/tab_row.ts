@@ -39,7 +39,8 @@ export class TabRow {
   /** Both arrows keep their room while tabs do not fit: a tab must not move away under a finger as the row scrolls to it. */
   private mark(): void {
     const { scrollLeft, scrollWidth, clientWidth } = this.list;
-    const fits = scrollWidth <= clientWidth + 1;
+    // Without the arrows the tabs have the whole row.
+    const fits = scrollWidth <= this.root.clientWidth + 1;
     for (const each of [this.before, this.after]) setClass(each, "hidden", fits);
     setClass(this.before, "ended", scrollLeft < 1);
     setClass(this.after, "ended", scrollLeft + clientWidth > scrollWidth - 1);

@@ -123,9 +123,9 @@ export class Docking implements View {
 
   private showLimit(at_fenders_mps: number, here_mps: number): void {
     this.approach_mps = at_fenders_mps;
-    const here =
-      here_mps - at_fenders_mps > SAME_LIMIT_MPS ? `; limit here ${fixed(here_mps, 2)}` : "";
-    setText(this.limit, `Limit at the fenders ${fixed(at_fenders_mps, 2)} m/s${here}`);
+    const now =
+      here_mps - at_fenders_mps > SAME_LIMIT_MPS ? `; at this distance ${fixed(here_mps, 2)}` : "";
+    setText(this.limit, `At most ${fixed(at_fenders_mps, 2)} m/s at the fenders${now}`);
   }
 
   /** Pilot and instructor set the limit. */

@@ -1,8 +1,9 @@
 /** The fender panel: reaction and energy of each fender over its rating, their peaks, and whether it has failed. */
+import { isOfTug } from "../live";
 import { type Palette, loadColour, palette } from "../palette";
 import type { FenderInfo, FenderNow, Frame, Hello } from "../protocol";
 import { h, setAttribute, setClass, setStyle, setText } from "../ui/dom";
-import { energy, fixed, force, percent, spoken } from "../units";
+import { energy, fenderLoad, fixed, percent, spoken } from "../units";
 import type { View } from "./view";
 
 /** Share of the rating at the full width of a bar. */
@@ -44,7 +45,10 @@ class Row {
   private readonly state = h("span", { class: "state" });
   readonly root: HTMLElement;
 
-  constructor(private readonly info: FenderInfo) {
+  constructor(
+    private readonly info: FenderInfo,
+    private readonly ofTug: boolean,
+  ) {
     this.root = h(
       "li",
       {},
@@ -73,7 +77,7 @@ class Row {
     setText(
       this.figures,
       now.reaction_n > 0 || !now.touched || !hasRating
-        ? `${force(now.reaction_n)} · ${energy(now.energy_j)} · ${deep}`
+        ? `${fenderLoad(now.reaction_n, this.ofTug)} · ${energy(now.energy_j)} · ${deep}`
         : `peak: R ${percent(now.peak_of_reaction)} · E ${percent(now.peak_of_energy)}`,
     );
     setText(
@@ -97,7 +101,7 @@ export class Fenders implements View {
   readonly root: HTMLElement;
 
   constructor(hello: Hello) {
-    this.rows = hello.fenders.map((info) => new Row(info));
+    this.rows = hello.fenders.map((info) => new Row(info, isOfTug(info, hello)));
     this.root = h(
       "div",
       { class: "fenders" },

@@ -7,10 +7,12 @@ import { isInGallery, openButton } from "./save_exercise";
 export class GalleryKeeper implements Keeper {
   readonly keep_text = "Save exercise";
   private kept = "";
+  private title = "";
   /** Opens what was saved last. */
   readonly after = openButton(
     () => this.page,
     () => `${this.kept}.toml`,
+    () => this.title,
   );
 
   constructor(private readonly page: Page) {}
@@ -19,6 +21,7 @@ export class GalleryKeeper implements Keeper {
   async keep(name: string, exercise: NewExercise, replace: boolean): Promise<Kept> {
     if (await this.page.order({ do: "create", of: { name, exercise, replace } })) {
       this.kept = name;
+      this.title = exercise.title;
       const text = `Saved as ${name}.toml. It is among the scenarios of the tab Session too.`;
       return { outcome: "kept", text };
     }

@@ -39,6 +39,9 @@ class Row {
   private shown_s = -Infinity;
   /** A bollard was chosen by hand; until then it is the nearest. */
   private chosen = false;
+  /** Distance to each bollard as it is listed [m]. */
+  private far = new Map<string, number>();
+  private readonly tooFar = h("p", { class: "note", role: "status" });
   readonly root: HTMLElement;
 
   constructor(
@@ -75,7 +78,10 @@ class Row {
       { name: `Let go ${info.name}` },
     );
     setAttribute(this.bollards, "aria-label", `Bollard for ${spoken(info.name)}`);
-    this.bollards.addEventListener("change", () => (this.chosen = true));
+    this.bollards.addEventListener("change", () => {
+      this.chosen = true;
+      this.explain();
+    });
     this.send = h(
       "button",
       { type: "button", "aria-label": `Send ${spoken(info.name)} ashore` },
@@ -98,6 +104,7 @@ class Row {
       h("div", { class: "row-head" }, h("b", {}, spoken(info.name)), this.state, this.figures),
       this.bar,
       this.sending,
+      this.tooFar,
       this.work,
     );
   }
@@ -119,19 +126,48 @@ class Row {
       .map((bollard) => ({ bollard, m: far(bollard) }))
       .toSorted((a, b) => a.m - b.m);
     const chosen = this.bollards.value;
+    this.far = new Map(near.map(({ bollard, m }) => [bollard.name, m]));
     this.bollards.replaceChildren(
       ...near.map(({ bollard, m }) =>
-        h("option", { value: bollard.name }, `${spoken(bollard.name)} · ${m.toFixed(0)} m`),
+        h(
+          "option",
+          { value: bollard.name },
+          `${spoken(bollard.name)} · ${m.toFixed(0)} m${this.reaches(m) ? "" : " · too far"}`,
+        ),
       ),
     );
     if (this.chosen && near.some(({ bollard }) => bollard.name === chosen))
       this.bollards.value = chosen;
+    this.explain();
+  }
+
+  /**
+   * Whether a bollard at a distance on the chart is within reach. The server measures along the slope, which is a little longer, and
+   * decides.
+   */
+  private reaches(m: number): boolean {
+    return m <= this.info.reach_m;
+  }
+
+  /** Says why the chosen bollard is too far. */
+  private explain(): void {
+    const m = this.far.get(this.bollards.value);
+    const { reach_m, reach_by } = this.info;
+    setText(
+      this.tooFar,
+      m === undefined || this.reaches(m)
+        ? ""
+        : `${spoken(this.bollards.value)} is ${m.toFixed(0)} m away; ${reach_by} reaches ${reach_m.toFixed(0)} m${
+            reach_by === "the rope" ? "" : ", and there is no boat"
+          }.`,
+    );
   }
 
   show(now: LineNow, mayWinch: boolean, bodies: (BodyNow | null | undefined)[], t_s: number): void {
     const canSend = now.state === "aboard" && this.hello.bollards.length > 0;
     this.sending.hidden = !canSend;
     this.work.hidden = canSend;
+    this.tooFar.hidden = !canSend;
     if (canSend) this.list(bodies, t_s);
     this.send.disabled = !mayWinch || this.bollards.value === "";
     const colours = palette();

@@ -2,14 +2,20 @@
 import type { Page } from "../page";
 import type { Hello } from "../protocol";
 import { NAME_RULE, followTitle, isFileName } from "../file_name";
-import { button, h, setClass, setText, sureButton } from "../ui/dom";
+import { button, h, setClass, setText } from "../ui/dom";
+import { askToEnd } from "../ui/question";
 
 /** A hidden button that opens an exercise that was just saved. */
-export const openButton = (page: () => Page, file: () => string): HTMLButtonElement =>
-  sureButton(
+export const openButton = (
+  page: () => Page,
+  file: () => string,
+  title: () => string,
+): HTMLButtonElement =>
+  button(
     "Open it now",
-    "End this run?",
-    () => void page().order({ do: "load", file: file() }),
+    async () => {
+      if (await askToEnd(title())) void page().order({ do: "load", file: file() });
+    },
     { class: "hidden take", name: "Open the saved exercise now" },
   );
 
@@ -34,6 +40,7 @@ export class SaveExercise {
   private readonly open = openButton(
     () => this.page,
     () => `${this.name.value.trim()}.toml`,
+    () => this.title.value.trim(),
   );
   readonly root: HTMLElement;
 

@@ -2,7 +2,8 @@
 import type { Page } from "../page";
 import type { Control, Frame, Hello, Role } from "../protocol";
 import { withoutSpaces } from "../file_name";
-import { button, h, setClass, setText, sureButton } from "../ui/dom";
+import { button, h, setClass, setText } from "../ui/dom";
+import { askToEnd } from "../ui/question";
 import { spoken } from "../units";
 import type { SaveExercise } from "./save_exercise";
 import type { View } from "./view";
@@ -118,10 +119,11 @@ export class Session implements View {
       entry.written_unix_s === null
         ? ""
         : `${new Date(entry.written_unix_s * 1000).toLocaleString(undefined, { dateStyle: "medium", timeStyle: "short" })}. `;
-    const load = sureButton(
+    const load = button(
       label,
-      "End this run?",
-      () => void this.page.order({ do: "load", file: entry.file }),
+      async () => {
+        if (await askToEnd(entry.title)) void this.page.order({ do: "load", file: entry.file });
+      },
       { name: open ? `Start anew: Open ${entry.title}` : `Open ${entry.title}` },
     );
     return h(

@@ -78,3 +78,37 @@ fn a_person_has_a_name_and_gets_her_helm_back_when_she_comes_again() {
         server.stop_and_check();
     });
 }
+
+#[test]
+fn a_pilot_without_a_name_keeps_the_helm_over_a_reload_and_a_second_page_cannot_take_it() {
+    block_on(async {
+        let server = Server::start(&[]);
+        let seat = |digit: &str| json!({ "do": "seat", "key": digit.repeat(32) });
+        let mut instructor = Client::join(&server, "instructor").await;
+        let mut pilot = Client::join(&server, "pilot").await;
+        for bad in ["", "a", "not hexadecimal"] {
+            let refused = pilot.ask(json!({ "do": "seat", "key": bad })).await;
+            assert!(reason(&refused).contains("32 hexadecimal digits"), "{refused}");
+        }
+        assert_eq!(pilot.ask(seat("a")).await["type"], "ack");
+        assert_eq!(pilot.ask(claim("ship")).await["type"], "ack");
+        let hello = instructor.hello_with(|hello| holder(hello, "ship").1).await;
+        let (label, _) = holder(&hello, "ship");
+        let mut copy = Client::join(&server, "pilot").await;
+        assert!(reason(&copy.ask(seat("a")).await).contains("another page has this seat"));
+        assert_eq!(copy.ask(seat("b")).await["type"], "ack");
+        pilot.vanish();
+        instructor.notice(&format!("{label} has left")).await;
+        let mut observer = Client::join(&server, "observer").await;
+        assert_eq!(observer.ask(seat("a")).await["type"], "ack", "a seat is one of a role");
+        instructor.hello_with(|hello| holder(hello, "ship") == (label.clone(), false)).await;
+        let mut again = Client::join(&server, "pilot").await;
+        assert_eq!(again.ask(seat("a")).await["type"], "ack");
+        instructor.notice("who is back").await;
+        instructor.hello_with(|hello| holder(hello, "ship") == (label.clone(), true)).await;
+        assert!(reason(&copy.ask(claim("ship")).await).contains("has it"));
+        let rudder = json!({ "do": "rudder", "vessel": "ship", "angle_rad": 0.1 });
+        assert_eq!(again.ask(rudder).await["type"], "ack");
+        server.stop_and_check();
+    });
+}

@@ -28,7 +28,7 @@ pub(super) fn lamp(end: BerthEnd, speed: Light) -> Lamp {
         BerthEnd::Off => return by_speed,
         BerthEnd::AtFenders => (Light::Ok, "AT FENDERS"),
         BerthEnd::NoFender => (Light::Caution, "NO FENDER"),
-        BerthEnd::PastEnd => (Light::Caution, "PAST END"),
+        BerthEnd::PastEnd => (Light::Caution, "BEYOND FENDERS"),
         BerthEnd::Touched => (Light::Caution, "TOUCHED"),
         BerthEnd::WasOverRated => (Light::Caution, "FENDER WAS OVER"),
         BerthEnd::OverRated => (Light::Alarm, "FENDER LIMIT"),

@@ -13,6 +13,8 @@ pub(super) struct Client {
     pub(super) role: Role,
     /// Its role and number, for notices.
     pub(super) label: String,
+    /// The secret of its page, which it keeps over a reload; `None` until it has said it.
+    pub(super) seat: Option<String>,
     /// Holds the latest greeting.
     pub(super) hello: watch::Sender<Option<Text>>,
     /// Queues answers and notices.

@@ -11,7 +11,7 @@ use tokio::sync::{mpsc, watch};
 use super::Engine;
 use super::client::Client;
 use super::trials::Trials;
-use crate::claims::ClientId;
+use crate::claims::{ClientId, Seat};
 use crate::hub::Text;
 use crate::permit;
 use crate::role_words::role_words;
@@ -52,7 +52,8 @@ impl Engine {
         }
         let trials = Trials::bucket(now);
         let is_instructor = role == Role::Instructor;
-        self.clients.insert(client, Client { role, label, hello, out, trials, asked: None });
+        self.clients
+            .insert(client, Client { role, label, seat: None, hello, out, trials, asked: None });
         self.greet(client);
         if is_instructor {
             self.tell_planned_to(client);
@@ -94,7 +95,8 @@ impl Engine {
     pub(super) fn leave(&mut self, client: ClientId) {
         let Some(gone) = self.clients.remove(&client) else { return };
         self.trials.leave(client);
-        let vacated = self.claims.gone(client);
+        let seat = gone.seat.map(|key| Seat { role: gone.role.clone(), key });
+        let vacated = self.claims.gone(client, seat.as_ref());
         let names: Vec<&str> = vacated
             .iter()
             .map(|control| match control {

@@ -217,6 +217,7 @@ impl Engine {
                 return Ok(Done::AnswerFollows);
             }
             Conduct::Name { name } => self.name(client, role, &name)?,
+            Conduct::Seat { key } => self.seat(client, role, key)?,
             Conduct::Trial { orders, horizon_s } => {
                 return self.trial(&requester, role, (&orders, horizon_s));
             }

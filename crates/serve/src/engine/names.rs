@@ -1,10 +1,11 @@
-//! Names of people: who is at which page.
+//! Names of people and seats of pages: who is at which page.
 
 use fenderline_live::message::Role;
 use fenderline_live::{LONGEST_NAME, Refusal};
 
 use super::Engine;
-use crate::claims::ClientId;
+use crate::claims::{ClientId, Seat};
+use crate::kept_seats::SECRET_DIGITS;
 use crate::role_words::role_words;
 
 impl Engine {
@@ -44,6 +45,48 @@ impl Engine {
             self.greet_all();
         }
         self.notify_all(&format!("{former} is {label}"));
+        Ok(())
+    }
+
+    /// Gives a page that is loaded again the controls and the label that it left. Only one page has a seat at a time: a copy of a page,
+    /// which has its secret too, gets nothing while the first is there.
+    ///
+    /// # Errors
+    /// A key that is not of hexadecimal digits; a seat that another page has.
+    pub(super) fn seat(
+        &mut self,
+        client: ClientId,
+        role: &Role,
+        key: String,
+    ) -> Result<(), Refusal> {
+        if key.len() != SECRET_DIGITS || !key.bytes().all(|byte| byte.is_ascii_hexdigit()) {
+            return Err(Refusal::new(format_args!(
+                "the key of a seat has {SECRET_DIGITS} hexadecimal digits"
+            )));
+        }
+        let seat = Seat { role: role.clone(), key };
+        let mut others = self.clients.iter().filter(|(id, _)| **id != client);
+        if others
+            .any(|(_, other)| other.role == seat.role && other.seat.as_ref() == Some(&seat.key))
+        {
+            return Err(Refusal::new("another page has this seat"));
+        }
+        let left = self.claims.label_of(&seat).map(str::to_owned);
+        let is_free = |label: &String| self.clients.values().all(|other| other.label != *label);
+        let left = left.filter(is_free);
+        let Some(own) = self.clients.get_mut(&client) else {
+            return Err(Refusal::new("the client has left"));
+        };
+        own.seat = Some(seat.key.clone());
+        let former = own.label.clone();
+        if let Some(label) = left {
+            own.label = label;
+        }
+        let label = own.label.clone();
+        if self.claims.back(client, &label, &seat) {
+            self.greet_all();
+            self.notify_all(&format!("{former} is {label}, who is back"));
+        }
         Ok(())
     }
 }

@@ -271,7 +271,8 @@ impl MooringSetup {
     }
 
     /// The farthest bollard that the rope reaches (m).
-    pub(crate) fn reach_m(&self) -> f64 {
+    #[must_use]
+    pub fn reach_m(&self) -> f64 {
         match self.line.inboard_end {
             InboardEnd::Winch(_) => (self.rope_m - SLACK.1) / (1.0 + SLACK.0),
             InboardEnd::Bitts => self.rope_m,
