@@ -3,7 +3,7 @@
     python crates/python/bench.py
 
 - the cost of a step call, beside the same step called from Rust
-- 10,000 tug impacts of varying speed and angle on one thread and on all, with the processor time that they got, as
+- 10,000 tug impacts of varying speed and angle by each method, on one thread and on all, with the processor time that they got, as
   wall-clock time includes waiting for other work on the machine
 - steps per second of the docking environment with random actions: one environment, and many on one thread and on all
 """
@@ -50,13 +50,13 @@ def timed(work: Callable[[], Any]) -> tuple[float, float, float]:
     return time.perf_counter() - wall, time.process_time() - cpu, time.thread_time() - own
 
 
-def impacts() -> None:
+def impacts(method: str) -> None:
     count, random = 10_000, np.random.default_rng(1)
     variants = {
         "body.tug.velocity.surge": random.uniform(0.2, 2.1, count),
         "body.tug.heading": np.pi / 2 + random.uniform(-0.3, 0.3, count),
     }
-    scenario = fenderline.example("tug_4kn")
+    scenario = fenderline.example("tug_4kn").with_set({"contact.method": method})
     threads = os.cpu_count() or 1
     # The minimum of five, alternating, as other work may disturb some of them.
     on_one, on_all = [], []
@@ -65,7 +65,7 @@ def impacts() -> None:
         on_all.append(timed(lambda: fenderline.run_many(scenario, variants, threads=threads)))
     (one_wall, one_cpu, _), (all_wall, all_cpu, serial) = min(on_one), min(on_all)
     print(
-        f"{count} tug impacts of 200 steps: {one_wall:.2f} s on one thread ({one_cpu:.2f} s of processors), "
+        f"{count} tug impacts of 200 steps, {method} method: {one_wall:.2f} s on one thread ({one_cpu:.2f} s of processors), "
         f"{all_wall:.2f} s on {threads} ({all_cpu:.2f} s): {one_wall / all_wall:.2f} times as fast, "
         f"{all_cpu / all_wall:.2f} processors busy; load {os.getloadavg()[0]:.1f}"
     )
@@ -118,5 +118,6 @@ def docking() -> None:
 
 if __name__ == "__main__":
     step_call()
-    impacts()
+    impacts("paper")
+    impacts("coupled")
     docking()

@@ -1,9 +1,11 @@
 //! Many runs in parallel.
 
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use fenderline_contact::BodyState;
-use fenderline_sim::SimError;
+use fenderline_results::KeptTable;
+use fenderline_sim::{Setup, SimError};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 
@@ -13,8 +15,8 @@ use crate::parallel::{self, Ended};
 use crate::run::Run;
 use crate::scenario::Scenario;
 use crate::summaries::{Summary, all_tables};
-use crate::tables;
-use crate::variants::{self, Common, NoRun};
+use crate::tables::{self, joined};
+use crate::variants::{self, Common, NoRun, Sets};
 
 /// The states of the bodies at the end of a run, and its summary.
 type Done = (Vec<BodyState>, Summary);
@@ -26,9 +28,9 @@ enum Failed {
     Stopped,
 }
 
-/// Runs every variant of a scenario to its end, on `threads` threads (by default all of the machine). Returns the final
-/// states (runs, bodies, 6) and the tables of the summaries. The bits do not depend on the number of threads. `progress` is called
-/// now and then with the number of runs that are done.
+/// Runs every variant of a scenario to its end, on `threads` threads (by default all of the machine). The variants are a sequence of
+/// dictionaries, or a dictionary of columns. Returns the final states (runs, bodies, 6) and the tables of the summaries. The bits
+/// do not depend on the number of threads. `progress` is called now and then with the number of runs that are done.
 #[pyfunction]
 #[pyo3(signature = (scenario, variants, threads=None, progress=None))]
 pub(crate) fn run_variants<'py>(
@@ -38,10 +40,11 @@ pub(crate) fn run_variants<'py>(
     threads: Option<usize>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
-    let sets = variants::read(variants)?;
+    let sets = Sets::read(variants)?;
     let common = Common::of(scenario);
     let one = |own: &mut Option<Run>, index: usize, stop: &AtomicBool| -> Result<Done, Failed> {
-        let variant = common.variant(&sets[index]).map_err(Failed::NoRun)?;
+        let set = sets.get(index).map_err(|error| Failed::NoRun(NoRun::Scenario(error)))?;
+        let variant = common.variant(&set).map_err(Failed::NoRun)?;
         if let Some(run) = own {
             variant.begin_in(&common, run).map_err(Failed::NoRun)?;
         } else {
@@ -95,15 +98,29 @@ pub(crate) fn run_variants<'py>(
     if let Some(progress) = &progress {
         progress.call1(py, (sets.len(),))?;
     }
-    let bodies = common.base.setup.bodies.len();
-    let mut states = vec![0.0; sets.len() * bodies * STATE];
-    let mut summaries = Vec::with_capacity(sets.len());
-    for (index, (last, summary)) in done.into_iter().enumerate() {
-        write_states(&last, &mut states[index * bodies * STATE..][..bodies * STATE]);
-        summaries.push(summary);
-    }
-    let states = PyArray1::from_vec(py, states).reshape([sets.len(), bodies, STATE])?.into_any();
     let setup = &common.base.setup;
-    let kept = all_tables(setup, &summaries);
+    let (states, kept) = py.detach(|| results_of(setup, done, threads));
+    let shape = [sets.len(), setup.bodies.len(), STATE];
+    let states = PyArray1::from_vec(py, states).reshape(shape)?.into_any();
     Ok((states, tables::results(py, &common.base.title, kept)?))
+}
+
+/// The final states of runs, one after the other, and the tables of their summaries. Each thread has some of the runs.
+fn results_of(setup: &Setup, done: Vec<Done>, threads: usize) -> (Vec<f64>, Vec<KeptTable>) {
+    // A few pieces per thread, as others may be at work on the machine.
+    let count = done.len().clamp(1, threads.saturating_mul(4));
+    let size = done.len().div_ceil(count);
+    let mut done = done.into_iter();
+    let pieces: Vec<Mutex<Vec<Done>>> =
+        (0..count).map(|_| Mutex::new(done.by_ref().take(size).collect())).collect();
+    let made = parallel::each_elsewhere(count, threads, |piece| {
+        // What is taken is also freed here.
+        let own = std::mem::take(&mut *pieces[piece].lock().expect("each piece is locked once"));
+        let (last, summaries): (Vec<Vec<BodyState>>, Vec<Summary>) = own.into_iter().unzip();
+        let mut states = vec![0.0; last.len() * setup.bodies.len() * STATE];
+        write_states(&last.concat(), &mut states);
+        (states, all_tables(setup, piece * size, &summaries))
+    });
+    let (states, tables): (Vec<Vec<f64>>, Vec<Vec<KeptTable>>) = made.into_iter().unzip();
+    (states.concat(), joined(tables))
 }

@@ -58,7 +58,8 @@ fn spread<T: Send, W>(
         }
         done
     });
-    done.sort_unstable_by_key(|(index, _)| *index);
+    // Each share is in order: a stable sort merges them.
+    done.sort_by_key(|(index, _)| *index);
     done.into_iter().map(|(_, result)| result).collect()
 }
 
@@ -72,6 +73,15 @@ pub(crate) fn each<T: Send>(
         return (0..count).map(work).collect();
     }
     spread((count, threads - 1), || (), || true, |(), index| work(index), |_, worker| worker())
+}
+
+/// As [`each`], but always on other threads.
+pub(crate) fn each_elsewhere<T: Send>(
+    count: usize,
+    threads: usize,
+    work: impl Fn(usize) -> T + Sync,
+) -> Vec<T> {
+    spread((count, threads), || (), || true, |(), index| work(index), |_, _| Vec::new())
 }
 
 /// The reason why not all of the work was done.

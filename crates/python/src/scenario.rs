@@ -348,21 +348,31 @@ pub(crate) fn replacements(py: Python<'_>, set: &Bound<'_, PyAny>) -> PyResult<V
         .map(|(key, value)| {
             let key: String = key.extract()?;
             let value = value_text(&value)?;
-            Replacement::new(format!("set {key} = {value}"), key, value).map_err(refused)
+            Replacement::new(option(&key, &value), key, value).map_err(refused)
         })
         .collect()
 }
 
+/// How errors name a key with its value.
+pub(crate) fn option(key: &str, value: &str) -> String {
+    format!("set {key} = {value}")
+}
+
+/// A number for the scenario reader.
+pub(crate) fn number_text(number: f64) -> String {
+    match number {
+        _ if number.is_nan() => "nan".to_owned(),
+        _ => format!("{number:?}"),
+    }
+}
+
 /// A value for the scenario reader: texts unchanged, everything else as TOML.
-fn value_text(value: &Bound<'_, PyAny>) -> PyResult<String> {
+pub(crate) fn value_text(value: &Bound<'_, PyAny>) -> PyResult<String> {
     if value.is_instance_of::<PyString>() {
         return value.extract();
     }
     if value.is_exact_instance_of::<pyo3::types::PyFloat>() {
-        let number: f64 = value.extract()?;
-        if number.is_finite() {
-            return Ok(format!("{number:?}"));
-        }
+        return value.extract().map(number_text);
     }
     let module = value.py().import("fenderline._tree")?;
     module.getattr("inline")?.call1((value,))?.extract()

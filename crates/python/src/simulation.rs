@@ -292,7 +292,7 @@ impl Simulation {
         let simulation = &self.run.simulation;
         let summary = [Summary::of(simulation)];
         let setup = simulation.setup();
-        tables::results(py, self.title(), all_tables(setup, &summary))
+        tables::results(py, self.title(), all_tables(setup, 0, &summary))
     }
 
     /// The summary of the run so far as a tree of dictionaries and lists: that of `summary.json`, with verdict and findings, fenders,

@@ -1,12 +1,12 @@
 //! Summaries of runs as tables, with one row per run for each pair of bodies and each fender.
 
-use std::collections::BTreeMap;
-
 use fenderline_results::{KeptColumn, KeptTable, KeptValues};
 use fenderline_sim::berthing::BerthingOutcome;
 use fenderline_sim::{
     DolphinSummary, FenderSummary, Finding, PairSummary, Setup, Simulation, Verdict,
 };
+
+use crate::tables::Words;
 
 /// The summary of one run.
 pub(crate) struct Summary {
@@ -30,13 +30,27 @@ impl Summary {
     }
 }
 
-/// The rows of all runs, each with its run's number.
-fn rows<S>(summaries: &[Summary], of: impl Fn(&Summary) -> &Vec<S>) -> Vec<(usize, &S)> {
-    let mut rows = Vec::new();
-    for (run, summary) in summaries.iter().enumerate() {
-        rows.extend(of(summary).iter().map(|row| (run, row)));
+/// The summaries of runs that follow each other, and the number of the first.
+#[derive(Clone, Copy)]
+struct Runs<'s> {
+    first: usize,
+    summaries: &'s [Summary],
+}
+
+impl<'s> Runs<'s> {
+    /// Each summary with its run's number.
+    fn each(self) -> impl Iterator<Item = (usize, &'s Summary)> {
+        (self.first..).zip(self.summaries)
     }
-    rows
+
+    /// The rows of all runs, each with its run's number.
+    fn rows<S>(self, of: impl Fn(&'s Summary) -> &'s Vec<S>) -> Vec<(usize, &'s S)> {
+        let mut rows = Vec::new();
+        for (run, summary) in self.each() {
+            rows.extend(of(summary).iter().map(|row| (run, row)));
+        }
+        rows
+    }
 }
 
 fn column<S>(
@@ -80,33 +94,28 @@ fn texts(
     meaning: &'static str,
     values: impl Iterator<Item = String>,
 ) -> KeptColumn {
-    let mut words: Vec<String> = Vec::new();
-    let mut numbers: BTreeMap<String, i32> = BTreeMap::new();
-    let codes = values.map(|value| {
-        *numbers.entry(value).or_insert_with_key(|value| {
-            words.push(value.clone());
-            words.len() as i32 - 1
-        })
-    });
-    let codes = codes.collect();
-    KeptColumn { name, unit: "-", meaning, values: KeptValues::Texts { codes, words } }
+    let mut words = Words::default();
+    let codes = values.map(|value| words.code(value)).collect();
+    let values = KeptValues::Texts { codes, words: words.list };
+    KeptColumn { name, unit: "-", meaning, values }
 }
 
-/// All summary tables of a number of runs.
-pub(crate) fn all_tables(setup: &Setup, summaries: &[Summary]) -> Vec<KeptTable> {
+/// All summary tables of runs that follow each other; `first` is the number of the first.
+pub(crate) fn all_tables(setup: &Setup, first: usize, summaries: &[Summary]) -> Vec<KeptTable> {
+    let runs = Runs { first, summaries };
     vec![
-        pairs_table(setup, summaries),
-        fenders_table(setup, summaries),
-        dolphins_table(setup, summaries),
-        berthings_table(summaries),
-        verdicts_table(summaries),
-        findings_table(setup, summaries),
+        pairs_table(setup, runs),
+        fenders_table(setup, runs),
+        dolphins_table(setup, runs),
+        berthings_table(runs),
+        verdicts_table(runs),
+        findings_table(setup, runs),
     ]
 }
 
 /// Flexible dolphins, by run; the share of the yield load is NaN where that is not known.
-fn dolphins_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
-    let rows = rows(summaries, |summary| &summary.dolphins);
+fn dolphins_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
+    let rows = all.rows(|summary| &summary.dolphins);
     let bodies = setup.bodies.iter().map(|body| body.name.clone()).collect();
     let columns = vec![
         runs(&rows),
@@ -132,8 +141,8 @@ fn dolphins_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
 }
 
 /// The berthing energy of each run whose ship touched a fender, if the scenario has a `[berthing]`.
-fn berthings_table(summaries: &[Summary]) -> KeptTable {
-    let rows = rows(summaries, |summary| &summary.berthings);
+fn berthings_table(all: Runs<'_>) -> KeptTable {
+    let rows = all.rows(|summary| &summary.berthings);
     let columns = vec![
         runs(&rows),
         column(&rows, ("first_touch_s", "s", "start of the step of the first touch"), |b| {
@@ -213,9 +222,9 @@ fn berthings_table(summaries: &[Summary]) -> KeptTable {
 }
 
 /// The verdict on each run.
-fn verdicts_table(summaries: &[Summary]) -> KeptTable {
+fn verdicts_table(all: Runs<'_>) -> KeptTable {
     let rows: Vec<(usize, Verdict)> =
-        summaries.iter().map(|summary| Verdict::of(&summary.findings)).enumerate().collect();
+        all.each().map(|(run, summary)| (run, Verdict::of(&summary.findings))).collect();
     let shown: Vec<(usize, &Verdict)> = rows.iter().map(|(run, verdict)| (*run, verdict)).collect();
     let of = |text: fn(&Verdict) -> &'static str| rows.iter().map(move |(_, v)| text(v).to_owned());
     let columns = vec![
@@ -227,8 +236,8 @@ fn verdicts_table(summaries: &[Summary]) -> KeptTable {
 }
 
 /// What was found in each run, the worst first.
-fn findings_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
-    let rows = rows(summaries, |summary| &summary.findings);
+fn findings_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
+    let rows = all.rows(|summary| &summary.findings);
     let of = |text: fn(&Finding) -> &'static str| rows.iter().map(move |(_, f)| text(f).to_owned());
     let columns = vec![
         runs(&rows),
@@ -245,8 +254,8 @@ fn findings_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
 }
 
 /// Pairs that touched, by run.
-fn pairs_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
-    let rows = rows(summaries, |summary| &summary.pairs);
+fn pairs_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
+    let rows = all.rows(|summary| &summary.pairs);
     let bodies = || setup.bodies.iter().map(|body| body.name.clone()).collect();
     let columns = vec![
         runs(&rows),
@@ -293,8 +302,8 @@ fn pairs_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
 }
 
 /// Fenders that were touched, by run; shares are NaN where a fender has no rating.
-fn fenders_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
-    let rows = rows(summaries, |summary| &summary.fenders);
+fn fenders_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
+    let rows = all.rows(|summary| &summary.fenders);
     let fenders = setup.fenders.iter().map(|fender| fender.name.clone()).collect();
     let share = |share: Option<f64>| share.unwrap_or(f64::NAN);
     let columns = vec![

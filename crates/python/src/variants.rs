@@ -1,15 +1,19 @@
 //! Variants of a scenario: the same bodies, fenders and controls with other numbers.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use fenderline_scenario::{self as scenario, Override, ScenarioError};
 use fenderline_sim::{Setup, Start};
+use numpy::{PyArray1, PyArrayMethods};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
 use crate::controls::{Control, controls};
 use crate::errors;
 use crate::run::{CannotRun, Run};
-use crate::scenario::{Scenario, Source, replacements};
+use crate::scenario::{Scenario, Source, number_text, option, replacements, value_text};
 use crate::simulation::cannot_run;
 
 /// A scenario, and the controls that its variants share.
@@ -117,6 +121,84 @@ pub(crate) fn read(variants: &Bound<'_, PyAny>) -> PyResult<Vec<Vec<Override>>> 
     let each = variants.try_iter()?.enumerate();
     each.map(|(number, set)| read(set?).map_err(|error| numbered(variants.py(), number, error)))
         .collect()
+}
+
+/// The overrides of many variants. Those of columns are made where they are needed: by the threads that run.
+pub(crate) enum Sets {
+    Each(Vec<Vec<Override>>),
+    Columns { keys: Vec<(String, Column)>, rows: usize },
+}
+
+/// The values of a key, one for each variant.
+pub(crate) enum Column {
+    Numbers(Vec<f64>),
+    /// Of any kind, as texts for the scenario reader.
+    Texts(Vec<String>),
+}
+
+impl Sets {
+    /// A sequence of dictionaries, or a dictionary of columns of the same length.
+    pub(crate) fn read(variants: &Bound<'_, PyAny>) -> PyResult<Sets> {
+        let Ok(columns) = variants.cast::<PyDict>() else { return read(variants).map(Sets::Each) };
+        let keys = columns.iter().map(|(key, values)| Ok((key.extract()?, Column::read(&values)?)));
+        let keys: Vec<(String, Column)> = keys.collect::<PyResult<_>>()?;
+        let rows = keys.first().map_or(0, |(_, column)| column.len());
+        if keys.iter().any(|(_, column)| column.len() != rows) {
+            return Err(PyValueError::new_err("each key needs one value per run"));
+        }
+        Ok(Sets::Columns { keys, rows })
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        match self {
+            Sets::Each(sets) => sets.len(),
+            Sets::Columns { rows, .. } => *rows,
+        }
+    }
+
+    /// The overrides of a variant.
+    pub(crate) fn get(&self, index: usize) -> Result<Cow<'_, [Override]>, ScenarioError> {
+        match self {
+            Sets::Each(sets) => Ok(Cow::Borrowed(&sets[index])),
+            Sets::Columns { keys, .. } => {
+                let set = |(key, column): &(String, Column)| {
+                    let value = column.text(index);
+                    Override::new(&option(key, &value), key, &value)
+                };
+                keys.iter().map(set).collect::<Result<_, _>>().map(Cow::Owned)
+            }
+        }
+    }
+}
+
+impl Column {
+    fn read(values: &Bound<'_, PyAny>) -> PyResult<Column> {
+        if let Ok(numbers) = values.cast::<PyArray1<f64>>() {
+            return Ok(Column::Numbers(numbers.try_readonly()?.as_array().to_vec()));
+        }
+        // As NumPy's numbers are slow to read one by one.
+        let list = values.call_method0("tolist");
+        let each = list.as_ref().unwrap_or(values).try_iter()?.enumerate();
+        let text = |(number, value): (usize, PyResult<Bound<'_, PyAny>>)| {
+            value_text(&value?).map_err(|error| numbered(values.py(), number, error))
+        };
+        each.map(text).collect::<PyResult<_>>().map(Column::Texts)
+    }
+
+    fn len(&self) -> usize {
+        match self {
+            Column::Numbers(numbers) => numbers.len(),
+            Column::Texts(texts) => texts.len(),
+        }
+    }
+
+    /// A value for the scenario reader.
+    fn text(&self, index: usize) -> Cow<'_, str> {
+        match self {
+            Column::Numbers(numbers) => Cow::Owned(number_text(numbers[index])),
+            Column::Texts(texts) => Cow::Borrowed(&texts[index]),
+        }
+    }
 }
 
 /// The exception for a variant, with its number.

@@ -24,11 +24,61 @@ def speeds(count: int) -> dict[str, np.ndarray]:
 
 def test_the_same_bits_for_any_number_of_threads() -> None:
     one = fenderline.run_many(SCENARIO, speeds(40), threads=1)
-    for threads in (2, 3, 8):
+    for threads in (2, 3, 8, 100):
         many = fenderline.run_many(SCENARIO, speeds(40), threads=threads)
         assert (one.states == many.states).all()
-        for name in one.pairs:
-            assert one.pairs[name].tolist() == many.pairs[name].tolist()
+        assert_same_tables(one, many)
+
+
+def assert_same_tables(one: fenderline.Runs, other: fenderline.Runs) -> None:
+    for table in ("pairs", "fenders", "dolphins", "berthings", "verdicts", "findings"):
+        own, others = getattr(one, table), getattr(other, table)
+        assert list(own) == list(others)
+        for name in own:
+            np.testing.assert_array_equal(own[name], others[name], err_msg=f"{table} {name}")
+
+
+def test_runs_that_differ_in_what_they_touch_have_the_same_tables_for_any_number_of_threads(
+    scenarios: Path,
+) -> None:
+    # Each run has other fenders, findings and verdicts, and some have none.
+    path = scenarios / "berth" / "eight_cones_at_5_deg.toml"
+    sets = [
+        {"time.duration": f"{seconds} s", "body.ship.velocity.sway": speed}
+        for seconds in (1, 15)
+        for speed in (0.1, 0.16, 0.2, 0.25)
+    ]
+    one = fenderline.run_many(path, sets, threads=1)
+    assert len({*one.findings["text"]}) > 2
+    assert len({*one.fenders["fender"]}) > 1
+    assert {*one.fenders["run"]} < {*range(8)}
+    for threads in (2, 8):
+        assert_same_tables(one, fenderline.run_many(path, sets, threads=threads))
+
+
+def test_columns_of_any_kind_equal_dictionaries() -> None:
+    columns: dict[str, Any] = {
+        "body.tug.velocity.surge": np.array([0.5, 1.0, 1.0, 2.0])[::-1],
+        "body.tug.heading": ["85 deg", 1.5, np.float64(1.6), np.float32(1.5)],
+        "body.tug.position": np.array([[0, -41], [1, -41], [0.5, -42], [0, -40]]),
+        "time.duration": np.array([3, 4, 5, 6]),
+    }
+    sets = [{key: values[run] for key, values in columns.items()} for run in range(4)]
+    by_columns, by_sets = fenderline.run_many(SCENARIO, columns), fenderline.run_many(SCENARIO, sets)
+    assert (by_columns.states == by_sets.states).all()
+    assert_same_tables(by_columns, by_sets)
+    assert by_columns.variants[0]["body.tug.velocity.surge"] == 2.0
+    assert fenderline.run_many(SCENARIO, {}).states.shape == (0, 2, 6)
+
+
+def test_a_mistake_in_a_column_names_its_run() -> None:
+    with pytest.raises(ScenarioError, match="^run 1: ") as raised:
+        fenderline.run_many(SCENARIO, {"body.tug.velocity.surge": np.array([1.0, np.nan, 1.0])})
+    assert (raised.value.run, raised.value.key) == (1, "body.tug.velocity.surge")
+    with pytest.raises(ScenarioError, match="^run 0: .*is not a key"):
+        fenderline.run_many(SCENARIO, {"body..surge": [1.0, 2.0]})
+    with pytest.raises(TypeError, match="^run 1: set cannot be used"):
+        fenderline.run_many(SCENARIO, {"time.step": [0.1, {1}]})
 
 
 def test_each_run_equals_a_simulation() -> None:

@@ -273,7 +273,7 @@ class Campaign:
 def seconds_of_steps(engine: Engine, step_s: float, count: int) -> float: ...
 def run_variants(
     scenario: Scenario,
-    variants: Sequence[_Set],
+    variants: Sequence[_Set] | dict[str, Sequence[Any] | npt.NDArray[Any]],
     threads: int | None = None,
     progress: Callable[[int], object] | None = None,
 ) -> tuple[_Floats, Results]: ...

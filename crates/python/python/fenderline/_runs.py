@@ -145,9 +145,12 @@ def run_many(
         if len({*lengths.values()}) > 1:
             raise ValueError(f"each key needs one value per run, but their numbers are {lengths}")
         rows = zip(*columns.values(), strict=True)
-        variants = [dict(zip(columns, row, strict=True)) for row in rows]
-    with shown(progress, len(variants)) as advance:
-        states, results = run_variants(Scenario(scenario), variants, threads, advance)
+        sets = [dict(zip(columns, row, strict=True)) for row in rows]
+    else:
+        sets = [dict(variant) for variant in variants]
+    given = dict(variants) if isinstance(variants, Mapping) else sets
+    with shown(progress, len(sets)) as advance:
+        states, results = run_variants(Scenario(scenario), given, threads, advance)
     return Runs(
         states,
         results["pairs"],
@@ -156,5 +159,5 @@ def run_many(
         results["berthings"],
         results["verdicts"],
         results["findings"],
-        [dict(variant) for variant in variants],
+        sets,
     )
