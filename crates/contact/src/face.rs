@@ -58,24 +58,31 @@ struct Integrals {
     of_moment: [f64; 3],
 }
 
-/// A fender's face in the frame of a patch.
+/// A fender's face in the frame of a patch: the direction inwards, that along the face, and its middle.
 #[derive(Clone, Copy, Debug)]
-struct Frame {
-    inward: Vec2,
-    along: Vec2,
-    face_m: Vec2,
+pub(crate) struct Frame {
+    pub(crate) inward: Vec2,
+    pub(crate) along: Vec2,
+    pub(crate) face_m: Vec2,
 }
 
 impl Frame {
     /// `host`: the pose of the fender's body.
-    fn of(ranked: &RankedFender, host: Pose) -> Frame {
+    pub(crate) fn of(ranked: &RankedFender, host: Pose) -> Frame {
         let inward = host.rotation.apply(ranked.inward);
         Frame { inward, along: inward.quarter_turn(), face_m: host.apply(ranked.face_m) }
     }
 
+    /// A place in the face's frame.
     #[inline(always)]
-    fn to_face(self, v: Vec2) -> Vec2 {
-        vec2((v - self.face_m).dot(self.inward), (v - self.face_m).dot(self.along))
+    pub(crate) fn to_face(self, v: Vec2) -> Vec2 {
+        self.turned_to_face(v - self.face_m)
+    }
+
+    /// A direction in the face's frame.
+    #[inline(always)]
+    pub(crate) fn turned_to_face(self, v: Vec2) -> Vec2 {
+        vec2(v.dot(self.inward), v.dot(self.along))
     }
 
     fn turned(self, v: Vec2) -> Vec2 {
@@ -143,13 +150,7 @@ pub(crate) fn press<'a>(
     let pushed = vec2(spring[0] + stop[0], spring[1] + stop[1]);
     let torque = spring[2] + stop[2];
     let size_n = pushed.length();
-    // A hull wholly within the zone has no energy gradient: push it out along the axis.
-    let (push, point) = if size_n > SMALLEST_FORCE_N {
-        let off = (centroid.cross(pushed) - torque) / (size_n * size_n);
-        (pushed * (1.0 / size_n), centroid + pushed.quarter_turn() * off)
-    } else {
-        (vec2(1.0, 0.0), centroid)
-    };
+    let (push, point) = line_of_action(pushed, size_n, torque, centroid);
     let stop_n = vec2(stop[0], stop[1]).dot(push);
     Press {
         push: frame.turned(push),
@@ -174,12 +175,7 @@ pub(crate) fn press_panel<'a>(
     let frame = Frame::of(ranked, host);
     let (sums, centroid) = frame.integrals(ranked.width_m, within, outlines);
     let size_n = pressed.force_n.length();
-    let (push, point) = if size_n > SMALLEST_FORCE_N {
-        let off = (centroid.cross(pressed.force_n) - pressed.torque_nm) / (size_n * size_n);
-        (pressed.force_n * (1.0 / size_n), centroid + pressed.force_n.quarter_turn() * off)
-    } else {
-        (vec2(1.0, 0.0), centroid)
-    };
+    let (push, point) = line_of_action(pressed.force_n, size_n, pressed.torque_nm, centroid);
     let stop_n = size_n * pressed.stop_share;
     Press {
         push: frame.turned(push),
@@ -190,6 +186,18 @@ pub(crate) fn press_panel<'a>(
         stored_j: pressed.energy_j,
         chord_m: vec2(sums.of_area[0], sums.of_area[1]).dot(push),
         tilt_rad: tilt_rad(push.y.abs(), greater(push.x, 0.0)),
+    }
+}
+
+/// The direction of a force of this size and torque about the face's middle, and the point of its line nearest to the centroid.
+#[inline(always)]
+fn line_of_action(force_n: Vec2, size_n: f64, torque_nm: f64, centroid_m: Vec2) -> (Vec2, Vec2) {
+    if size_n > SMALLEST_FORCE_N {
+        let off = (centroid_m.cross(force_n) - torque_nm) / (size_n * size_n);
+        (force_n * (1.0 / size_n), centroid_m + force_n.quarter_turn() * off)
+    } else {
+        // A hull wholly within the zone has no energy gradient: it is pushed out along the axis.
+        (vec2(1.0, 0.0), centroid_m)
     }
 }
 

@@ -4,6 +4,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use crate::error::ModelError;
+use crate::face::Frame;
 use crate::geometry::convex::ConvexPolygon;
 use crate::material::{BodyId, FenderId, Material, MaterialId};
 use crate::number::greater;
@@ -11,7 +12,7 @@ use crate::panel::Panel;
 use crate::panel::chains::{ChainState, chain_state};
 use crate::panel::law::PanelLaw;
 use crate::panel::touching::Reach;
-use crate::reaction::{FenderLaw, Stop, check_points, held};
+use crate::reaction::{FenderLaw, Stop, check_curve, check_points, held};
 use crate::unloading::Unloading;
 use crate::vec2::{Pose, Rotation, Vec2, vec2};
 
@@ -192,13 +193,8 @@ impl RankedFender {
     /// From the frame of a hull to the face's: x inwards from the face's middle, y along it. Both bodies' poses are in one
     /// frame.
     pub(crate) fn hull_to_face(&self, host: Pose, hull: Pose) -> impl Fn(Vec2) -> Vec2 + use<> {
-        let inward = host.rotation.apply(self.inward);
-        let along = inward.quarter_turn();
-        let face_m = host.apply(self.face_m);
-        move |v: Vec2| {
-            let from_face_m = hull.apply(v) - face_m;
-            vec2(from_face_m.dot(inward), from_face_m.dot(along))
-        }
+        let frame = Frame::of(self, host);
+        move |v: Vec2| frame.to_face(hull.apply(v))
     }
 
     /// The state of its panel's chains: parted ones by the list, with the factor of the contact.
@@ -264,11 +260,7 @@ pub(crate) fn check(fender: &Fender) -> Result<(), ModelError> {
         }
     }
     if let FenderLaw::Curve(points) = &fender.law {
-        if points.len() < 2 || points[0] != [0.0, 0.0] {
-            let first = points.first().map_or(f64::NAN, |p| p[0]);
-            return bad("curve", first, "two points or more, the first (0, 0)");
-        }
-        check_points(&fender.name, "deflection of the curve", points, 0.0..=1e15)?;
+        check_curve(&fender.name, ["curve", "deflection of the curve"], points)?;
     }
     if let Some(panel) = &fender.panel {
         let Fender { name, width_m, law, unloading, .. } = fender;

@@ -23,6 +23,13 @@ pub(crate) struct PieceLens {
     pub(crate) patch: u32,
 }
 
+impl PieceLens {
+    /// Its corners, of those of all lenses (m).
+    pub(crate) fn corners_m<'a>(&self, outline_m: &'a [Vec2]) -> &'a [Vec2] {
+        &outline_m[self.vertices.0 as usize..self.vertices.1 as usize]
+    }
+}
+
 /// The overlaps of a (sub-)step. Computed by `overlap::overlap`.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Overlap {
@@ -53,11 +60,6 @@ impl Overlap {
     }
 }
 
-/// The corners of a lens (m).
-pub(crate) fn outline<'a>(found: &'a Overlap, lens: &PieceLens) -> &'a [Vec2] {
-    &found.outline_m[lens.vertices.0 as usize..lens.vertices.1 as usize]
-}
-
 /// The outlines of all lenses of a patch.
 #[inline]
 pub(crate) fn outlines<'a>(
@@ -70,5 +72,5 @@ pub(crate) fn outlines<'a>(
         }
         Parts::Lenses { from, to } => (None, &found.lenses[from as usize..to as usize]),
     };
-    one.into_iter().chain(lenses.iter().map(|lens| outline(found, lens)))
+    one.into_iter().chain(lenses.iter().map(|lens| lens.corners_m(&found.outline_m)))
 }

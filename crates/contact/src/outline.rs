@@ -1,7 +1,8 @@
 //! The outline of a body: a simple polygon, checked, tidied and cut into convex pieces at load.
 
 use crate::geometry::convex::has_width;
-use crate::number::{greater, lesser};
+use crate::geometry::extent::Extent;
+use crate::number::greater;
 
 mod crossing;
 mod exact;
@@ -19,7 +20,7 @@ use alloc::vec::Vec;
 
 pub use self::fault::{OutlineEdge, OutlineError, OutlineNotice};
 use self::tidy::Numbered;
-use crate::vec2::{Vec2, vec2};
+use crate::vec2::Vec2;
 
 /// Largest number of vertices of an outline.
 pub const MAX_VERTICES: usize = 10_000;
@@ -96,16 +97,16 @@ impl Outline {
             return Err(OutlineError::SelfIntersection { edges });
         }
 
-        let bounds = bounds(&tidied);
+        let Extent { low_m, high_m } = Extent::of(&tidied);
         let doubled_area = exact::doubled_area(&tidied);
-        if 0.5 * doubled_area.abs() <= 1.0e-12 * (bounds.1 - bounds.0).length_squared() {
+        if 0.5 * doubled_area.abs() <= 1.0e-12 * (high_m - low_m).length_squared() {
             return Err(OutlineError::ZeroArea);
         }
         if doubled_area < 0.0 {
             tidied[1..].reverse();
             notices.push(OutlineNotice::Turned);
         }
-        let outline = Outline::from_tidied(tidied, 0.5 * doubled_area.abs(), bounds);
+        let outline = Outline::from_tidied(tidied, 0.5 * doubled_area.abs(), (low_m, high_m));
         Ok((outline.ok_or(OutlineError::ZeroArea)?, notices))
     }
 
@@ -199,15 +200,6 @@ fn check_vertices(vertices: &[Vec2]) -> Result<(), OutlineError> {
 /// Edge `index` of the ring, by the user's numbers.
 fn numbered_edge(ring: &[Numbered], index: usize) -> OutlineEdge {
     OutlineEdge { from: ring[index].number, to: ring[(index + 1) % ring.len()].number }
-}
-
-fn bounds(vertices: &[Vec2]) -> (Vec2, Vec2) {
-    vertices.iter().fold((vertices[0], vertices[0]), |(low, high), v| {
-        (
-            vec2(lesser(low.x, v.x), lesser(low.y, v.y)),
-            vec2(greater(high.x, v.x), greater(high.y, v.y)),
-        )
-    })
 }
 
 /// Centroid of all the pieces. Piece by piece, as their areas are positive and nothing cancels; relative

@@ -1,6 +1,5 @@
 //! Reaction curves: force from deflection, and the piecewise linear functions behind them.
 
-use alloc::string::String;
 use alloc::vec::Vec;
 
 use crate::error::ModelError;
@@ -97,6 +96,20 @@ pub(crate) fn held(points: &[[f64; 2]], x: f64) -> f64 {
     }
 }
 
+/// Checks the points of a curve from (0, 0) on. `owner` names the fender in errors, `fields` the curve and its deflections.
+pub(crate) fn check_curve(
+    owner: &str,
+    [curve, deflection]: [&'static str; 2],
+    points: &[[f64; 2]],
+) -> Result<(), ModelError> {
+    if points.len() < 2 || points[0] != [0.0, 0.0] {
+        let value = points.first().map_or(f64::NAN, |p| p[0]);
+        let must = "two points or more, the first (0, 0)";
+        return Err(ModelError::OutOfRange { owner: owner.into(), field: curve, value, must });
+    }
+    check_points(owner, deflection, points, 0.0..=1e15)
+}
+
 /// Checks that abscissae rise and ordinates lie within bounds; `owner` names the fender in errors.
 pub(crate) fn check_points(
     owner: &str,
@@ -104,23 +117,18 @@ pub(crate) fn check_points(
     points: &[[f64; 2]],
     bounds: core::ops::RangeInclusive<f64>,
 ) -> Result<(), ModelError> {
-    let owner = || String::from(owner);
+    let bad = |value, must| Err(ModelError::OutOfRange { owner: owner.into(), field, value, must });
     for &[x, y] in points {
         if !(0.0..=1e9).contains(&x) {
-            let must = "between 0 and 1e9";
-            return Err(ModelError::OutOfRange { owner: owner(), field, value: x, must });
+            return bad(x, "between 0 and 1e9");
         }
         if !bounds.contains(&y) {
-            let must = "within its bounds: reactions 0 to 1e15, factors 1e-3 to 1e3";
-            return Err(ModelError::OutOfRange { owner: owner(), field, value: y, must });
+            return bad(y, "within its bounds: reactions 0 to 1e15, factors 1e-3 to 1e3");
         }
     }
     match points.windows(2).find(|two| two[1][0] <= two[0][0]) {
         None => Ok(()),
-        Some(two) => {
-            let (value, must) = (two[1][0], "larger than the one before it");
-            Err(ModelError::OutOfRange { owner: owner(), field, value, must })
-        }
+        Some(two) => bad(two[1][0], "larger than the one before it"),
     }
 }
 

@@ -154,7 +154,7 @@ fn first_of(lenses: &mut [PieceLens], mut number: u32) -> u32 {
 /// a common corner of two others lies on the seam that starts there. If both differ, the seams of both bodies would have
 /// to lie on one another. Two corners are needed to distinguish that from four lenses that meet where seams cross.
 fn share_a_seam(outline_m: &[Vec2], one: &PieceLens, two: &PieceLens) -> bool {
-    let corners = |lens: &PieceLens| &outline_m[lens.vertices.0 as usize..lens.vertices.1 as usize];
+    let corners = |lens: &PieceLens| lens.corners_m(outline_m);
     let same_piece = one.piece_a == two.piece_a || one.piece_b == two.piece_b;
     let limit = SAME_CORNER_M * SAME_CORNER_M;
     let mut shared: Option<Vec2> = None;

@@ -6,11 +6,12 @@
 
 use alloc::vec::Vec;
 
+use crate::face::Frame;
 use crate::fender::RankedFender;
-use crate::geometry::convex::ConvexPolygon;
+use crate::geometry::convex::{ConvexPolygon, signed_area};
 use crate::number::{greater, lesser};
 use crate::outline::{Outline, OutlineError};
-use crate::vec2::{Pose, Vec2, vec2};
+use crate::vec2::{Pose, Vec2};
 
 /// Where a hull does not reach a fender's face yet, her slope is that within this depth of her nearest point (m).
 const NEAREST_M: f64 = 1e-6;
@@ -50,7 +51,7 @@ impl Slice {
         let pieces = outline.pieces().iter().map(|piece| ConvexPolygon::new(piece)).collect();
         let rate = |index: usize| rates.get(index).copied().unwrap_or(Vec2::ZERO);
         let count = vertices_m.len();
-        let turned = doubled_area_m2(vertices_m) < 0.0;
+        let turned = signed_area(vertices_m) < 0.0;
         let edge = |index: usize| {
             let next = (index + 1) % count;
             let (from, to) = if turned { (next, index) } else { (index, next) };
@@ -77,17 +78,9 @@ impl Slice {
         hull: Pose,
         host: Pose,
     ) -> Option<SideMet> {
-        let inward = host.rotation.apply(face.inward);
-        let along = inward.quarter_turn();
-        let face_m = host.apply(face.face_m);
-        let turned = |v: Vec2| {
-            let v = hull.rotation.apply(v);
-            vec2(v.dot(inward), v.dot(along))
-        };
-        let place = |v: Vec2| {
-            let v = hull.apply(v) - face_m;
-            vec2(v.dot(inward), v.dot(along))
-        };
+        let frame = Frame::of(face, host);
+        let turned = |v: Vec2| frame.turned_to_face(hull.rotation.apply(v));
+        let place = |v: Vec2| frame.to_face(hull.apply(v));
         let half_m = 0.5 * face.width_m;
         // Sides that face the fender, cut to the strip before it.
         let sides = || {
@@ -120,7 +113,8 @@ impl Slice {
         let size = by_motion.length();
         (size > 0.0).then(|| {
             let at = moment * (1.0 / weight);
-            let place_m = hull.apply_inverse(face_m + inward * at.x + along * at.y);
+            let place_m =
+                hull.apply_inverse(frame.face_m + frame.inward * at.x + frame.along * at.y);
             SideMet { slope: by_height / size, place_m }
         })
     }
@@ -165,12 +159,6 @@ impl Part {
         }
         (height, normal * motion)
     }
-}
-
-/// Twice the signed area of a polygon, about its first vertex (m²).
-fn doubled_area_m2(vertices_m: &[Vec2]) -> f64 {
-    let first = vertices_m[0];
-    vertices_m[1..].windows(2).map(|two| (two[0] - first).cross(two[1] - first)).sum()
 }
 
 /// The slices of a model.

@@ -27,12 +27,11 @@
 //! Parallel plays are the Prandtl-Ishlinskii model of hysteresis. Several widths round the turn between the curves,
 //! and let small oscillations decay that a single play would sustain. Widths and shares are our choice.
 
-use alloc::string::String;
 use alloc::vec::Vec;
 
 use crate::error::ModelError;
 use crate::number::{greater, lesser};
-use crate::reaction::{FenderLaw, check_points, integral, on_line};
+use crate::reaction::{FenderLaw, check_curve, integral, on_line};
 
 /// How a fender's reaction falls when the hull moves away. The coupled method uses it; the paper's method has
 /// restitution instead.
@@ -109,35 +108,28 @@ impl Unloading {
 
     /// Checks the values; `name` is the fender's, for errors, and `law` its loading law.
     pub(crate) fn check(&self, name: &str, law: &FenderLaw) -> Result<(), ModelError> {
-        let owner = || String::from(name);
+        let bad = |field, value, must| {
+            Err(ModelError::OutOfRange { owner: name.into(), field, value, must })
+        };
         match self {
             Unloading::ReturnedEnergy(share) => {
-                let range = Unloading::MIN_RETURNED_SHARE..=1.0;
-                let (field, value, must) = ("returned energy", *share, "between 0.05 and 1");
-                if range.contains(share) {
+                if (Unloading::MIN_RETURNED_SHARE..=1.0).contains(share) {
                     Ok(())
                 } else {
-                    Err(ModelError::OutOfRange { owner: owner(), field, value, must })
+                    bad("returned energy", *share, "between 0.05 and 1")
                 }
             }
             Unloading::Curve(points) => {
                 let field = "deflection of the unloading curve";
                 let FenderLaw::Curve(loading) = law else {
-                    let must = "of a fender with a reaction curve";
-                    return Err(ModelError::OutOfRange { owner: owner(), field, value: 0.0, must });
+                    return bad(field, 0.0, "of a fender with a reaction curve");
                 };
-                if points.len() < 2 || points[0] != [0.0, 0.0] {
-                    let value = points.first().map_or(f64::NAN, |p| p[0]);
-                    let must = "two points or more, the first (0, 0)";
-                    return Err(ModelError::OutOfRange { owner: owner(), field, value, must });
-                }
-                check_points(name, field, points, 0.0..=1e15)?;
+                check_curve(name, [field, field], points)?;
                 match Unloading::first_point_above(points, loading) {
                     None => Ok(()),
                     Some([_, value]) => {
                         let field = "reaction of the unloading curve";
-                        let must = "nowhere above the loading curve";
-                        Err(ModelError::OutOfRange { owner: owner(), field, value, must })
+                        bad(field, value, "nowhere above the loading curve")
                     }
                 }
             }

@@ -8,9 +8,9 @@
 //! The gap along a direction is at most the distance of the polygons, which it has along the line between their nearest
 //! points, and it falls off to both sides of that. So the best edge is one that meets the nearest corners.
 
-use super::axis::BestAxis;
+use super::axis::{BestAxis, EdgeGap};
 use super::convex::{ConvexPolygon, Placed};
-use super::ring::{after, before};
+use super::ring::{before, climb};
 use crate::vec2::Vec2;
 
 /// Polygons that are nearer to each other, or overlap, are left to the cold path (m).
@@ -116,15 +116,29 @@ fn greater(best: BestAxis, next: BestAxis) -> BestAxis {
 /// The axis of an edge of A.
 #[inline]
 fn axis_of_a(a: &ConvexPolygon, b: &Placed<'_>, edge: usize, corner: Corner) -> BestAxis {
-    let (start, end, of_b) = (a.corner(edge), a.corner(edge + 1), |k| b.vertex(k));
-    EdgeGap::new(start, end, of_b, b.count(), corner.of_b).axis(true, edge)
+    let ends = [a.corner(edge), a.corner(edge + 1)];
+    gap(edge, ends, |k| b.vertex(k), b.count(), corner.of_b).axis(true)
 }
 
 /// The axis of an edge of B.
 #[inline]
 fn axis_of_b(a: &ConvexPolygon, b: &Placed<'_>, edge: usize, corner: Corner) -> BestAxis {
-    let (start, end, of_a) = (b.vertex(edge), b.vertex(edge + 1), |k| a.corner(k));
-    EdgeGap::new(start, end, of_a, a.count(), corner.of_a).axis(false, edge)
+    let ends = [b.vertex(edge), b.vertex(edge + 1)];
+    gap(edge, ends, |k| a.corner(k), a.count(), corner.of_a).axis(false)
+}
+
+/// The gap behind an edge, from a corner of the other polygon, of `count` corners, near the one deepest behind it.
+#[inline]
+fn gap(
+    edge: usize,
+    [start, end]: [Vec2; 2],
+    corner: impl Fn(usize) -> Vec2,
+    count: usize,
+    from: usize,
+) -> EdgeGap {
+    let along = end - start;
+    let (support, _) = climb(|j| along.cross(corner(j) - start), from, count);
+    EdgeGap::new(edge, (start, along), (support, corner(support)))
 }
 
 /// The two corners on the side of a triangle about the origin that is nearest to it.
@@ -193,48 +207,6 @@ fn nearest_of_line(start: Vec2, end: Vec2) -> (f64, Vec2) {
     } else {
         let share = way / whole;
         (share, start + along * share)
-    }
-}
-
-/// The gap between a polygon's edge and another polygon, along the edge's normal.
-struct EdgeGap {
-    gap_m: f64,
-    support: usize,
-    outward: Vec2,
-}
-
-impl EdgeGap {
-    /// Climbs from corner `from` of the other polygon, of `count` corners, to the one deepest behind the edge.
-    #[inline]
-    fn new(
-        start: Vec2,
-        end: Vec2,
-        corner: impl Fn(usize) -> Vec2,
-        count: usize,
-        from: usize,
-    ) -> EdgeGap {
-        let along = end - start;
-        let depth = |j: usize| along.cross(corner(j) - start);
-        let (mut support, mut deepest) = (from, depth(from));
-        for _ in 0..count {
-            let (next, previous) = (after(support, count), before(support, count));
-            let (of_next, of_previous) = (depth(next), depth(previous));
-            if of_next > deepest {
-                (support, deepest) = (next, of_next);
-            } else if of_previous > deepest {
-                (support, deepest) = (previous, of_previous);
-            } else {
-                break;
-            }
-        }
-        let outward = along.quarter_turn_back() * (1.0 / along.length());
-        EdgeGap { gap_m: outward.dot(corner(support) - start), support, outward }
-    }
-
-    fn axis(&self, on_a: bool, edge: usize) -> BestAxis {
-        let normal = if on_a { self.outward } else { -self.outward };
-        let (edge, support) = (edge as u32, self.support as u32);
-        BestAxis { gap_m: self.gap_m, on_a, edge, support, normal }
     }
 }
 

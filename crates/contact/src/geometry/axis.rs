@@ -1,7 +1,7 @@
 //! The axis of greatest separation, or least penetration, of two convex polygons.
 
 use super::convex::ConvexPolygon;
-use super::ring::{after, before};
+use super::ring::climb;
 use crate::vec2::Vec2;
 
 /// The edge of one polygon whose outward normal separates best from the other polygon.
@@ -25,58 +25,59 @@ pub(crate) fn best_axis(a: &ConvexPolygon, b_m: &[Vec2]) -> BestAxis {
     let from_a = best_edge(a.closed(), b_m);
     let from_b = best_edge(b_m, a.closed());
     let on_a = from_a.gap_m >= from_b.gap_m;
-    let EdgeGap { gap_m, edge, support, outward } = if on_a { from_a } else { from_b };
-    let normal = if on_a { outward } else { -outward };
-    BestAxis { gap_m, on_a, edge: edge as u32, support: support as u32, normal }
+    if on_a { from_a } else { from_b }.axis(on_a)
 }
 
+/// The gap between a polygon's edge and another polygon.
 #[derive(Clone, Copy)]
-struct EdgeGap {
+pub(super) struct EdgeGap {
+    /// Along the edge's outward normal (m).
     gap_m: f64,
     edge: usize,
+    /// The other polygon's corner deepest behind the edge.
     support: usize,
     outward: Vec2,
 }
 
-/// The edge of `p` with the largest gap to `q`, both closed rings.
+impl EdgeGap {
+    /// Of the edge of this number, start and direction, with the corner deepest behind it.
+    #[inline]
+    pub(super) fn new(
+        edge: usize,
+        (start, along): (Vec2, Vec2),
+        (support, support_m): (usize, Vec2),
+    ) -> EdgeGap {
+        let outward = along.quarter_turn_back() * (1.0 / along.length());
+        EdgeGap { gap_m: outward.dot(support_m - start), edge, support, outward }
+    }
+
+    /// As an axis, for an edge of the first polygon or of the second.
+    pub(super) fn axis(&self, on_a: bool) -> BestAxis {
+        let EdgeGap { gap_m, edge, support, outward } = *self;
+        let normal = if on_a { outward } else { -outward };
+        BestAxis { gap_m, on_a, edge: edge as u32, support: support as u32, normal }
+    }
+}
+
+/// The edge of `p` with the largest gap to `q`, both closed rings. The deepest corner turns in the same sense as the edge, so that
+/// one turn of the edges costs one turn of the corners.
 fn best_edge(p: &[Vec2], q: &[Vec2]) -> EdgeGap {
+    let count = q.len() - 1;
     let mut best = EdgeGap { gap_m: f64::NEG_INFINITY, edge: 0, support: 0, outward: Vec2::ZERO };
     let mut support = None;
-    for edge in 0..p.len() - 1 {
-        let along = p[edge + 1] - p[edge];
+    for (edge, ends) in p.windows(2).enumerate() {
+        let (start, along) = (ends[0], ends[1] - ends[0]);
+        let depth = |j: usize| along.cross(q[j] - start);
+        let deeper = |deepest, j| if depth(j) > depth(deepest) { j } else { deepest };
         let deepest = match support {
-            None => deepest_by_search(p[edge], along, q),
-            Some(j) => climb(p[edge], along, q, j),
+            None => (1..count).fold(0, deeper),
+            Some(last) => climb(depth, last, count).0,
         };
         support = Some(deepest);
-        let outward = along.quarter_turn_back() * (1.0 / along.length());
-        let gap_m = outward.dot(q[deepest] - p[edge]);
-        if gap_m > best.gap_m {
-            best = EdgeGap { gap_m, edge, support: deepest, outward };
+        let gap = EdgeGap::new(edge, (start, along), (deepest, q[deepest]));
+        if gap.gap_m > best.gap_m {
+            best = gap;
         }
     }
     best
-}
-
-fn deepest_by_search(start: Vec2, along: Vec2, q: &[Vec2]) -> usize {
-    let depth = |j: usize| along.cross(q[j] - start);
-    (1..q.len() - 1).fold(0, |deepest, j| if depth(j) > depth(deepest) { j } else { deepest })
-}
-
-/// From vertex `j` uphill to the deepest vertex. The deepest vertex turns in the same sense as the
-/// edge, so that one turn of the edges costs one turn of the vertices.
-fn climb(start: Vec2, along: Vec2, q: &[Vec2], mut j: usize) -> usize {
-    let count = q.len() - 1;
-    let depth = |j: usize| along.cross(q[j] - start);
-    for _ in 0..count {
-        let (next, previous) = (after(j, count), before(j, count));
-        if depth(next) > depth(j) {
-            j = next;
-        } else if depth(previous) > depth(j) {
-            j = previous;
-        } else {
-            break;
-        }
-    }
-    j
 }

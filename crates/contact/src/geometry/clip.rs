@@ -8,7 +8,7 @@ use super::convex::{ConvexPolygon, Placed, signed_area};
 use super::guess;
 use super::halfplanes::{self, Buffers, Found};
 use super::lens::{Crossing, Lens, Located, Stretch, assemble, measure, per_chord_m, trace};
-use super::ring::{after, before};
+use super::ring::climb;
 use super::through::{self, Through};
 use super::warm;
 use crate::number::lesser;
@@ -326,8 +326,7 @@ fn rounding_m2(a: &ConvexPolygon, b: &Placed<'_>) -> f64 {
     256.0 * f64::EPSILON * reach_m * lesser(a.radius_m(), b.polygon.radius_m())
 }
 
-/// Does the cached edge still separate the polygons? Checking the support's neighbours is enough: the
-/// depth behind an edge has one maximum over a convex ring. Returns the new support.
+/// Does the cached edge still separate the polygons? Returns the new support.
 #[inline]
 fn still_apart(
     a: &ConvexPolygon,
@@ -364,24 +363,8 @@ fn deepest_outside(
     count: usize,
 ) -> Option<u32> {
     let along = end - start;
-    let depth = |j: usize| along.cross(vertex(j) - start);
-    let mut j = support;
-    let mut here = depth(j);
-    for _ in 0..count {
-        let (next, previous) = (after(j, count), before(j, count));
-        let (of_next, of_previous) = (depth(next), depth(previous));
-        if here >= 0.0 {
-            return None;
-        }
-        if of_next > here {
-            (j, here) = (next, of_next);
-        } else if of_previous > here {
-            (j, here) = (previous, of_previous);
-        } else {
-            return Some(j as u32);
-        }
-    }
-    None
+    let (deepest, depth) = climb(|j| along.cross(vertex(j) - start), support, count);
+    (depth < 0.0).then_some(deepest as u32)
 }
 
 /// Clips a pair of convex polygons repeatedly as they move: for callers that need the geometry alone.

@@ -3,9 +3,10 @@
 use alloc::vec::Vec;
 
 use super::edge::Edge;
+use super::extent::Extent;
 use super::ring::after;
-use crate::number::{greater, lesser};
-use crate::vec2::{Pose, Vec2, vec2};
+use crate::number::greater;
+use crate::vec2::{Pose, Vec2};
 
 /// Vertices with a smaller turn (sine of the angle) count as straight and are dropped. The rounding of
 /// the sine is about 1e-15; 1e-12 is well above it and moves the boundary of a 300 m hull by less than
@@ -43,18 +44,11 @@ impl ConvexPolygon {
         assert!(count >= 3, "a convex piece has at least three corners");
         let closed: Vec<Vec2> = corners.iter().chain(&corners[..1]).copied().collect();
         let ends = closed.windows(2).map(|two| [two[0], two[1]]).collect();
-        let (low, high) = bounds(&closed);
-        let center_m = (low + high) * 0.5;
+        let center_m = Extent::of(&closed).center_m();
         let radius_m =
             closed.iter().fold(0.0, |r, &v| greater(r, (v - center_m).length())) * (1.0 + 1e-12);
-        let directions = |i: usize| closed[i + 1] - closed[i];
-        let first_by_angle = (0..count)
-            .find(|&i| {
-                let before = directions((i + count - 1) % count);
-                upper_half(directions(i)) && !upper_half(before)
-            })
-            .unwrap_or(0) as u32;
-        let upper = (0..count).filter(|&i| upper_half(directions(i))).count() as u32;
+        let first_by_angle = first_by_angle(&closed) as u32;
+        let upper = closed.windows(2).filter(|two| upper_half(two[1] - two[0])).count() as u32;
         let (area_m2, edges) = (signed_area(&corners), Edge::of_all(&corners));
         ConvexPolygon { closed, ends, edges, first_by_angle, upper, center_m, radius_m, area_m2 }
     }
@@ -162,6 +156,21 @@ pub(crate) fn upper_half(direction: Vec2) -> bool {
     direction.y > 0.0 || (direction.y == 0.0 && direction.x > 0.0)
 }
 
+/// The first edge of a closed ring by the angle of its direction in [0, 2π).
+pub(crate) fn first_by_angle(closed: &[Vec2]) -> usize {
+    let count = closed.len() - 1;
+    let upper = |i: usize| upper_half(closed[i + 1] - closed[i]);
+    let mut before = upper(count - 1);
+    for i in 0..count {
+        let here = upper(i);
+        if here && !before {
+            return i;
+        }
+        before = here;
+    }
+    0
+}
+
 /// Does a convex polygon of these vertices have three corners left, without the straight ones? A needle whose width
 /// is below 1e-12 of its length has not.
 pub(crate) fn has_width(vertices_m: &[Vec2]) -> bool {
@@ -187,18 +196,6 @@ pub(crate) fn signed_area(vertices: &[Vec2]) -> f64 {
     let origin = vertices[0];
     let twice: f64 = vertices[1..].windows(2).map(|w| (w[0] - origin).cross(w[1] - origin)).sum();
     0.5 * twice
-}
-
-fn bounds(vertices: &[Vec2]) -> (Vec2, Vec2) {
-    vertices.iter().fold(
-        (vec2(f64::INFINITY, f64::INFINITY), vec2(f64::NEG_INFINITY, f64::NEG_INFINITY)),
-        |(low, high), v| {
-            (
-                vec2(lesser(low.x, v.x), lesser(low.y, v.y)),
-                vec2(greater(high.x, v.x), greater(high.y, v.y)),
-            )
-        },
-    )
 }
 
 /// The second polygon of a pair, placed in the first one's frame vertex by vertex, as needed.

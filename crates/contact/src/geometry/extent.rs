@@ -60,7 +60,7 @@ impl Extent {
     }
 
     #[inline]
-    fn center_m(&self) -> Vec2 {
+    pub(crate) fn center_m(&self) -> Vec2 {
         (self.low_m + self.high_m) * 0.5
     }
 

@@ -6,7 +6,7 @@
 
 use alloc::vec::Vec;
 
-use super::convex::{ConvexPolygon, upper_half};
+use super::convex::{ConvexPolygon, first_by_angle, upper_half};
 use super::lens::{Crossing, Stretch};
 use super::ring::after;
 use crate::vec2::Vec2;
@@ -300,18 +300,4 @@ fn not_after(u: Vec2, v: Vec2) -> bool {
         (false, true) => false,
         _ => u.cross(v) >= 0.0,
     }
-}
-
-fn first_by_angle(closed: &[Vec2]) -> usize {
-    let count = closed.len() - 1;
-    let upper = |i: usize| upper_half(closed[i + 1] - closed[i]);
-    let mut before = upper(count - 1);
-    for i in 0..count {
-        let here = upper(i);
-        if here && !before {
-            return i;
-        }
-        before = here;
-    }
-    0
 }

@@ -12,6 +12,25 @@ pub(crate) fn after(i: usize, count: usize) -> usize {
     if i + 1 == count { 0 } else { i + 1 }
 }
 
+/// The corner of a convex ring of `count` that is deepest behind a line, and its depth: uphill from corner `from`, as the depth has one
+/// maximum over the ring.
+#[inline(always)]
+pub(crate) fn climb(depth: impl Fn(usize) -> f64, from: usize, count: usize) -> (usize, f64) {
+    let (mut here, mut deepest) = (from, depth(from));
+    for _ in 0..count {
+        let (next, previous) = (after(here, count), before(here, count));
+        let (of_next, of_previous) = (depth(next), depth(previous));
+        if of_next > deepest {
+            (here, deepest) = (next, of_next);
+        } else if of_previous > deepest {
+            (here, deepest) = (previous, of_previous);
+        } else {
+            break;
+        }
+    }
+    (here, deepest)
+}
+
 /// Vertices between an edge and a later one of a ring of `count`.
 #[inline(always)]
 pub(crate) fn ring_distance(from: u32, to: u32, count: usize) -> usize {
