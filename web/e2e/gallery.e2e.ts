@@ -126,7 +126,7 @@ test("a session is saved under a name, and continues where it ended when it is o
     .locator(".gallery li", { hasText: "Saved as kept_by_a-test." })
     .getByRole("button");
   await kept.click();
-  await kept.click();
+  await instructor.getByRole("button", { name: "End this run" }).click();
   await expect.poll(async () => Number(await timeline.inputValue())).toBe(ended);
   await instructor.getByRole("button", { name: "Resume (K)" }).click();
   await expect.poll(async () => Number(await timeline.inputValue())).toBeGreaterThan(ended);

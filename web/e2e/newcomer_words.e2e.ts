@@ -1,4 +1,5 @@
 /** What a newcomer stumbled over: a question too short to read, words, tabs and a bar that did not fit. */
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { type Browser, SHOTS, type Served, browse, open, serve } from "./browser";
@@ -117,4 +118,25 @@ test("with the helm and a long name the buttons at the right of the bar stay on 
   }
   await page.close();
   expect(errors).toEqual([]);
+});
+
+/** The timeline of the page without a server, with its styles: that page itself is built by `cargo xtask page`. */
+test("the clock of the page without a server is not cut at 1366 px in a run of hours", async () => {
+  const page = await browser.context.newPage();
+  const sheet = (name: string) => readFileSync(new URL(`../${name}`, import.meta.url), "utf8");
+  const styles = ["src/style/base.css", "src/style/layout.css", "run/style/page.css"].map(sheet);
+  await page.setContent(
+    `<style>${styles.join("")}</style>
+    <footer class="controls timeline-bar"><div class="row"><button>▶</button><button>Peak</button>
+    <input type="range"><output class="at">1:06:40 of 10:00:00</output></div></footer>`,
+  );
+  for (const width of [1366, 1024, 390]) {
+    await page.setViewportSize({ width, height: 768 });
+    const [right, text, box] = await page
+      .locator(".at")
+      .evaluate((at) => [at.getBoundingClientRect().right, at.scrollWidth, at.clientWidth]);
+    expect(right).toBeLessThanOrEqual(width);
+    expect(text).toBeLessThanOrEqual(box ?? 0);
+  }
+  await page.close();
 });
