@@ -54,6 +54,8 @@ pub use approach::{ApproachLimit, Light};
 pub use berth::berth_info;
 pub use cast::{Cast, Helm};
 pub use fenderline_sim::Fault;
+pub use frame::Speeds;
+pub use frozen::Shown;
 pub use info::Info;
 pub use library_info::library_info;
 pub use limits::{Full, LARGEST_RECORDING_BYTES, LONGEST_NAME};

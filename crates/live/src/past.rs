@@ -24,6 +24,8 @@ pub(crate) struct Sample {
     pub(crate) t_s: f64,
     /// Of each ship that can be conned, as [`crate::Cast::ships`] has them; without a vessel of one body.
     pub(crate) ships: Vec<ShipSample>,
+    /// What is shown on board of those of them whose instruments are frozen: the place in `ships`, and the values.
+    pub(crate) shown: Vec<(usize, ShipSample)>,
     /// Greatest load of a fender over its rating, and of a line over its working load.
     pub(crate) of_energy: f64,
     pub(crate) of_reaction: f64,
@@ -54,6 +56,17 @@ impl Sample {
             ..self
         }
     }
+}
+
+/// The ship of which a past is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Of {
+    /// Her place among those that can be conned.
+    pub(crate) place: usize,
+    /// Her index among the vessels.
+    pub(crate) vessel: Option<usize>,
+    /// As her instruments showed it, frozen ones too; else as it was.
+    pub(crate) as_shown: bool,
 }
 
 /// An entry: the branch and tick whose commands led to it, and the tick from which it is seen.
@@ -148,13 +161,12 @@ impl Past {
         self.version += 1;
     }
 
-    /// The past of a tick, with the values of a ship: her place among those that can be conned, and her index among the vessels.
-    /// `branch_at`: the branch whose commands applied at a tick.
+    /// The past of a tick, with the values of a ship. `branch_at`: the branch whose commands applied at a tick.
     pub(crate) fn before(
         &self,
         tick: u64,
         t_s: f64,
-        (ship, vessel): (usize, Option<usize>),
+        Of { place: ship, vessel, as_shown }: Of,
         branch_at: impl Fn(u64) -> usize,
     ) -> History {
         let mut history = History { vessel, ..History::default() };
@@ -163,7 +175,8 @@ impl Past {
             .iter()
             .filter(|entry| entry.what.t_s >= t_s - SHOWN_S && is_of(entry, tick, &branch_at))
         {
-            let of = &sample.ships[ship];
+            let shown = sample.shown.iter().find(|(place, _)| as_shown && *place == ship);
+            let of = shown.map_or(&sample.ships[ship], |(_, shown)| shown);
             history.t_s.push(short(sample.t_s));
             history.bow_mps.push(of.bow_mps.map(short));
             history.stern_mps.push(of.stern_mps.map(short));
@@ -197,7 +210,7 @@ fn short(value: f64) -> f64 {
 mod tests {
     use super::*;
 
-    const FIRST: (usize, Option<usize>) = (0, Some(0));
+    const FIRST: Of = Of { place: 0, vessel: Some(0), as_shown: false };
 
     fn sample(t_s: f64, of_energy: f64) -> Sample {
         let ship = |ahead_mps| ShipSample {
@@ -211,6 +224,7 @@ mod tests {
         Sample {
             t_s,
             ships: vec![ship(t_s), ship(-t_s)],
+            shown: vec![(1, ship(7.0))],
             of_energy,
             of_reaction: 0.0,
             of_working: 0.0,
@@ -237,9 +251,15 @@ mod tests {
         let history = past.before(40, 4.0, FIRST, |_| 0);
         assert_eq!(history.t_s, [1.0, 2.0, 3.0, 4.0]);
         assert_eq!(history.of_energy, [0.1, 0.9, 0.1, 0.1]);
-        assert_eq!((history.vessel, history.ahead_mps), (Some(0), vec![1.0, 2.0, 3.0, 4.0]));
-        let other = past.before(40, 4.0, (1, Some(2)), |_| 0);
-        assert_eq!((other.vessel, other.ahead_mps), (Some(2), vec![-1.0, -2.0, -3.0, -4.0]));
+        assert_eq!(history.vessel, Some(0));
+        assert_eq!(history.ahead_mps, [1.0, 2.0, 3.0, 4.0]);
+        let other = Of { place: 1, vessel: Some(2), as_shown: false };
+        let truth = past.before(40, 4.0, other, |_| 0);
+        assert_eq!((truth.vessel, truth.ahead_mps), (Some(2), vec![-1.0, -2.0, -3.0, -4.0]));
+        // The instruments of the other ship are frozen; those of the first are not.
+        let as_shown = |of: Of| past.before(40, 4.0, Of { as_shown: true, ..of }, |_| 0);
+        assert_eq!(as_shown(other).ahead_mps, [7.0; 4]);
+        assert_eq!(as_shown(FIRST), history);
         // After a rewind only what is before, and repeated steps change nothing.
         assert_eq!(past.before(25, 2.5, FIRST, |_| 0).t_s, [1.0, 2.0]);
         let version = past.version();

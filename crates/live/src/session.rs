@@ -22,8 +22,8 @@ use crate::limits::{
     Full, LONGEST_HEADER_BYTES, MARKS, MOST_BRANCHES, MOST_COMMANDS, MOST_NOTES, MOST_TICKS,
     NOTE_TICKS,
 };
-use crate::message::{History, PlannedNow, Then};
-use crate::past::{Past, Sample};
+use crate::message::{History, PlannedNow, Role, Then};
+use crate::past::{Of, Past, Sample};
 use crate::recording::{Line, Writer};
 use crate::refusal::Refusal;
 use crate::script::{self, Script};
@@ -361,11 +361,11 @@ impl Session {
     }
 
     /// What strip charts and log show of the last half hour before the present tick: of the own ship, or of another ship that can
-    /// be conned, by her index among the vessels.
+    /// be conned, by her index among the vessels. A pilot gets what the instruments showed, frozen ones too; everybody else what was.
     ///
     /// # Errors
     /// A vessel that is a tug, or is not there: their past is not kept.
-    pub fn history(&self, vessel: Option<usize>) -> Result<History, Refusal> {
+    pub fn history(&self, vessel: Option<usize>, role: &Role) -> Result<History, Refusal> {
         let (tick, t_s) = (self.now.tick, self.now.simulation.time_s());
         let vessel = vessel.or(self.cast.own);
         let place = match vessel {
@@ -373,7 +373,8 @@ impl Session {
             None => Some(0),
         };
         let place = place.ok_or_else(|| Refusal::new("the past of this vessel is not kept"))?;
-        Ok(self.past.before(tick, t_s, (place, vessel), |tick| self.segment(self.current, tick).0))
+        let of = Of { place, vessel, as_shown: matches!(role, Role::Pilot { .. }) };
+        Ok(self.past.before(tick, t_s, of, |tick| self.segment(self.current, tick).0))
     }
 
     /// Differs after each change of [`Session::history`].

@@ -57,6 +57,72 @@ fn each_frozen_instrument_stays_for_her_pilot_alone() {
     }
 }
 
+/// Bow speed, speed ahead and rate of turn of her charts, at the times of the past that a role gets.
+fn charts(session: &Session, role: &Role) -> Vec<[f64; 4]> {
+    let past = session.history(None, role).expect("it is kept");
+    let bow_mps = past.bow_mps.iter().map(|speed| speed.expect("she has a bow"));
+    let all = past.t_s.iter().zip(bow_mps).zip(past.ahead_mps.iter().zip(&past.turn_radps));
+    all.map(|((t_s, bow_mps), (ahead_mps, turn))| [*t_s, bow_mps, *ahead_mps, *turn]).collect()
+}
+
+/// What her page would have drawn while the session went on, once a second, as the past has it.
+fn drawn(session: &mut Session, seconds: usize, role: &Role) -> Vec<[f64; 4]> {
+    let rounded = |value: f64, digits: f64| (value * digits).round() / digits;
+    let second = |session: &mut Session| {
+        support::go(session, 10);
+        let frame = seen(session, role);
+        let (own, body) = (&frame.vessels[0], frame.bodies[0].expect("she is there"));
+        let bow_mps = own.berth.as_ref().map_or(own.bow_mps, |berth| berth.bow_mps);
+        [
+            rounded(frame.t_s, 1e4),
+            rounded(bow_mps, 1e4),
+            rounded(own.ground_mps[0], 1e4),
+            rounded(body[5], 1e6),
+        ]
+    };
+    (0..seconds).map(|_| second(session)).collect()
+}
+
+/// After a reload the charts came from the true speeds, and showed what no instrument had shown.
+#[test]
+fn the_charts_of_the_past_show_what_frozen_instruments_showed() {
+    for scenario in ["scenarios/live/berthing.toml", "scenarios/live/come_to_anchor.toml"] {
+        let mut session = support::open(scenario, &[]);
+        let mut page = drawn(&mut session, 20, &Role::PILOT);
+        support::command(&mut session, support::engine(0.9));
+        support::command(&mut session, support::rudder(0.5));
+        for of in [Fault::SpeedFrozen, Fault::HeadingFrozen] {
+            fault(&mut session, of, true);
+        }
+        page.extend(drawn(&mut session, 30, &Role::PILOT));
+        fault(&mut session, Fault::SpeedFrozen, false);
+        page.extend(drawn(&mut session, 20, &Role::PILOT));
+        fault(&mut session, Fault::HeadingFrozen, false);
+        page.extend(drawn(&mut session, 20, &Role::PILOT));
+        assert_eq!(charts(&session, &Role::PILOT), page, "{scenario}");
+        let truth = charts(&session, &Role::Instructor);
+        assert_eq!(truth[..20], page[..20], "{scenario}");
+        assert_ne!(truth[20..50], page[20..50], "{scenario}");
+        assert!(page[21..50].iter().all(|[.., ahead, turn]| [*ahead, *turn] == [page[21][2], 0.0]));
+        assert!(
+            truth[60][3] != 0.0 && page[60][3] == 0.0,
+            "{scenario}: the compass is still frozen"
+        );
+        assert_eq!(truth[60][2], page[60][2], "{scenario}: the log goes again");
+        assert_eq!(truth[70..], page[70..], "{scenario}");
+        for other in [Role::Observer, Role::Tugmaster { tug: "forward_tug".into() }] {
+            assert_eq!(charts(&session, &other), truth, "{scenario}: {other:?}");
+        }
+        // In a branch, and when the frozen time is played again.
+        session.rewind(450).expect("it is there");
+        session.branch().expect("a branch");
+        page.truncate(45);
+        page.extend(drawn(&mut session, 10, &Role::PILOT));
+        assert_eq!(charts(&session, &Role::PILOT), page, "{scenario}");
+        assert!(page[44..].iter().all(|values| values[3] == 0.0));
+    }
+}
+
 #[test]
 fn frozen_values_are_those_of_the_shown_time_after_a_rewind() {
     let mut session = support::open("scenarios/live/berthing.toml", &[]);

@@ -62,7 +62,7 @@ fn a_ship_that_passes_too_fast_parts_the_aft_spring_and_everybody_reads_why() {
         alarm.text
     );
     assert!(alarm.text.contains("12.0 kn and push"), "{}", alarm.text);
-    let events = session.history(None).expect("a past").events;
+    let events = session.history(None, &Role::Instructor).expect("a past").events;
     let log: Vec<&str> = events.iter().map(|event| &*event.text).collect();
     let at = |begins: &str| {
         let found = log.iter().position(|text| text.starts_with(begins));
@@ -78,7 +78,7 @@ fn a_ship_that_passes_too_fast_parts_the_aft_spring_and_everybody_reads_why() {
     until(&mut session, 600.0);
     let later = session.alarms().messages();
     assert!(later.iter().any(|other| other.text == alarm.text), "{later:?}");
-    let events = session.history(None).expect("a past").events;
+    let events = session.history(None, &Role::Instructor).expect("a past").events;
     let end =
         events.iter().find(|event| event.text.starts_with("ship kcs has passed ship, 55 m off"));
     assert!(end.is_some_and(|end| end.t_s > ABREAST_S), "{events:#?}");

@@ -189,9 +189,10 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
         each(&hello, key).for_each(|value| has_fields(value, name, &known));
     }
     has_fields(&frame["verdict"], "VerdictNow", &known);
-    let history: Value =
-        serde_json::from_str(&message::text(&session.history(None).expect("it is kept")))
-            .expect("the history as JSON");
+    let history: Value = serde_json::from_str(&message::text(
+        &session.history(None, &Role::PILOT).expect("it is kept"),
+    ))
+    .expect("the history as JSON");
     assert_eq!(history["type"], "history");
     has_fields(&history, "Past", &known);
     each(&history, "events").for_each(|value| has_fields(value, "Then", &known));

@@ -2,6 +2,7 @@
 
 mod support;
 
+use fenderline_live::message::Role;
 use fenderline_live::{Action, Fault, OtherAction, Request, Session};
 use fenderline_sim::OrderName;
 use fenderline_sim::order::{Lead, SidePlace, TugWord, TugWords};
@@ -328,36 +329,36 @@ fn the_history_of_a_rewound_and_a_replayed_session_is_that_of_the_run() {
     command(&mut session, fault.into());
     command(&mut session, OtherAction::Note { text: "late".into() }.into());
     go(&mut session, 105);
-    let whole = session.history(None).expect("it is kept");
+    let whole = session.history(None, &Role::PILOT).expect("it is kept");
     assert_eq!(whole.t_s.len(), 40);
     let texts: Vec<&str> = whole.events.iter().map(|event| event.text.as_str()).collect();
     assert!(texts.iter().any(|text| text.starts_with("ALARM: ship: rudder stuck")), "{texts:?}");
     assert!(texts.iter().any(|text| text.ends_with("notes: late")), "{texts:?}");
     // Back: only what was before. On again: the same.
     session.rewind(205).expect("it is there");
-    let before = session.history(None).expect("it is kept");
+    let before = session.history(None, &Role::PILOT).expect("it is kept");
     assert_eq!(before.t_s, whole.t_s[..20]);
     assert!(before.events.iter().all(|event| event.t_s <= 20.5));
     session.rewind(405).expect("it is there");
-    assert_eq!(session.history(None).expect("it is kept"), whole);
+    assert_eq!(session.history(None, &Role::PILOT).expect("it is kept"), whole);
     // A branch has its own past from there on, and the first run keeps its own.
     session.rewind(205).expect("it is there");
     session.branch().expect("it is rewound");
     command(&mut session, engine(-0.7));
     go(&mut session, 200);
-    let branch = session.history(None).expect("it is kept");
+    let branch = session.history(None, &Role::PILOT).expect("it is kept");
     assert_eq!(branch.t_s, whole.t_s);
     assert_eq!(branch.ahead_mps[..20], whole.ahead_mps[..20]);
     assert!(branch.ahead_mps[39] < whole.ahead_mps[39]);
     session.go_to_branch(0).expect("there is one");
-    assert_eq!(session.history(None).expect("it is kept"), whole);
+    assert_eq!(session.history(None, &Role::PILOT).expect("it is kept"), whole);
     session.go_to_branch(1).expect("there is one");
     // After a restart of the server.
     assert_eq!(
         replay(&saved(&mut session))
             .expect("a good recording")
             .session
-            .history(None)
+            .history(None, &Role::PILOT)
             .expect("it is kept"),
         branch
     );
@@ -370,9 +371,9 @@ fn the_history_has_every_ship_that_can_be_conned() {
     let names = &session.cast().vessels;
     let [bulker, coaster] = ["bulker", "coaster"].map(|name| {
         let vessel = names.iter().position(|other| other == name).expect("she is there");
-        session.history(Some(vessel)).expect("it is kept")
+        session.history(Some(vessel), &Role::PILOT).expect("it is kept")
     });
-    assert_eq!(session.history(None), Ok(bulker.clone()));
+    assert_eq!(session.history(None, &Role::PILOT), Ok(bulker.clone()));
     assert_eq!((bulker.vessel, coaster.vessel), (Some(0), Some(1)));
     assert_eq!((bulker.t_s.len(), &coaster.t_s), (30, &bulker.t_s));
     // 7 and 8 knots at the start.
@@ -381,12 +382,12 @@ fn the_history_has_every_ship_that_can_be_conned() {
     assert!((knots(&bulker) - 7.0).abs() < 0.2 && (knots(&coaster) - 8.0).abs() < 0.2);
     assert_eq!(coaster.events, bulker.events);
     let again = replay(&saved(&mut session)).expect("a good recording").session;
-    assert_eq!(again.history(Some(1)), Ok(coaster));
+    assert_eq!(again.history(Some(1), &Role::PILOT), Ok(coaster));
     // A tug has none, and nobody has that of a ship that is not there.
     let session = open("scenarios/live/berthing.toml", &[]);
-    assert!(session.history(Some(0)).is_ok());
+    assert!(session.history(Some(0), &Role::PILOT).is_ok());
     for vessel in [1, 2, 3] {
-        let why = session.history(Some(vessel)).expect_err("no ship").to_string();
+        let why = session.history(Some(vessel), &Role::PILOT).expect_err("no ship").to_string();
         assert!(why.contains("not kept"), "{why}");
     }
 }

@@ -13,12 +13,15 @@ fn main() {
     {
         let turn = number as f64;
         let place = GeoPoint { latitude_deg, longitude_deg };
+        let (heading_rad, ground_mps) = (6.2 - turn, [2.0 - turn, 0.3]);
+        let course_rad = heading_rad + libm::atan2(ground_mps[1], ground_mps[0]);
         let of = Instruments {
             at: Moment { year: 2026, month: 11, day: 21, seconds: 3661.5 + turn },
             place,
-            heading_rad: 6.2 - turn,
+            heading_rad,
+            course_rad,
             turn_radps: 0.002 * (turn - 1.5),
-            ground_mps: [2.0 - turn, 0.3],
+            ground_mps,
             water_mps: [1.8 - turn, 0.2],
             stern_mps: [-0.4, -0.3],
             wind_over_deck: (1.0 + turn, 12.5),
@@ -41,7 +44,6 @@ fn main() {
             of.shafts[0].rps * 60.0,
         );
         instruments(&of).iter().for_each(|text| print!("{text}"));
-        let course_rad = of.heading_rad + libm::atan2(of.ground_mps[1], of.ground_mps[0]);
         let report = PositionReport {
             mmsi: 999_000_001 + number as u32,
             status: 0,

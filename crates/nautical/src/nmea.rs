@@ -59,6 +59,8 @@ pub struct Instruments {
     pub place: GeoPoint,
     /// Heading from true north (rad).
     pub heading_rad: f64,
+    /// Course over ground from true north (rad). It counts only while she moves.
+    pub course_rad: f64,
     /// Rate of turn, positive to starboard (rad/s).
     pub turn_radps: f64,
     /// Velocity over ground, ahead and to starboard (m/s).
@@ -90,9 +92,9 @@ pub fn instruments(of: &Instruments) -> Vec<String> {
     let [ahead_mps, across_mps] = of.ground_mps;
     let speed_kn = libm::hypot(ahead_mps, across_mps) / KNOT_MPS;
     // A ship at rest has no course over ground; instruments show her heading.
-    let drift_rad = if speed_kn > 0.01 { libm::atan2(across_mps, ahead_mps) } else { 0.0 };
+    let course_rad = if speed_kn > 0.01 { of.course_rad } else { of.heading_rad };
     let heading_deg = degrees(of.heading_rad, 1);
-    let course_deg = degrees(of.heading_rad + drift_rad, 1);
+    let course_deg = degrees(course_rad, 1);
     let mut all = vec![
         sentence('$', &format!("HEHDT,{heading_deg:.1},T")),
         sentence('$', &format!("TIROT,{:.1},A", 60.0 * of.turn_radps.to_degrees())),

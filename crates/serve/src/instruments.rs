@@ -1,7 +1,7 @@
 //! The sentences of the ships' instruments for chart programs.
 
 use fenderline_contact::{BodyState, Rotation, Vec2, vec2};
-use fenderline_live::Session;
+use fenderline_live::{Session, Shown};
 use fenderline_nautical::{
     ChartOrigin, GeoPoint, Instruments, Moment, PositionReport, Shaft, ShipData, ais_position,
     ais_ship_data, instruments,
@@ -22,8 +22,10 @@ struct Vessel<'s> {
     state: &'s BodyState,
     /// Centre of gravity forward of midship (m).
     ahead_m: f64,
-    /// Velocity over ground at midship, ahead and to starboard (m/s).
+    /// True velocity over ground at midship, ahead and to starboard (m/s).
     ground: Vec2,
+    /// What compass, log and satellite receiver show. They may be frozen.
+    shown: Shown,
 }
 
 impl<'s> Vessel<'s> {
@@ -34,11 +36,11 @@ impl<'s> Vessel<'s> {
         let ahead_m = of.ship.particulars.centre_of_gravity_m;
         let own = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps);
         let ground = vec2(own.x, own.y - ahead_m * state.yaw_rate_radps);
-        Vessel { index, of, state, ahead_m, ground }
+        Vessel { index, of, state, ahead_m, ground, shown: session.shown(index) }
     }
 
     fn place(&self, origin: &ChartOrigin) -> GeoPoint {
-        let at = self.state.pose().apply(vec2(-self.ahead_m, 0.0));
+        let at = self.shown.midship_m;
         origin.place(at.x, at.y)
     }
 
@@ -46,6 +48,7 @@ impl<'s> Vessel<'s> {
         FIRST_MMSI + self.index as u32
     }
 
+    /// AIS sends what the instruments show. The status is set by hand, by what is seen on board.
     fn position_report(
         &self,
         session: &Session,
@@ -57,19 +60,19 @@ impl<'s> Vessel<'s> {
         let is_fast = lines
             .filter(|(setup, _)| setup.ship == self.of.body)
             .any(|(_, line)| line.line.as_ref().is_some_and(|(_, state)| !state.parted));
-        let speed_mps = self.ground.length();
+        let Shown { heading_rad, turn_radps, speeds, .. } = self.shown;
         PositionReport {
             mmsi: self.mmsi(),
             status: match simulation.vessels()[self.index].aground {
                 true => 6,
-                false if is_fast && speed_mps < MOORED_MPS => 5,
+                false if is_fast && self.ground.length() < MOORED_MPS => 5,
                 false => 0,
             },
-            turn_radps: self.state.yaw_rate_radps,
-            speed_mps,
+            turn_radps,
+            speed_mps: libm::hypot(speeds.ground_mps[0], speeds.ground_mps[1]),
             place: self.place(origin),
-            course_rad: self.state.heading_rad + libm::atan2(self.ground.y, self.ground.x),
-            heading_rad: self.state.heading_rad,
+            course_rad: speeds.course_rad,
+            heading_rad,
             second: (at.seconds % 60.0) as u8,
             radio: 0,
         }
@@ -97,22 +100,25 @@ impl<'s> Vessel<'s> {
         let (t_s, environment) = (simulation.time_s(), &simulation.setup().world.environment);
         let vessel = &simulation.vessels()[self.index];
         let attitude = Rotation::from_angle(self.state.heading_rad);
-        let water = self.of.velocity(self.state, environment, t_s);
         let air = environment.wind.as_ref().map_or(Vec2::ZERO, |wind| wind.velocity(10.0, t_s));
         let air = attitude.apply_inverse(air);
-        let (least, _) = simulation.setup().bodies[self.of.body].outline.bounds();
-        let stern_mps = (least.x + self.ahead_m) * self.state.yaw_rate_radps;
+        let over_deck = air - self.ground;
+        let Shown { heading_rad, turn_radps, speeds, .. } = self.shown;
+        let ([water_mps, water_across_mps], ground_mps) = (speeds.water_mps, speeds.ground_mps);
+        let swing_mps = speeds.stern_mps - ground_mps[1];
         let propelled = self.of.ship.propulsion.is_some();
         Instruments {
             at,
             place: self.place(origin),
-            heading_rad: self.state.heading_rad,
-            turn_radps: self.state.yaw_rate_radps,
-            ground_mps: [self.ground.x, self.ground.y],
-            water_mps: [water.surge_mps, water.sway_mps],
-            stern_mps: [water.sway_mps + stern_mps, self.ground.y + stern_mps],
-            wind_over_deck: from_and_speed(air - self.ground),
-            true_wind: from_and_speed(air),
+            heading_rad,
+            course_rad: speeds.course_rad,
+            turn_radps,
+            ground_mps,
+            water_mps: [water_mps, water_across_mps],
+            stern_mps: [water_across_mps + swing_mps, speeds.stern_mps],
+            wind_over_deck: from_and_speed(over_deck),
+            // Found from the wind over deck and her speed, as instruments do.
+            true_wind: from_and_speed(over_deck + vec2(ground_mps[0], ground_mps[1])),
             // The transducer is in the keel.
             depth_m: vessel.under_keel_m.map(|under_m| (under_m, 0.0)),
             rudder_rad: propelled.then_some(vessel.rudder.value),
@@ -218,7 +224,8 @@ pub(crate) fn sentences(
 
 #[cfg(test)]
 mod tests {
-    use fenderline_live::Source;
+    use fenderline_live::{Action, Fault, NamedOrder, OtherAction, Source};
+    use fenderline_sim::OrderName;
 
     use super::*;
 
@@ -260,12 +267,120 @@ mod tests {
             .collect()
     }
 
+    fn open(text: &str) -> Session {
+        let none = |name: &str| Err(format!("{name}: none is needed"));
+        let (source, _) = Source::collect("a.toml", text.to_owned(), vec![], none).expect("good");
+        Session::open(source).expect("a set-up")
+    }
+
+    fn go(session: &mut Session, steps: usize) {
+        for _ in 0..steps {
+            session.step().expect("a step");
+        }
+    }
+
+    /// The cells of the first sentence of a kind, without the check sum.
+    fn cells(all: &[String], kind: &str) -> Vec<String> {
+        let sentence = all.iter().find(|sentence| sentence.get(3..6) == Some(kind));
+        let sentence = sentence.unwrap_or_else(|| panic!("no {kind}"));
+        let body = sentence.split('*').next().unwrap_or_default();
+        body.split(',').map(str::to_owned).collect()
+    }
+
+    #[test]
+    fn frozen_instruments_send_what_they_show_and_the_others_the_truth() {
+        let text = include_str!("../../../scenarios/live/berthing.toml");
+        let mut session = open(text);
+        let command = |session: &mut Session, action: Action| {
+            session.command("test", 0, action).expect("it is accepted");
+        };
+        let fault = |fault, on| OtherAction::Fault { vessel: "ship".into(), fault, on }.into();
+        let engine = NamedOrder::new(OrderName::Engine, "ship").number("share", 0.9);
+        let rudder = NamedOrder::new(OrderName::Rudder, "ship").number("angle", 0.5);
+        go(&mut session, 300);
+        command(&mut session, engine.into());
+        command(&mut session, rudder.into());
+        go(&mut session, 300);
+        let origin = origin();
+        let round = |session: &Session| sentences(session, &origin, Moment::from_unix(1.8e9), 1);
+        // The clock of a satellite receiver goes on, so it is the same in all rounds here.
+        for (of, kept, go_on) in [
+            (Fault::HeadingFrozen, &["HDT", "ROT"][..], &["RMC", "VTG", "VBW"][..]),
+            (Fault::SpeedFrozen, &["VTG", "VBW"], &["HDT", "ROT", "RMC"]),
+            (Fault::PositionFrozen, &[], &["HDT", "ROT", "RMC", "VTG", "VBW"]),
+        ] {
+            let (before, place) = (round(&session), session.shown(0).midship_m);
+            command(&mut session, fault(of, true));
+            go(&mut session, 300);
+            let now = round(&session);
+            for kind in kept {
+                let expected =
+                    if *kind == "ROT" { "0.0".to_owned() } else { cells(&before, kind)[1].clone() };
+                assert_eq!(cells(&now, kind)[1], expected, "{of:?}");
+            }
+            for kind in go_on {
+                assert_ne!(cells(&now, kind), cells(&before, kind), "{of:?}: {kind}");
+            }
+            // Latitude and longitude; course and speed.
+            let (rmc, rmc_before) = (cells(&now, "RMC"), cells(&before, "RMC"));
+            assert_eq!(rmc[3..7] == rmc_before[3..7], of == Fault::PositionFrozen, "{of:?}");
+            assert_eq!(rmc[7..9] == rmc_before[7..9], of == Fault::SpeedFrozen, "{of:?}");
+            assert_eq!(session.shown(0).midship_m == place, of == Fault::PositionFrozen);
+            // The anemometer is not frozen; the true wind is found with a wrong speed where the log is.
+            assert_ne!(cells(&now, "MWV"), cells(&before, "MWV"), "{of:?}");
+            // What others get by AIS is the same.
+            let (report, truth) = (vessel_report(&session), true_report(&session));
+            assert_eq!(report.heading_rad == truth.heading_rad, of != Fault::HeadingFrozen);
+            assert_eq!(report.turn_radps == truth.turn_radps, of != Fault::HeadingFrozen);
+            assert_eq!(report.speed_mps == truth.speed_mps, of != Fault::SpeedFrozen);
+            assert_eq!(report.course_rad == truth.course_rad, of != Fault::SpeedFrozen);
+            assert_eq!(report.place == truth.place, of != Fault::PositionFrozen);
+            command(&mut session, fault(of, false));
+            assert_eq!(vessel_report(&session), true_report(&session), "{of:?} is over");
+        }
+    }
+
+    /// A frozen receiver turns no more about the centre of gravity of a ship that swings: her place stays where the antenna was.
+    #[test]
+    fn the_ais_of_a_tug_with_a_frozen_receiver_stays_where_it_was_and_the_others_go_on() {
+        let mut session = open(include_str!("../../../scenarios/live/berthing.toml"));
+        go(&mut session, 100);
+        let fault = OtherAction::Fault {
+            vessel: "forward_tug".into(),
+            fault: Fault::PositionFrozen,
+            on: true,
+        };
+        session.command("test", 0, fault.into()).expect("it is accepted");
+        let before = reports(&session, 1);
+        go(&mut session, 300);
+        let after = reports(&session, 1);
+        let latitudes =
+            |all: &[(i64, f64, f64, i64)]| -> Vec<f64> { all.iter().map(|of| of.2).collect() };
+        let (before, after) = (latitudes(&before), latitudes(&after));
+        assert_eq!(before.len(), 2, "both tugs; the own ship is in a sentence of her own kind");
+        assert_eq!(before[0], after[0]);
+        assert_ne!(before[1], after[1]);
+    }
+
+    /// What the own ship sends by AIS.
+    fn vessel_report(session: &Session) -> PositionReport {
+        Vessel::of(session, 0).position_report(session, &origin(), &Moment::from_unix(1.8e9))
+    }
+
+    /// What she would send without a frozen instrument.
+    fn true_report(session: &Session) -> PositionReport {
+        let mut sound = session.clone();
+        for fault in [Fault::HeadingFrozen, Fault::SpeedFrozen, Fault::PositionFrozen] {
+            let action = OtherAction::Fault { vessel: "ship".into(), fault, on: false };
+            sound.command("test", 0, action.into()).expect("it is accepted");
+        }
+        vessel_report(&sound)
+    }
+
     #[test]
     fn traffic_is_in_the_ais_with_its_speed_place_and_heading() {
         let text = include_str!("../../../scenarios/live/two_pilots_in_a_fairway.toml");
-        let none = |name: &str| Err(format!("{name}: none is needed"));
-        let (source, _) = Source::collect("a.toml", text.to_owned(), vec![], none).expect("good");
-        let mut session = Session::open(source).expect("a set-up");
+        let mut session = open(text);
         let names: Vec<&str> =
             session.info().traffic.iter().map(|ship| ship.name.as_str()).collect();
         let place = names.iter().position(|name| *name == "container_ship").expect("she is there");

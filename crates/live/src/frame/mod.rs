@@ -33,7 +33,8 @@ use crate::session::{Branch, Now, Session};
 
 pub(crate) use seen::Seen;
 pub(crate) use verdict::now as verdict;
-pub(crate) use vessel::{Speeds, speeds};
+pub use vessel::Speeds;
+pub(crate) use vessel::speeds;
 
 /// The data of the docking board.
 struct BoardInput<'a> {
@@ -85,7 +86,7 @@ pub(crate) fn after_tick(now: &Now, cast: &Cast, info: &Info) -> (Vec<Alarm>, Sa
     };
     let mut causes = alarms::causes(&of);
     causes.extend(traffic::collisions(simulation, info));
-    (causes, sample::sample(&of, cast))
+    (causes, sample::sample(&of, cast, &now.frozen))
 }
 
 /// The frame of a state.

@@ -5,10 +5,12 @@ use fenderline_contact::number::greater;
 
 use super::alarms::Input;
 use crate::cast::Cast;
+use crate::frozen::Frozen;
 use crate::past::{Sample, ShipSample};
 
-/// The values of every ship that can be conned, or, without a vessel, of the first body that floats; and the loads.
-pub(super) fn sample(of: &Input<'_>, cast: &Cast) -> Sample {
+/// The values of every ship that can be conned, or, without a vessel, of the first body that floats; and the loads. `frozen`:
+/// for each vessel.
+pub(super) fn sample(of: &Input<'_>, cast: &Cast, frozen: &[Frozen]) -> Sample {
     let ships = cast.ships();
     let floats = || of.info.bodies.iter().position(|body| !body.fixed);
     let fenders = |share: fn(&crate::message::FenderNow) -> f64| {
@@ -17,9 +19,18 @@ pub(super) fn sample(of: &Input<'_>, cast: &Cast) -> Sample {
     let lines = of.lines.iter().zip(&of.info.lines);
     Sample {
         t_s: of.simulation.time_s(),
+        shown: ships
+            .iter()
+            .enumerate()
+            .filter(|(_, ship)| frozen[**ship].any())
+            .map(|(place, &ship)| (place, ship_sample(of, ship, &frozen[ship])))
+            .collect(),
         ships: match ships.is_empty() {
             true => vec![body_sample(of, floats())],
-            false => ships.into_iter().map(|ship| ship_sample(of, ship)).collect(),
+            false => {
+                let truth = Frozen::default();
+                ships.into_iter().map(|ship| ship_sample(of, ship, &truth)).collect()
+            }
         },
         of_energy: fenders(|fender| fender.of_energy),
         of_reaction: fenders(|fender| fender.of_reaction),
@@ -34,14 +45,19 @@ pub(super) fn sample(of: &Input<'_>, cast: &Cast) -> Sample {
     }
 }
 
-fn ship_sample(of: &Input<'_>, ship: usize) -> ShipSample {
+/// What instruments that are frozen in this way show of a ship. The docking board is the berth's, and never frozen.
+fn ship_sample(of: &Input<'_>, ship: usize, frozen: &Frozen) -> ShipSample {
     let (now, berth) = (&of.vessels[ship], of.vessels[ship].berth.as_ref());
+    let (bow_mps, stern_mps, ahead_mps) = match frozen.speeds() {
+        Some(shown) => (shown.bow_mps, shown.stern_mps, shown.ground_mps[0]),
+        None => (now.bow_mps, now.stern_mps, now.ground_mps[0]),
+    };
     let body = of.simulation.setup().world.vessels[ship].body;
     ShipSample {
-        bow_mps: Some(berth.map_or(now.bow_mps, |berth| berth.bow_mps)),
-        stern_mps: Some(berth.map_or(now.stern_mps, |berth| berth.stern_mps)),
-        ahead_mps: now.ground_mps[0],
-        turn_radps: of.simulation.states()[body].yaw_rate_radps,
+        bow_mps: Some(berth.map_or(bow_mps, |berth| berth.bow_mps)),
+        stern_mps: Some(berth.map_or(stern_mps, |berth| berth.stern_mps)),
+        ahead_mps,
+        turn_radps: frozen.turn_radps(of.simulation.states()[body].yaw_rate_radps),
         bow_m: berth.map(|berth| berth.bow_m),
         stern_m: berth.map(|berth| berth.stern_m),
     }

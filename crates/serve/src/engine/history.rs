@@ -29,8 +29,9 @@ impl Engine {
         }
         of.asked = Some(now);
         let (session, version) = (&self.session, self.session.history_version());
-        let text = self.history.text(version, vessel, || {
-            session.history(vessel).map(|history| message::text(&history).into())
+        let as_shown = matches!(of.role, Role::Pilot { .. });
+        let text = self.history.text(version, (vessel, as_shown), || {
+            session.history(vessel, &of.role).map(|history| message::text(&history).into())
         })?;
         // The queue of a client that does not read is full. Its connection is about to be closed for that.
         let _ = of.out.try_send(text);

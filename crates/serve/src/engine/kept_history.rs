@@ -5,11 +5,14 @@ use std::sync::Arc;
 
 use crate::hub::Text;
 
-/// A version of the past, and the texts of it by vessel.
+/// The vessel of a past, and whether it is as her instruments showed it.
+type Of = (Option<usize>, bool);
+
+/// A version of the past, and the texts of it.
 #[derive(Debug, Default)]
 pub(super) struct KeptHistory {
     version: (usize, u64, u64),
-    texts: BTreeMap<Option<usize>, Text>,
+    texts: BTreeMap<Of, Text>,
 }
 
 impl KeptHistory {
@@ -20,18 +23,18 @@ impl KeptHistory {
     pub(super) fn text<E>(
         &mut self,
         version: (usize, u64, u64),
-        vessel: Option<usize>,
+        of: Of,
         write: impl FnOnce() -> Result<Text, E>,
     ) -> Result<Text, E> {
         if self.version != version {
             self.version = version;
             self.texts.clear();
         }
-        if let Some(text) = self.texts.get(&vessel) {
+        if let Some(text) = self.texts.get(&of) {
             return Ok(Arc::clone(text));
         }
         let text = write()?;
-        self.texts.insert(vessel, Arc::clone(&text));
+        self.texts.insert(of, Arc::clone(&text));
         Ok(text)
     }
 }
