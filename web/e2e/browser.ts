@@ -24,6 +24,8 @@ export interface Served {
   url: string;
   /** By role: `instructor`, `pilot`, `observer`, `master of NAME`; `tugmaster` is the first of those. */
   tokens: Record<string, string>;
+  /** The folder of its recordings. */
+  sessions: string;
   close(): Promise<void>;
 }
 
@@ -88,7 +90,7 @@ export async function serve(set: string[] = [], scenario = SCENARIO): Promise<Se
     server.kill("SIGINT");
     await ended;
   };
-  return { url, tokens, close };
+  return { url, tokens, sessions, close };
 }
 
 export interface Browser {

@@ -124,7 +124,7 @@ test("a session is saved under a name, and continues where it ended when it is o
   // The run that has just ended is among the recordings too: the saved one is opened.
   const kept = instructor
     .locator(".gallery li", { hasText: "Saved as kept_by_a-test." })
-    .getByRole("button");
+    .getByRole("button", { name: /^Open / });
   await kept.click();
   await instructor.getByRole("button", { name: "End this run" }).click();
   await expect.poll(async () => Number(await timeline.inputValue())).toBe(ended);

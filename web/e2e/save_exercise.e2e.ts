@@ -87,7 +87,7 @@ test("it takes the place of another only after a question, and opens from the pa
   await instructor.getByRole("button", { name: "Replace the exercise" }).click();
   await saved().filter({ hasText: "Saved as" }).waitFor();
   expect(readFileSync(made, "utf8")).toContain('title = "Another"');
-  const now = instructor.getByRole("button", { name: "Open the saved exercise now" });
+  const now = instructor.getByRole("button", { name: "Open it now: the saved exercise" });
   await now.click();
   await instructor.getByRole("button", { name: "End this run" }).click();
   await instructor.locator("header", { hasText: "Another" }).waitFor();

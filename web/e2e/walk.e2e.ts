@@ -52,7 +52,7 @@ test("an instructor who has never seen it makes, runs and debriefs an exercise w
   await field("File name").fill("first");
   await shot("new exercise", begun);
   await page.getByRole("button", { name: "Save exercise" }).click();
-  const now = form.getByRole("button", { name: "Open the saved exercise now" });
+  const now = form.getByRole("button", { name: "Open it now: the saved exercise" });
   await now.click();
   await page.getByRole("button", { name: "End this run" }).click();
   await page.locator("header", { hasText: "My first exercise" }).waitFor();

@@ -39,6 +39,7 @@ import { Docking } from "./views/docking";
 import { Exercise } from "./views/exercise";
 import { Fenders } from "./views/fenders";
 import { Lines } from "./views/lines";
+import { FileTools } from "./views/file_tools";
 import { GalleryKeeper } from "./views/gallery_keeper";
 import { NewExerciseView } from "./views/new_exercise";
 import { Place } from "./views/place";
@@ -78,6 +79,7 @@ export class App implements Page {
   private outdated = false;
   private newExercise: NewExerciseView | null = null;
   private readonly saveExercise = new SaveExercise(this);
+  private readonly fileTools = new FileTools(this);
   private place: Place | null = null;
   private readonly placing = new Placing(
     (action) => this.order(action),
@@ -367,7 +369,7 @@ export class App implements Page {
       this.conditions = new Conditions(this, hello);
       this.conditions.planned.heard(this.plannedEvents);
       const own: typeof views = [
-        ["Session", null, new Session(this, hello, this.saveExercise)],
+        ["Session", null, new Session(this, hello, this.saveExercise, this.fileTools)],
         ["Weather, faults", null, this.conditions],
       ];
       if (hello.vessels.length > 0) {

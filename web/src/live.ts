@@ -193,8 +193,8 @@ export function same(a: Control, b: Control): boolean {
 
 /** The part of the greeting that the page is built from. If it changes, the page is rebuilt; a change of claims does not. */
 export function structure(hello: Hello): string {
-  const { role, file, bodies, vessels, fenders, lines, tugs, traffic, gallery, links, exercise } =
-    hello;
+  const { role, file, bodies, vessels, fenders, lines, tugs, traffic } = hello;
+  const { gallery, deleted, links, exercise } = hello;
   return JSON.stringify([
     role,
     file,
@@ -205,6 +205,7 @@ export function structure(hello: Hello): string {
     tugs,
     traffic,
     gallery,
+    deleted,
     links,
     exercise,
   ]);

@@ -57,6 +57,8 @@ export interface Hello {
     berth: string | null;
     /** When the file of a recording was last written [s since 1970]; `null`: a scenario. */
     written_unix_s: number | null;
+    /** Whether the instructor can rename and delete it: a recording, or an exercise that was saved from the page. */
+    changeable: boolean;
   }[];
   /** The berth: a line [m] and the side of the water, on a body (a quay, a ship). Distances are to this line. */
   berth: { body: number; from: Pair; to: Pair; facing: Pair } | null;
@@ -69,6 +71,8 @@ export interface Hello {
   links?: { role: Role; path: string }[];
   /** For the instructor only: what a new exercise can be made of. */
   library?: LibraryInfo;
+  /** For the instructor only: what was deleted and can be put back, the latest last. */
+  deleted?: Hello["gallery"];
 }
 
 export interface LibraryInfo {
@@ -798,6 +802,14 @@ export type OtherAction =
   | { do: "load"; file: string }
   | { do: "stop_opening" }
   | { do: "save"; name: string }
+  /**
+   * Renames a recording or a saved exercise; `name` is without ending. Never to a name that is taken. These three are acknowledged when
+   * they are done.
+   */
+  | { do: "rename"; file: string; name: string }
+  /** Moves it among the deleted files. Not what is being recorded or run. */
+  | { do: "delete"; file: string }
+  | { do: "put_back"; file: string }
   /** Sends `Past`, once a second: of the ship of the link, to the instructor of any ship. */
   | { do: "history"; vessel?: string }
   /**

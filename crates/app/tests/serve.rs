@@ -4,6 +4,8 @@
 mod alarms;
 #[path = "serve/client.rs"]
 mod client;
+#[path = "serve/files.rs"]
+mod files;
 #[path = "serve/instruments.rs"]
 mod instruments;
 #[path = "serve/mooring.rs"]

@@ -63,7 +63,7 @@ pub use named_order::NamedOrder;
 pub use order_info::order_infos;
 pub use outlook::Outlook;
 pub use prediction::{MOST_PATHS, Prediction};
-pub use present::PresentFile;
+pub use present::{INTO_A_SESSION, PresentFile};
 pub use recording::{
     CopyError, Ending, Fault as RecordingFault, Line, Outline, RecordingError, RecordingReader,
     begins_recording, copy_kept,

@@ -44,6 +44,9 @@ pub struct Hello<'a> {
     pub links: Option<&'a [Link]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub library: Option<&'a LibraryInfo>,
+    /// What was deleted and can be put back; for instructors only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub deleted: Option<&'a [GalleryEntry]>,
 }
 
 /// What a new exercise can be made of.
@@ -170,6 +173,8 @@ pub struct GalleryEntry {
     pub berth: Option<String>,
     /// When the file of a recording was last written (seconds since the start of 1970); `None` for a scenario.
     pub written_unix_s: Option<u64>,
+    /// Whether the instructor can rename and delete it: a recording, or an exercise that was saved from the page, in the server's folders.
+    pub changeable: bool,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]

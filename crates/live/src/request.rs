@@ -88,6 +88,12 @@ conducts! {
     Save = "save" { name: String },
     /// Save the present state as an exercise of the gallery, which may take the place of one of this name.
     SaveExercise = "save_exercise" { name: String, title: String, replace: bool },
+    /// Give a recording or a saved exercise of the gallery another name, without its ending.
+    Rename = "rename" { file: String, name: String },
+    /// Move a recording or a saved exercise of the gallery to the folder of deleted ones.
+    Delete = "delete" { file: String },
+    /// Move it back from there.
+    PutBack = "put_back" { file: String },
     /// Make a new exercise of choices and add it to the gallery.
     Create = "create" { of: Box<Creation> },
 }

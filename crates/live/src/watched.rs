@@ -101,6 +101,7 @@ impl Watched {
             exercise: self.exercise().map(|of| exercise::info(of, self.simulation().setup())),
             links: None,
             library: None,
+            deleted: None,
         })
     }
 

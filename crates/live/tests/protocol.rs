@@ -129,6 +129,7 @@ fn messages(session: &Session) -> (Value, Value) {
         exercise: session.exercise_info(),
         links: Some(&links),
         library: Some(library_info()),
+        deleted: Some(&[]),
     };
     let read = |text: &str| serde_json::from_str(text).expect("JSON");
     (read(&frame), read(&message::text(&hello)))

@@ -5,44 +5,112 @@ use std::path::{Path, PathBuf};
 use std::time::UNIX_EPOCH;
 
 use fenderline_live::message::GalleryEntry;
-use fenderline_live::{Outline, Session, Source};
+use fenderline_live::{INTO_A_SESSION, Outline, Session, Source};
 use fenderline_scenario::{berth_words, read_text};
 
+use super::file_change::Changed;
 use super::kept_seats::{self, KeptSeats};
 use super::saved::{self, ENDING, Replayed, Watch};
 
 /// Most entries of the gallery, and most files of a folder that are read for it.
 const MOST: usize = 200;
 const MOST_READ: usize = 1000;
+/// The end of an exercise's file name.
+pub(crate) const EXERCISE_ENDING: &str = ".toml";
+/// The folder for deleted files, in that of the others.
+pub(crate) const DELETED: &str = "deleted";
+/// What the first comment of an exercise says that was saved from the page. Files that people wrote by hand are theirs to rename.
+const FROM_THE_PAGE: [&str; 2] = ["Made from choices:", INTO_A_SESSION];
 /// A scenario and the files that it names together (bytes).
 const LARGEST_SCENARIO: usize = 64 << 20;
 
 /// A list of files that can be opened, by name. Nothing else can: a page names an entry, not a path.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Gallery {
-    entries: Vec<GalleryEntry>,
-    paths: Vec<PathBuf>,
+    files: Files,
+    /// Those that were deleted, which can be put back.
+    deleted: Files,
     /// Where new exercises are saved.
     folder: PathBuf,
+    /// Where sessions are recorded.
+    sessions: PathBuf,
+}
+
+/// Files with their entries, each name once.
+#[derive(Clone, Debug, Default)]
+struct Files {
+    entries: Vec<GalleryEntry>,
+    paths: Vec<PathBuf>,
+}
+
+impl Files {
+    fn place(&self, file: &str) -> Option<usize> {
+        self.entries.iter().position(|entry| entry.file == file)
+    }
+
+    fn has_room_for(&self, file: &str) -> bool {
+        self.paths.len() < MOST && self.place(file).is_none()
+    }
+
+    fn put(&mut self, path: &Path, entry: GalleryEntry) {
+        if self.has_room_for(&entry.file) {
+            self.entries.push(entry);
+            self.paths.push(path.to_owned());
+        }
+    }
+
+    /// At the end of the list, in place of one of this name, or of the first where there is no room.
+    fn put_last(&mut self, path: &Path, entry: GalleryEntry) {
+        let is_full = self.paths.len() >= MOST;
+        if let Some(place) = self.place(&entry.file).or(is_full.then_some(0)) {
+            self.entries.remove(place);
+            self.paths.remove(place);
+        }
+        self.put(path, entry);
+    }
+
+    fn get(&self, file: &str) -> Option<(&GalleryEntry, &Path)> {
+        self.place(file).map(|place| (&self.entries[place], self.paths[place].as_path()))
+    }
+
+    /// Takes the entry of a path away; its place.
+    fn take(&mut self, path: &Path) -> Option<usize> {
+        let place = self.paths.iter().position(|other| other == path)?;
+        self.entries.remove(place);
+        self.paths.remove(place);
+        Some(place)
+    }
 }
 
 impl Gallery {
-    /// Adds the scenarios with a vessel and the recordings of these folders. Of several files with one name only the first
-    /// is added.
-    pub(crate) fn fill(&mut self, folders: &[&Path]) {
-        for folder in folders {
-            let Ok(entries) = fs::read_dir(folder) else { continue };
-            let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
-            paths.sort();
-            paths.iter().take(MOST_READ).for_each(|path| self.add(path));
+    /// Nothing yet. New exercises are saved in `folder`, and sessions recorded in `sessions`.
+    pub(crate) fn new(folder: &Path, sessions: &Path) -> Gallery {
+        Gallery { folder: folder.to_owned(), sessions: sessions.to_owned(), ..Gallery::default() }
+    }
+
+    /// Adds the scenarios with a vessel and the recordings of its folders, and what was deleted there. Of several files with one name
+    /// only the first is added.
+    pub(crate) fn fill(&mut self) {
+        for folder in [self.folder.clone(), self.sessions.clone()] {
+            files_of(&folder).iter().for_each(|path| self.add(path));
+            let deleted = folder.join(DELETED);
+            if !is_folder(&deleted) {
+                continue;
+            }
+            for path in files_of(&deleted) {
+                if self.deleted.has_room_for(&name_of(&path))
+                    && let Some(entry) = entry_among(&path, &folder)
+                    && entry.changeable
+                {
+                    self.deleted.put(&path, entry);
+                }
+            }
         }
     }
 
     /// Adds a file, if it can be opened.
     pub(crate) fn add(&mut self, path: &Path) {
-        let name = name_of(path);
-        if self.paths.len() < MOST
-            && !self.entries.iter().any(|entry| entry.file == name)
+        if self.files.has_room_for(&name_of(path))
             && let Some(entry) = entry(path)
         {
             self.put(path, entry);
@@ -51,15 +119,14 @@ impl Gallery {
 
     /// Adds an entry that was made of a file.
     pub(crate) fn put(&mut self, path: &Path, entry: GalleryEntry) {
-        if self.paths.len() < MOST && !self.entries.iter().any(|other| other.file == entry.file) {
-            self.entries.push(entry);
-            self.paths.push(path.to_owned());
-        }
+        let changeable = entry.changeable && self.is_in_its_folders(path);
+        self.files.put(path, GalleryEntry { changeable, ..entry });
     }
 
-    /// Sets the folder of new exercises.
-    pub(crate) fn save_in(&mut self, folder: &Path) {
-        folder.clone_into(&mut self.folder);
+    /// Whether a file lies in the folder of exercises or in that of recordings.
+    fn is_in_its_folders(&self, path: &Path) -> bool {
+        let parent = path.parent().unwrap_or(Path::new(""));
+        [&self.folder, &self.sessions].into_iter().any(|folder| is_same_folder(folder, parent))
     }
 
     /// The folder of new exercises.
@@ -69,22 +136,75 @@ impl Gallery {
 
     /// Adds an entry, in place of one of the same file.
     pub(crate) fn renew(&mut self, path: &Path, entry: GalleryEntry) {
-        match self.entries.iter_mut().find(|other| other.file == entry.file) {
-            Some(other) => *other = entry,
+        match self.files.place(&entry.file) {
+            Some(place) => self.files.entries[place] = entry,
             None => self.put(path, entry),
+        }
+    }
+
+    /// Takes note of a file that was renamed, deleted or put back.
+    pub(crate) fn moved(&mut self, changed: Changed) {
+        let Changed { from, to, entry, is_deleted } = changed;
+        let place = self.files.take(&from);
+        self.deleted.take(&from);
+        match place {
+            _ if is_deleted => self.deleted.put_last(&to, entry),
+            // It stays where it was in the list.
+            Some(place) => {
+                self.files.entries.insert(place, entry);
+                self.files.paths.insert(place, to);
+            }
+            None => self.put(&to, entry),
         }
     }
 
     /// The list for pages.
     pub(crate) fn entries(&self) -> &[GalleryEntry] {
-        &self.entries
+        &self.files.entries
+    }
+
+    /// The list of deleted files, for instructors.
+    pub(crate) fn deleted(&self) -> &[GalleryEntry] {
+        &self.deleted.entries
+    }
+
+    /// An entry and its file.
+    pub(crate) fn get(&self, file: &str) -> Option<(&GalleryEntry, &Path)> {
+        self.files.get(file)
+    }
+
+    /// The same of a deleted file.
+    pub(crate) fn get_deleted(&self, file: &str) -> Option<(&GalleryEntry, &Path)> {
+        self.deleted.get(file)
     }
 
     /// The file of an entry.
     pub(crate) fn path(&self, file: &str) -> Option<&Path> {
-        let index = self.entries.iter().position(|entry| entry.file == file)?;
-        Some(&self.paths[index])
+        self.files.get(file).map(|(_, path)| path)
     }
+}
+
+/// Whether there is a folder of this name, not a link to one.
+pub(crate) fn is_folder(path: &Path) -> bool {
+    path.symlink_metadata().is_ok_and(|of| of.is_dir())
+}
+
+/// The first files of a folder, sorted.
+fn files_of(folder: &Path) -> Vec<PathBuf> {
+    let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
+    let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
+    paths.sort();
+    paths.truncate(MOST_READ);
+    paths
+}
+
+/// Whether two paths are one folder, as they are written; nothing stands for the present one.
+fn is_same_folder(one: &Path, other: &Path) -> bool {
+    let written = |path: &Path| match path.as_os_str().is_empty() {
+        true => PathBuf::from("."),
+        false => path.to_owned(),
+    };
+    written(one) == written(other)
 }
 
 pub(crate) fn name_of(path: &Path) -> String {
@@ -93,25 +213,32 @@ pub(crate) fn name_of(path: &Path) -> String {
 
 /// The entry of a file; `None` for a file that cannot be opened. Only the first line of a recording is read.
 pub(crate) fn entry(path: &Path) -> Option<GalleryEntry> {
+    entry_among(path, path.parent().unwrap_or(Path::new("")))
+}
+
+/// The same, of a file whose scenario's other files lie in a folder.
+pub(crate) fn entry_among(path: &Path, folder: &Path) -> Option<GalleryEntry> {
     let name = name_of(path);
     if name.ends_with(ENDING) {
         recording_entry(path, name)
-    } else if name.ends_with(".toml") {
-        scenario_entry(path, name)
+    } else if name.ends_with(EXERCISE_ENDING) {
+        scenario_entry(path, name, folder)
     } else {
         None
     }
 }
 
-fn scenario_entry(path: &Path, file: String) -> Option<GalleryEntry> {
+fn scenario_entry(path: &Path, file: String, folder: &Path) -> Option<GalleryEntry> {
     let text = read_text(path).ok()?;
     let comment = Source::leading_comment(&text);
-    let (_, scenario) = Source::collect(&file, text, vec![], beside(path)).ok()?;
+    let (_, scenario) = Source::collect(&file, text, vec![], within(folder)).ok()?;
     if scenario.setup.world.vessels.is_empty() {
         return None;
     }
     let berth = berth_words(&scenario.setup);
-    Some(GalleryEntry { file, title: scenario.title, text: comment, berth, written_unix_s: None })
+    let changeable = FROM_THE_PAGE.iter().any(|words| comment.contains(words));
+    let (title, text) = (scenario.title, comment);
+    Some(GalleryEntry { file, title, text, berth, written_unix_s: None, changeable })
 }
 
 fn recording_entry(path: &Path, file: String) -> Option<GalleryEntry> {
@@ -128,12 +255,18 @@ fn recording_entry(path: &Path, file: String) -> Option<GalleryEntry> {
         file,
         berth: None,
         written_unix_s,
+        changeable: true,
     })
 }
 
 /// Reads the files that a scenario names, which lie beside it.
 pub(crate) fn beside(scenario: &Path) -> impl FnMut(&str) -> Result<String, String> {
-    let folder = scenario.parent().unwrap_or(Path::new("")).to_owned();
+    within(scenario.parent().unwrap_or(Path::new("")))
+}
+
+/// Reads the files of a folder that a scenario names.
+fn within(folder: &Path) -> impl FnMut(&str) -> Result<String, String> {
+    let folder = folder.to_owned();
     let mut left = LARGEST_SCENARIO;
     move |name| {
         let text = read_text(&folder.join(name))?;

@@ -11,6 +11,7 @@
 //! | `recorder`, `saved` | write a session to its file; read and replay one |
 //! | `kept_seats` | links and holders of controls beside the recording, for a server that starts again |
 //! | `gallery`, `opening` | the files that can be opened; opening and saving on a thread of their own |
+//! | `file_change`, `file_name` | renaming, deleting and putting back files of the gallery; names of new files |
 //! | `instruments` | the sentences of ships' instruments |
 //!
 //! | of the network | |
@@ -29,6 +30,8 @@ mod claims;
 mod client;
 mod connections;
 mod engine;
+mod file_change;
+mod file_name;
 mod gallery;
 mod http;
 mod hub;
@@ -291,13 +294,12 @@ fn check_addresses(options: &Options) -> Result<(), ServeError> {
 
 /// The scenario first, then those of its folder or of the given one, then recorded sessions.
 fn gallery(options: &Options) -> Gallery {
-    let mut gallery = Gallery::default();
-    gallery.add(&options.scenario);
     let beside = options.scenario.parent().unwrap_or(Path::new(""));
     let beside = if beside.as_os_str().is_empty() { Path::new(".") } else { beside };
     let folder = options.gallery.as_deref().unwrap_or(beside);
-    gallery.save_in(folder);
-    gallery.fill(&[folder, &options.sessions]);
+    let mut gallery = Gallery::new(folder, &options.sessions);
+    gallery.add(&options.scenario);
+    gallery.fill();
     gallery
 }
 

@@ -8,10 +8,8 @@ use std::path::{Path, PathBuf};
 use fenderline_live::message::GalleryEntry;
 use fenderline_scenario::{BerthSource, NewExercise, read_text};
 
-use super::gallery;
-
-/// Longest name of an exercise (bytes).
-const LONGEST_NAME: usize = 60;
+use super::file_name;
+use super::gallery::{self, EXERCISE_ENDING};
 
 /// What a file is made of.
 #[derive(Debug)]
@@ -70,11 +68,8 @@ impl NewFile {
         content: Content,
         may_replace: bool,
     ) -> Result<NewFile, String> {
-        let letter = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
-        if name.is_empty() || name.len() > LONGEST_NAME || !name.chars().all(letter) {
-            return Err(format!("a name has 1 to {LONGEST_NAME} letters, digits, - and _"));
-        }
-        let to = folder.join(format!("{name}.toml"));
+        file_name::check(name).map_err(|error| error.to_string())?;
+        let to = folder.join(format!("{name}{EXERCISE_ENDING}"));
         let taken = to.symlink_metadata().ok();
         match &taken {
             Some(_) if !may_replace => {
@@ -161,6 +156,7 @@ mod tests {
         };
         let (path, entry) = new("mine", "One", false).expect("it is new");
         assert_eq!((entry.file.as_str(), entry.title.as_str()), ("mine.toml", "One"));
+        assert!(entry.changeable, "it was saved from the page");
         let first = fs::read(&path).expect("a file");
         // A text whose files are not there, or are others.
         let named = |content: &str| {
@@ -183,6 +179,7 @@ mod tests {
         {
             assert!(new(name, "x", true).unwrap_err().contains("letters"), "{name}");
         }
+        assert!(new("con", "x", true).unwrap_err().contains("a device on Windows"));
         #[cfg(unix)]
         {
             std::os::unix::fs::symlink(&path, folder.join("link.toml")).expect("a link");

@@ -1,4 +1,4 @@
-//! Opening a scenario or a session, saving one, and making a report, on a thread of their own, so that the simulation goes on. One at a time;
+//! Opening a scenario or a session, saving, renaming and deleting one, and making a report, on a thread of their own, so that the simulation goes on. One at a time;
 //! the simulation's thread sees the progress and can stop an opening.
 
 use std::io;
@@ -12,6 +12,7 @@ use std::time::{Duration, Instant};
 use fenderline_live::message::{GalleryEntry, OpeningNow};
 
 use super::claims::ClientId;
+use super::file_change::{Changed, FileChange};
 use super::gallery::{self, Opened};
 use super::new_file::NewFile;
 use super::recorder::{Copy, Recorder, SoFar};
@@ -42,6 +43,8 @@ pub(crate) enum Outcome {
     Saved(Result<(PathBuf, Option<GalleryEntry>), String>),
     /// The path of a new exercise and its entry in the gallery; or why there is none.
     Created(Result<(PathBuf, GalleryEntry), String>),
+    /// A file of the gallery was renamed, deleted or put back; or why it stays as it is.
+    Changed(Result<Changed, String>),
     /// The report of the session, as HTML; or why there is none.
     Reported(Result<String, String>),
     /// The thread panicked, which is a bug; the panic is on standard error. The present session goes on.
@@ -73,6 +76,8 @@ pub(crate) enum Task {
     Report,
     /// A new exercise is written.
     Create,
+    /// A file of the gallery is renamed, deleted or put back.
+    Change,
 }
 
 /// Work on another thread.
@@ -156,6 +161,19 @@ impl Work {
         Work::start(send, requester, Task::Create, Arc::default(), create)
     }
 
+    /// Begins to rename, delete or put back a file of the gallery.
+    ///
+    /// # Errors
+    /// The system gives no thread.
+    pub(crate) fn change(
+        send: impl FnOnce(Outcome) + Send + 'static,
+        requester: Requester,
+        change: FileChange,
+    ) -> io::Result<Work> {
+        let make = move || Outcome::Changed(change.make().map_err(|error| error.to_string()));
+        Work::start(send, requester, Task::Change, Arc::default(), make)
+    }
+
     /// Begins to make the report of a branch of a recording.
     ///
     /// # Errors
@@ -202,7 +220,7 @@ impl Work {
     pub(crate) fn file(&self) -> Option<&str> {
         match &self.task {
             Task::Open(file) => Some(file),
-            Task::Save | Task::Report | Task::Create => None,
+            Task::Save | Task::Report | Task::Create | Task::Change => None,
         }
     }
 
@@ -219,9 +237,9 @@ impl Work {
         self.progress.stop.load(Ordering::Relaxed)
     }
 
-    /// Waits until a session or an exercise is saved, so that no partial file is left. Nothing else is waited for.
+    /// Waits until a session or an exercise is saved, or a file moved, so that no partial file is left. Nothing else is waited for.
     pub(crate) fn finish(self) {
-        if matches!(self.task, Task::Save | Task::Create) {
+        if matches!(self.task, Task::Save | Task::Create | Task::Change) {
             let _ = self.thread.join();
         }
     }

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use fenderline_live::{LARGEST_RECORDING_BYTES, copy_kept};
 use fenderline_scenario::open_regular;
 
+use super::file_name;
 use super::gallery::Opened;
 use super::saved::ENDING;
 
@@ -86,10 +87,7 @@ impl Recorder {
     /// # Errors
     /// A name that is not allowed, or is taken.
     pub(crate) fn copy(&self, name: &str, end_line: String) -> Result<Copy, String> {
-        let letter = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
-        if name.is_empty() || name.len() > 60 || !name.chars().all(letter) {
-            return Err("a name has 1 to 60 letters, digits, - and _".to_owned());
-        }
+        file_name::check(name).map_err(|error| error.to_string())?;
         let to = self.folder.join(format!("{name}{ENDING}"));
         if to.symlink_metadata().is_ok() {
             return Err(format!("there is a session named {name} already"));

@@ -16,7 +16,7 @@ export const openButton = (
     async () => {
       if (await askToEnd(title())) void page().order({ do: "load", file: file() });
     },
-    { class: "hidden take", name: "Open the saved exercise now" },
+    { class: "hidden take", name: "Open it now: the saved exercise" },
   );
 
 export class SaveExercise {

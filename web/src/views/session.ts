@@ -5,6 +5,7 @@ import { withoutSpaces } from "../file_name";
 import { button, h, setClass, setText } from "../ui/dom";
 import { askToEnd } from "../ui/question";
 import { spoken } from "../units";
+import type { FileTools } from "./file_tools";
 import type { SaveExercise } from "./save_exercise";
 import type { View } from "./view";
 
@@ -28,6 +29,7 @@ export class Session implements View {
     hello: Hello,
     /** Kept when the gallery changes, with what is filled in. */
     private readonly exercise: SaveExercise,
+    private readonly tools: FileTools,
   ) {
     const name = h("input", {
       type: "text",
@@ -50,6 +52,7 @@ export class Session implements View {
     const recordings = hello.gallery
       .filter(({ written_unix_s }) => written_unix_s !== null)
       .toSorted((a, b) => (b.written_unix_s ?? 0) - (a.written_unix_s ?? 0));
+    const deleted = this.tools.deleted(hello);
     this.root = h(
       "div",
       { class: "session" },
@@ -62,14 +65,23 @@ export class Session implements View {
       h("h3", {}, "Keep this session"),
       h("form", { class: "row", onsubmit: (event) => event.preventDefault() }, name, save),
       this.exercise.root,
+      this.tools.root,
       // What was run and kept first: the scenarios are many and have long texts.
       recordings.length > 0 && h("h3", {}, "Recorded sessions"),
-      recordings.length > 0 && this.entries(recordings, hello.file),
+      recordings.length > 0 && this.entries(recordings, hello),
       h("h3", {}, "Scenarios"),
       this.entries(
         hello.gallery.filter(({ written_unix_s }) => written_unix_s === null),
-        hello.file,
+        hello,
       ),
+      deleted && h("h3", {}, "Deleted"),
+      deleted &&
+        h(
+          "p",
+          { class: "note" },
+          "These files are in a folder named deleted beside the others, until they are removed there by hand.",
+        ),
+      deleted,
     );
   }
 
@@ -105,19 +117,22 @@ export class Session implements View {
     }
   }
 
-  private entries(entries: Hello["gallery"], shown: string): HTMLElement {
+  private entries(entries: Hello["gallery"], hello: Hello): HTMLElement {
     return h(
       "ul",
       { class: "rows gallery" },
-      ...entries.map((entry) => this.scenario(entry, entry.file === shown)),
+      ...entries.map((entry) => this.scenario(entry, hello)),
     );
   }
 
-  private scenario(entry: Hello["gallery"][number], open: boolean): HTMLElement {
+  private scenario(entry: Hello["gallery"][number], hello: Hello): HTMLElement {
+    const open = entry.file === hello.file;
     const label = open ? "Start anew" : "Open";
     const when =
       entry.written_unix_s === null
-        ? ""
+        ? entry.changeable
+          ? `File ${entry.file}. `
+          : ""
         : `${new Date(entry.written_unix_s * 1000).toLocaleString(undefined, { dateStyle: "medium", timeStyle: "short" })}. `;
     const load = button(
       label,
@@ -130,7 +145,7 @@ export class Session implements View {
       "li",
       { class: open ? "chosen" : "" },
       h("div", {}, h("b", {}, entry.title), h("p", { class: "note" }, when + entry.text)),
-      load,
+      h("div", { class: "file-tools" }, load, ...this.tools.of(entry, hello)),
     );
   }
 

@@ -24,6 +24,9 @@ pub struct PresentFile {
     pub notes: Vec<String>,
 }
 
+/// Words of the first comment of every such file, by which it can be told from one that was written by hand.
+pub const INTO_A_SESSION: &str = "into a session of";
+
 /// What every file leaves out.
 const ALWAYS: &str = "Positions are rounded to 0.1 mm and speeds to 0.001 mm/s. Rudders, thrusters and azimuth units begin at rest and \
                       move to the orders. Fenders are as new, gusts and waves begin anew, an exercise is marked anew.";
@@ -77,7 +80,7 @@ impl Session {
     fn comment(&self, notes: &[String]) -> String {
         let about = Source::leading_comment(&self.source().text);
         let t_s = self.simulation().time_s();
-        let saved = format!("Saved {} into a session of {:?}.", clock(t_s), self.title());
+        let saved = format!("Saved {} {INTO_A_SESSION} {:?}.", clock(t_s), self.title());
         let all = [about, saved, ALWAYS.to_owned()];
         let paragraphs = all.iter().chain(notes).filter(|text| !text.is_empty());
         paragraphs.map(|text| wrapped(text)).collect()

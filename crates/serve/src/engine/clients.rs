@@ -168,6 +168,7 @@ impl Engine {
             exercise: self.session.exercise_info(),
             links: links.as_deref(),
             library: is_instructor.then(library_info),
+            deleted: is_instructor.then(|| self.gallery.deleted()),
         };
         of.hello.send_replace(Some(message::text(&hello).into()));
     }

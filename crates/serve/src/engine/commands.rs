@@ -7,6 +7,7 @@ use fenderline_live::{Action, COMMAND_LIMITS, Conduct, Control, OtherAction, Ref
 
 use super::Engine;
 use crate::claims::ClientId;
+use crate::file_change::Wish;
 use crate::opening::{Requester, Work};
 use crate::permit::{self, Needs};
 
@@ -228,6 +229,18 @@ impl Engine {
             }
             Conduct::SaveExercise { name, title, replace } => {
                 self.save_exercise(requester, (&name, &title), replace)?;
+                return Ok(Done::AnswerFollows);
+            }
+            Conduct::Rename { file, name } => {
+                self.change_file(requester, &file, &Wish::Rename(name))?;
+                return Ok(Done::AnswerFollows);
+            }
+            Conduct::Delete { file } => {
+                self.change_file(requester, &file, &Wish::Delete)?;
+                return Ok(Done::AnswerFollows);
+            }
+            Conduct::PutBack { file } => {
+                self.change_file(requester, &file, &Wish::PutBack)?;
                 return Ok(Done::AnswerFollows);
             }
             Conduct::Save { name } => {

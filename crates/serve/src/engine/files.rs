@@ -1,4 +1,4 @@
-//! Loading and saving sessions, and their reports. All take a while and run on a thread of their own; this thread begins them and takes
+//! Loading, saving, renaming and deleting sessions and exercises, and reports. All take a while and run on a thread of their own; this thread begins them and takes
 //! their result.
 
 use std::mem;
@@ -11,6 +11,7 @@ use fenderline_live::{Creation, PresentFile, Refusal};
 
 use super::Engine;
 use super::kept_history::KeptHistory;
+use crate::file_change::{Changed, FileChange, InUse, Wish};
 use crate::gallery::Opened;
 use crate::hub::ToEngine;
 use crate::new_file::{Content, NewFile};
@@ -93,6 +94,22 @@ impl Engine {
         Ok(())
     }
 
+    /// Begins to rename, delete or put back a file of the gallery.
+    pub(super) fn change_file(
+        &mut self,
+        requester: Requester,
+        file: &str,
+        wish: &Wish,
+    ) -> Result<(), Refusal> {
+        self.check_no_work()?;
+        let (recording, scenario) = (self.recorder.path(), self.session.source().file.as_str());
+        let in_use = InUse { recording, scenario };
+        let change = FileChange::new(&self.gallery, in_use, file, wish).map_err(Refusal::new)?;
+        let work = Work::change(self.send_outcome(), requester, change);
+        self.work = Some(work.map_err(Refusal::new)?);
+        Ok(())
+    }
+
     /// Begins to make the report of the session up to now: of the branch that is shown.
     pub(super) fn report(&mut self, requester: Requester) -> Result<(), Refusal> {
         self.check_no_work()?;
@@ -127,6 +144,7 @@ impl Engine {
                 Task::Save => "the session is still being saved".to_owned(),
                 Task::Report => "a report is still being made".to_owned(),
                 Task::Create => "an exercise is still being saved".to_owned(),
+                Task::Change => "a file is still being renamed or deleted".to_owned(),
             })),
         }
     }
@@ -148,6 +166,9 @@ impl Engine {
             }
             Outcome::Created(created) => {
                 created.map(|(path, entry)| self.created(&work.requester, &path, entry))
+            }
+            Outcome::Changed(changed) => {
+                changed.map(|changed| self.file_changed(&work.requester, changed))
             }
             Outcome::Reported(report) => {
                 report.map(|report| self.reported(&work.requester, report))
@@ -184,6 +205,18 @@ impl Engine {
         }
         self.greet_all();
         self.notify_all(&text);
+    }
+
+    /// Shows a file of the gallery under its new name, among the deleted ones, or back.
+    fn file_changed(&mut self, requester: &Requester, changed: Changed) {
+        for ended in self.ended.iter_mut().filter(|ended| **ended == changed.from) {
+            ended.clone_from(&changed.to);
+        }
+        self.gallery.moved(changed);
+        if let Some(id) = requester.id {
+            self.reply(requester.client, &Reply::Ack { id, tick: self.session.tick() });
+        }
+        self.greet_all();
     }
 
     /// Adds a saved session to the gallery.

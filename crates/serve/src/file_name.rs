@@ -1,0 +1,75 @@
+//! Names that people give to recordings and exercises: good on every system, and never a path.
+
+use core::fmt;
+
+/// Longest name, without its ending (bytes).
+pub(crate) const LONGEST: usize = 60;
+/// Names of devices on Windows, whatever their ending (Microsoft: Naming Files, Paths, and Namespaces). COM and LPT have a digit.
+const DEVICES: [&str; 4] = ["CON", "PRN", "AUX", "NUL"];
+const PORTS: [&str; 2] = ["COM", "LPT"];
+
+/// Why a name cannot be that of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum NameError {
+    /// It is empty, too long, or has other characters than letters, digits, `-` and `_`.
+    Characters,
+    /// It is that of a device on Windows.
+    Reserved(String),
+}
+
+impl fmt::Display for NameError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NameError::Characters => {
+                write!(f, "a name has 1 to {LONGEST} letters, digits, - and _")
+            }
+            NameError::Reserved(name) => {
+                write!(f, "{name} is the name of a device on Windows: choose another one")
+            }
+        }
+    }
+}
+
+impl std::error::Error for NameError {}
+
+/// Checks a name without its ending.
+///
+/// # Errors
+/// [`NameError`].
+pub(crate) fn check(name: &str) -> Result<(), NameError> {
+    let letter = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+    if name.is_empty() || name.len() > LONGEST || !name.chars().all(letter) {
+        return Err(NameError::Characters);
+    }
+    let upper = name.to_ascii_uppercase();
+    let is_port = PORTS.iter().any(|port| {
+        upper
+            .strip_prefix(port)
+            .is_some_and(|digit| digit.len() == 1 && digit > "0" && digit <= "9")
+    });
+    if is_port || DEVICES.contains(&upper.as_str()) {
+        return Err(NameError::Reserved(name.to_owned()));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_is_no_path_and_no_device() {
+        for good in ["a", "Half-way_in-001", "COM", "COM10", "CONS", "LPT0", &"x".repeat(LONGEST)] {
+            assert_eq!(check(good), Ok(()), "{good}");
+        }
+        let long = "x".repeat(LONGEST + 1);
+        for bad in
+            ["", ".", "..", ".a", "a.toml", "a/b", "../a", "a\\b", "ü", "a b", "nul\0", &long]
+        {
+            assert_eq!(check(bad), Err(NameError::Characters), "{bad:?}");
+        }
+        for device in ["CON", "con", "Prn", "aux", "NUL", "com1", "LPT9"] {
+            assert_eq!(check(device), Err(NameError::Reserved(device.to_owned())));
+        }
+    }
+}
