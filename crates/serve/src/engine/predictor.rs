@@ -4,6 +4,7 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
+use fenderline_contact::number::{greater, lesser};
 use fenderline_live::{Outlook, Prediction, Session};
 
 use crate::hub::{Hub, Predicted};
@@ -176,8 +177,8 @@ impl Allowance {
     fn rest(&mut self, begun: Instant, ended: Instant) -> Duration {
         let gained_s = self.at.map_or(0.0, |at| self.share * (ended - at).as_secs_f64());
         self.at = Some(ended);
-        self.left_s = (self.left_s + gained_s).min(MOST_LEFT_S) - (ended - begun).as_secs_f64();
-        Duration::from_secs_f64((-self.left_s / self.share).max(0.0))
+        self.left_s = lesser(self.left_s + gained_s, MOST_LEFT_S) - (ended - begun).as_secs_f64();
+        Duration::from_secs_f64(greater(-self.left_s / self.share, 0.0))
     }
 }
 
