@@ -5,13 +5,19 @@ use alloc::vec::Vec;
 use crate::bodies::Bodies;
 use crate::candidates::{Candidate, Candidates, Pairing};
 use crate::fender::RankedFender;
+use crate::memory::PatchMemory;
 use crate::model::Model;
 use crate::pair::RankedPair;
 
-/// Computes the candidates of this step.
+/// Boxes that are nearer than this are not told apart (m): far from the chart's origin places are rounded.
+const ROUNDING_M: f64 = 1e-6;
+
+/// Computes the candidates of this step: none, if without fenders and piles nothing touched in the last one (`past`) and nothing
+/// can in this.
 pub(crate) fn pair(
     model: &Model,
     bodies: &Bodies,
+    past: &[PatchMemory],
     Candidates { pairings, neighbours }: &mut Candidates,
 ) {
     pairings.clear();
@@ -25,6 +31,21 @@ pub(crate) fn pair(
             pairings.sort_unstable_by_key(|pairing| pairing.candidate.key());
         }
     }
+    let is_apart = |pairing: &Pairing| are_apart(model, bodies, &pairing.candidate);
+    let is_plain = model.faces.is_empty() && model.piles.is_empty();
+    if past.is_empty() && is_plain && pairings.iter().all(is_apart) {
+        pairings.clear();
+    }
+}
+
+/// Do the boxes of two outlines stay apart in this step? A long ship's circle meets those of bodies far off her side.
+pub(crate) fn are_apart(model: &Model, bodies: &Bodies, candidate: &Candidate) -> bool {
+    let (a, b) = (candidate.a as usize, candidate.b as usize);
+    let travel_m = |rank: usize| bodies.reach_m[rank] - model.ranked[rank].reach_m;
+    let closing_m = travel_m(a) + travel_m(b) + ROUNDING_M;
+    let b_in_a = bodies.poses[a].to(bodies.poses[b]);
+    let box_b = model.ranked.extent(b).placed(b_in_a);
+    candidate.face == 0 && !model.ranked.extent(a).widened(closing_m).overlaps(&box_b)
 }
 
 /// Adds the candidates of those pairs whose circles of reach meet: outline against outline, then each body's fenders

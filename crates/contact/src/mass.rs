@@ -47,12 +47,9 @@ impl InverseMatrix {
         })
     }
 
-    /// The matrix in earth-fixed axes, for a body turned by `rotation`.
+    /// The matrix in earth-fixed axes, for a body turned by `rotation`. Without need where it is isotropic.
     #[inline]
     pub(crate) fn turned(&self, rotation: Rotation) -> InverseMatrix {
-        if self.is_isotropic() {
-            return *self;
-        }
         let Rotation { cos, sin } = rotation;
         let (cc, ss, cs) = (cos * cos, sin * sin, cos * sin);
         InverseMatrix {

@@ -8,6 +8,7 @@ use crate::body::{Body, Mobility};
 use crate::fender::RankedFender;
 use crate::geometry::box_tree::BoxTree;
 use crate::geometry::convex::ConvexPolygon;
+use crate::geometry::extent::Extent;
 use crate::geometry::shapes::{LEAST_WITH_TREE, Shapes};
 use crate::kirchhoff::Kirchhoff;
 use crate::mass::InverseMatrix;
@@ -21,6 +22,8 @@ pub(crate) struct Ranked {
     /// the processor's cache.
     piece_ranges: Vec<[u32; 2]>,
     rests: Vec<Rest>,
+    /// The boxes about the outlines, in their bodies' axes.
+    boxes: Vec<Extent>,
     /// Area of the smallest body (m²).
     smallest_m2: f64,
     /// The convex pieces of all outlines. Bodies with equal outlines share theirs.
@@ -96,6 +99,7 @@ impl Ranked {
             ranked.bodies.push(often);
             ranked.piece_ranges.push(pieces);
             ranked.rests.push(seldom);
+            ranked.boxes.push(Extent::of(body.outline.vertices()));
         }
         ranked
     }
@@ -117,6 +121,12 @@ impl Ranked {
     #[inline]
     pub(crate) fn rest(&self, rank: usize) -> &Rest {
         &self.rests[rank]
+    }
+
+    /// The box about a body's outline, in its axes.
+    #[inline]
+    pub(crate) fn extent(&self, rank: usize) -> Extent {
+        self.boxes[rank]
     }
 
     /// Area of the smallest body (m²); infinite if there is none.

@@ -62,7 +62,7 @@ pub fn step(
     results.parted.clone_from(&memory.parted);
 
     // 2. Broad phase: pairs of bodies that are near each other.
-    broad::pair(model, bodies, candidates);
+    broad::pair(model, bodies, &memory.contacts.patches, candidates);
 
     // 3. Narrow phase: S, C and n of each patch (§3.1), and its memory.
     let past = memory.contacts.past(memory.last_step_s, displaced);

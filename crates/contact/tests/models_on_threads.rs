@@ -152,6 +152,18 @@ fn models_on_1_2_and_8_threads_have_the_bits_of_one_model() {
     }
 }
 
+/// A model in which nothing can touch leaves the stages of contact out.
+#[test]
+fn contacts_elsewhere_change_no_bit_of_bodies_that_do_not_touch_yet() {
+    let mut alone = Place { at_m: Vec2::ZERO, parts: vec![] };
+    alone.floating(100, vec2(298.0, 46.0), vec2(0.0, 0.0), vec2(0.0, 0.0));
+    alone.floating(101, vec2(13.0, 32.0), vec2(5.0, -60.0), vec2(0.0, 3e5));
+    let elsewhere = &harbour()[1];
+    let mut found = outcome(&[alone.parts.as_slice(), &elsewhere.parts].concat());
+    found.retain(|(key, ..)| *key >= 100);
+    assert_eq!(bits(&found), bits(&outcome(&alone.parts)));
+}
+
 fn bits(outcome: &Outcome) -> Vec<(u64, [u64; 9])> {
     let of = |(key, state, wrench): &(u64, BodyState, Wrench)| {
         let numbers = [

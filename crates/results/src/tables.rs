@@ -126,7 +126,7 @@ impl<M: Medium> Tables<M> {
         }
         // The same product as the next step's start, so that the rows of both tables meet.
         let end_s = (step.index + 1) as f64 * self.step_s;
-        self.last = EnergyRow { t_s: end_s, energy: step.energy };
+        self.last = EnergyRow { t_s: end_s, energy: step.energy() };
         if self.interval.is_over() { self.end_interval() } else { Ok(()) }
     }
 

@@ -46,7 +46,7 @@ fn run(scenario: Scenario, duration_s: f64) -> Statistics {
             attitude.pitch.value,
             body.heading_rad,
         ];
-        residual = record.energy.residual_j.abs() / record.energy.exchanged_j().max(1.0);
+        residual = record.energy().residual_j.abs() / record.energy().exchanged_j().max(1.0);
         if record.t_s < 600.0 {
             continue;
         }

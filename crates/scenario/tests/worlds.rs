@@ -150,8 +150,8 @@ fn ten_hours_moored_in_waves_wind_and_current_stay_bounded_and_replay_to_the_sam
             let gone = record.world_events.iter().map(|event| event.kind);
             assert!(gone.into_iter().all(|kind| kind != WorldEventKind::LineParted));
             let hour = ((record.t_s / 3600.0) as usize).min(9);
-            kinetic_j[hour] = kinetic_j[hour].max(record.energy.kinetic_j);
-            residual_j = residual_j.max(record.energy.residual_j.abs());
+            kinetic_j[hour] = kinetic_j[hour].max(record.energy().kinetic_j);
+            residual_j = residual_j.max(record.energy().residual_j.abs());
             let roll_rad = record.vessels[0].attitude.roll.value;
             assert!(roll_rad.abs() < 0.1, "{roll_rad}");
             farthest_m = farthest_m.max((simulation.states()[0].position_m - start).length());

@@ -9,7 +9,7 @@ use crate::record::{Energy, LoadWork};
 use crate::rigid_body::Inertia;
 
 /// Inertias and states of all bodies, and the order in which their energies are summed.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Bodies<'a> {
     pub(crate) order: &'a [usize],
     pub(crate) inertias: &'a [Inertia],
@@ -26,27 +26,32 @@ impl Bodies<'_> {
 #[derive(Clone, Debug)]
 pub(crate) struct Ledger {
     start_j: f64,
-    pub(crate) energy: Energy,
+    /// Without what [`Ledger::energy`] finds when it is asked for.
+    sums: Energy,
 }
 
 impl Ledger {
     pub(crate) fn new(bodies: Bodies<'_>) -> Ledger {
-        let kinetic_j = bodies.kinetic_j();
-        Ledger { start_j: kinetic_j, energy: Energy { kinetic_j, ..Energy::default() } }
+        Ledger { start_j: bodies.kinetic_j(), sums: Energy::default() }
     }
 
-    /// Adds one step: the bodies after it, the works of the loads and of the contacts in it.
+    /// The ledger of bodies that are now as the last step has left them. Many runs ask for it at their end alone.
+    pub(crate) fn energy(&self, bodies: Bodies<'_>) -> Energy {
+        let (kinetic_j, load_work_j) = (bodies.kinetic_j(), self.sums.loads.total_j());
+        let work_j = load_work_j + self.sums.normal_work_j + self.sums.tangential_work_j;
+        let residual_j = kinetic_j - self.start_j - work_j;
+        Energy { kinetic_j, load_work_j, residual_j, ..self.sums }
+    }
+
+    /// Adds one step: the works of the loads and of the contacts in it.
     pub(crate) fn add(
         &mut self,
-        bodies: Bodies<'_>,
         loads: &LoadWork,
         contacts: &ContactTotals,
         dolphins: &[DolphinMotion],
     ) {
-        let energy = &mut self.energy;
-        energy.kinetic_j = bodies.kinetic_j();
+        let energy = &mut self.sums;
         energy.loads.add(loads);
-        energy.load_work_j = energy.loads.total_j();
         energy.pile_stored_j = 0.0;
         for DolphinMotion { pile, .. } in dolphins {
             energy.pile_stored_j += pile.stored_j;
@@ -68,7 +73,5 @@ impl Ledger {
             energy.friction_j += contact.friction_j;
             energy.contact_residual_j += contact.residual_j;
         }
-        let work_j = energy.load_work_j + energy.normal_work_j + energy.tangential_work_j;
-        energy.residual_j = energy.kinetic_j - self.start_j - work_j;
     }
 }

@@ -5,6 +5,7 @@ use fenderline_contact::{BodyState, Contact, Event, PanelMotion, Wrench};
 use crate::chain::ChainTension;
 use crate::dolphin::DolphinMotion;
 use crate::hull::HullTouch;
+use crate::ledger::{Bodies, Ledger};
 use crate::world::{AnchorAtWork, Mooring, TugAtWork, VesselForces, VesselState, WorldEvent};
 
 /// The record of one step: states before and after it, and the forces that acted in it.
@@ -34,8 +35,7 @@ pub struct StepRecord<'a> {
     pub wrenches: &'a [Wrench],
     /// Contact events of this step.
     pub events: &'a [Event],
-    /// The energy ledger at the end of the step.
-    pub energy: Energy,
+    pub(crate) ledger: (&'a Ledger, Bodies<'a>),
     /// Controls and attitude of the vessels at the end of the step, in the order of the set-up.
     pub vessels: &'a [VesselState],
     /// Forces on each vessel in this step, by cause.
@@ -50,6 +50,15 @@ pub struct StepRecord<'a> {
     pub dolphins: &'a [DolphinMotion],
     /// Events of vessels, tugs, lines and anchors.
     pub world_events: &'a [WorldEvent],
+}
+
+impl StepRecord<'_> {
+    /// The energy ledger at the end of the step.
+    #[must_use]
+    pub fn energy(&self) -> Energy {
+        let (ledger, bodies) = self.ledger;
+        ledger.energy(bodies)
+    }
 }
 
 /// Work and energy of one contact in one step: a fender and a hull, or two outlines. Integrator stages and sub-steps of

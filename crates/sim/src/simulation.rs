@@ -198,7 +198,9 @@ impl Simulation {
     fn gather_loads(&mut self, t_s: f64) {
         let (step_s, velocity_time_s) = (self.setup.step_s, self.velocity_time_s());
         let Buffers { loads, plain_loads, external, before, lags_s, .. } = &mut self.buffers;
-        self.memory.velocity_lags_into(&self.model, lags_s);
+        if !self.setup.world.vessels.is_empty() {
+            self.memory.velocity_lags_into(&self.model, lags_s);
+        }
         gather_loads(&self.loads, t_s, step_s, loads);
         add_external(external, loads);
         plain_loads.clone_from(loads);
@@ -269,6 +271,8 @@ impl Simulation {
     #[inline(always)]
     fn record(&mut self, t_s: f64) -> Result<StepRecord<'_>, SimError> {
         self.dolphins.summarise(&self.setup, t_s);
+        let (order, inertias) = (&self.world.order.bodies, &self.inertias);
+        let bodies = Bodies { order, inertias, states: &self.states };
         let mut record = StepRecord {
             index: self.index,
             t_s,
@@ -281,7 +285,7 @@ impl Simulation {
             chains: &[],
             wrenches: self.work.wrenches(),
             events: self.work.events(),
-            energy: self.ledger.energy,
+            ledger: (&self.ledger, bodies),
             vessels: &self.world.vessels,
             vessel_forces: &self.world.forces,
             lines: &self.world.lines,

@@ -139,8 +139,8 @@ fn a_berthing_puts_its_energy_into_the_fenders_and_the_ledger_balances() {
         let mut most_stored_j = 0.0_f64;
         while !simulation.is_done() {
             let record = simulation.step().unwrap();
-            assert_balanced(&record.energy, start_j);
-            most_stored_j = most_stored_j.max(record.energy.stored_j);
+            assert_balanced(&record.energy(), start_j);
+            most_stored_j = most_stored_j.max(record.energy().stored_j);
         }
         let energy = simulation.energy();
         // At the greatest deflection all of it is in the fenders, within the error of a step.
@@ -435,7 +435,7 @@ fn a_day_alongside_in_steady_wind_drifts_less_than_a_millimetre_and_gains_nothin
         // The largest kinetic energy of the first minute, and of each hour from then on.
         let (mut first_j, mut hours_j) = (0.0_f64, vec![0.0_f64; 24]);
         while !simulation.is_done() {
-            let energy = simulation.step().unwrap().energy;
+            let energy = simulation.step().unwrap().energy();
             if simulation.time_s() < 60.0 {
                 first_j = first_j.max(energy.kinetic_j);
                 continue;

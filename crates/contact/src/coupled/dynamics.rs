@@ -23,7 +23,7 @@ use crate::ranked::Rest;
 use crate::report::{Displacement, Wrench};
 use crate::results::Results;
 use crate::state::{BodyState, Velocity};
-use crate::vec2::{Pose, Rotation};
+use crate::vec2::Pose;
 
 /// What the coupled method knows of the bodies. Lists are by rank.
 #[derive(Clone, Debug, Default)]
@@ -118,9 +118,16 @@ impl Dynamics {
                 return admit_states(model, input.states);
             }
             active.push(rank as u32);
-            (inputs[rank], states[rank]) = (*state, *state);
             let body = &model.ranked[rank];
-            poses[rank] = state.pose();
+            // The last step has left this attitude, of a body whose inverse mass turns with it.
+            let is_turned = role.moves && !body.is_alike && {
+                states[rank].heading_rad.to_bits() == state.heading_rad.to_bits()
+            };
+            (inputs[rank], states[rank]) = (*state, *state);
+            poses[rank] = match is_turned {
+                true => Pose { position_m: state.position_m, ..poses[rank] },
+                false => state.pose(),
+            };
             if !body.is_alike {
                 inverses[rank] = model.ranked.rest(rank).inverse.turned(poses[rank].rotation);
             }
@@ -236,15 +243,10 @@ impl Dynamics {
         for &rank in &group.bodies {
             let rank = rank as usize;
             let kick_s = kick_s(self.velocity_lags_s[rank], h);
-            let by_load = self.acceleration(model, loads, rank);
+            let load = &loads[model.id_of[rank].0 as usize];
+            let by_load = acceleration(&model.ranked[rank], &self.inverses[rank], load);
             self.velocities[rank] = free_velocity(&self.states[rank], by_load, kick_s);
         }
-    }
-
-    /// M⁻¹ W of a body.
-    fn acceleration(&self, model: &Model, loads: &[Wrench], rank: usize) -> Velocity {
-        let load = &loads[model.id_of[rank].0 as usize];
-        acceleration(&model.ranked[rank], &self.inverses[rank], load)
     }
 
     /// x⁺ = x + h v⁺ of the bodies of a group, with poses and inverse masses; and how far the bodies moved, by the mean
@@ -275,7 +277,6 @@ impl Dynamics {
             *displacement = moved(so_far, state.velocity(), velocity, kick_s);
             move_body(state, velocity, h);
             if !model.ranked[rank].is_alike {
-                pose.position_m = state.position_m;
                 turn_with(model.ranked.rest(rank), state, pose, h);
                 if !sub_step.is_last() {
                     self.inverses[rank] = model.ranked.rest(rank).inverse.turned(pose.rotation);
@@ -283,8 +284,10 @@ impl Dynamics {
             } else if !sub_step.is_last() {
                 *pose = state.pose();
             }
-            states_after[id] = *state;
-            sum += sum_of(state);
+            if sub_step.is_last() {
+                states_after[id] = *state;
+                sum += sum_of(state);
+            }
         }
         self.state_sum += sum;
         if !model.piles.is_empty() {
@@ -321,16 +324,17 @@ impl Dynamics {
         &mut self,
         model: &Model,
         loads: &[Wrench],
-        bodies: &Bodies,
+        bodies: &mut Bodies,
         step_s: f64,
         results: &mut Results,
     ) -> bool {
-        for &rank in &bodies.active {
+        let Bodies { active, poses, .. } = bodies;
+        for &rank in &*active {
             let rank = rank as usize;
             let role = self.roles[rank];
             if !role.in_island && !role.has_moved {
                 let id = model.id_of[rank].0 as usize;
-                results.displacements[id] = self.drift_one(model, loads, rank, bodies, step_s);
+                results.displacements[id] = self.drift_one(model, rank, &mut poses[rank], step_s);
                 results.states_after[id] = self.states[rank];
                 self.state_sum += sum_of(&self.states[rank]);
             }
@@ -341,39 +345,26 @@ impl Dynamics {
         self.state_sum.is_finite()
     }
 
-    /// Moves a body for a step by its load alone, or by its velocity if it is fixed.
+    /// Moves a body for a step with the velocity that `begin` gave it: by its load alone, or that of a fixed body.
     #[inline(never)]
     fn drift_one(
         &mut self,
         model: &Model,
-        loads: &[Wrench],
         rank: usize,
-        bodies: &Bodies,
+        pose: &mut Pose,
         step_s: f64,
     ) -> Displacement {
         if !self.roles[rank].moves {
             return Displacement::default();
         }
-        let (way, turn) = self.acceleration(model, loads, rank);
+        let (body, velocity) = (&model.ranked[rank], self.velocities[rank]);
         let (state, lag_s) = (&mut self.states[rank], &mut self.velocity_lags_s[rank]);
-        if model.ranked[rank].is_fixed() {
-            *lag_s = NOT_BEHIND;
-            let velocity = state.velocity();
-            move_body(state, velocity, step_s);
-            return moved(Displacement::default(), velocity, velocity, step_s);
-        }
         let kick_s = kick_s(*lag_s, step_s);
-        *lag_s = 0.5 * step_s;
-        let (dv, dr) = (way * kick_s, turn * kick_s);
-        let displacement = Displacement {
-            translation_m: (state.velocity_mps + dv * 0.5) * kick_s,
-            rotation_rad: (state.yaw_rate_radps + 0.5 * dr) * kick_s,
-        };
-        let velocity = (state.velocity_mps + dv, state.yaw_rate_radps + dr);
+        *lag_s = if body.is_fixed() { NOT_BEHIND } else { 0.5 * step_s };
+        let displacement = moved(Displacement::default(), state.velocity(), velocity, kick_s);
         move_body(state, velocity, step_s);
-        if let Some(kirchhoff) = &model.ranked.rest(rank).kirchhoff {
-            let after = Rotation::from_angle(state.heading_rad);
-            kirchhoff.turn(state, bodies.poses[rank].rotation, after, step_s);
+        if !body.is_alike {
+            turn_with(model.ranked.rest(rank), state, pose, step_s);
         }
         displacement
     }
@@ -422,11 +413,10 @@ fn move_body(state: &mut BodyState, velocity: Velocity, h: f64) {
     state.heading_rad += state.yaw_rate_radps * h;
 }
 
-/// Turns pose and momentum of a body that has moved.
+/// Moves the pose of a body with it, and turns its momentum.
 fn turn_with(body: &Rest, state: &mut BodyState, pose: &mut Pose, h: f64) {
-    let after = Rotation::from_angle(state.heading_rad);
-    let before = core::mem::replace(&mut pose.rotation, after);
+    let before = core::mem::replace(pose, state.pose()).rotation;
     if let Some(kirchhoff) = &body.kirchhoff {
-        kirchhoff.turn(state, before, after, h);
+        kirchhoff.turn(state, before, pose.rotation, h);
     }
 }

@@ -222,7 +222,7 @@ fn carry_out(
     results.parted.clone_from(&memory.parted);
 
     // 2. Broad phase: candidates, and their islands.
-    broad::pair(model, bodies, candidates);
+    broad::pair(model, bodies, &memory.contacts.patches, candidates);
     islands.split(model, &mut candidates.pairings);
 
     // 3–6. Overlaps, laws, solve and motion, in sub-steps (see `SubSteps::sub_step`).

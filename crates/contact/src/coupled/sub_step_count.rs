@@ -3,6 +3,7 @@
 use alloc::vec::Vec;
 
 use crate::bodies::Bodies;
+use crate::broad::are_apart;
 use crate::candidates::{Candidate, Candidates, Pairing};
 use crate::coupled::dynamics::Dynamics;
 use crate::coupled::island::Island;
@@ -403,9 +404,12 @@ impl Bounded<'_> {
         deepest_m(edges, to_face, face.panel_reach())
     }
 
-    /// Could the candidate touch in this step? By the gaps between its pieces.
+    /// Could the candidate touch in this step? By its boxes, and by the gaps between its pieces.
     #[inline(never)]
     fn may_touch(&self, candidate: &Candidate) -> bool {
+        if are_apart(self.model, self.bodies, candidate) {
+            return false;
+        }
         let hints = self.hints;
         let (a, b) = (candidate.a as usize, candidate.b as usize);
         let b_in_a = self.bodies.poses[a].to(self.bodies.poses[b]);

@@ -36,7 +36,10 @@ pub(super) fn kick(
     if !inverse.floats() {
         return Velocity::default();
     }
-    let inverse = inverse.turned(Rotation::from_angle(state.heading_rad));
+    let inverse = match inverse.is_isotropic() {
+        true => *inverse,
+        false => inverse.turned(Rotation::from_angle(state.heading_rad)),
+    };
     let (linear_mps, yaw_radps) =
         inverse.response(wrench.force_n * step_s, wrench.moment_nm * step_s);
     Velocity { linear_mps, yaw_radps }

@@ -12,6 +12,7 @@ use crate::environment::wind::Wind;
 use crate::error::SetupError;
 use crate::fender::FenderSummary;
 use crate::gain::{EnergyGain, REPORTED_GAIN};
+use crate::ledger::Bodies;
 use crate::order::{Action, LineAction, Order, OrderError, VesselAction, check_order};
 use crate::record::Energy;
 use crate::setup::{Integrator, Method, Setup};
@@ -93,7 +94,8 @@ impl Simulation {
     /// The current energy ledger.
     #[must_use]
     pub fn energy(&self) -> Energy {
-        self.ledger.energy
+        let (order, inertias) = (&self.world.order.bodies, &self.inertias);
+        self.ledger.energy(Bodies { order, inertias, states: &self.states })
     }
 
     /// The energy that contacts created, if it is large enough to be reported. Only the paper's method creates

@@ -2,7 +2,6 @@
 
 use super::Simulation;
 use crate::contact_totals::WorkSource;
-use crate::ledger::Bodies;
 use crate::load_work::LoadedStep;
 use crate::mean_velocity::MeanVelocity;
 use crate::setup::{Integrator, Method};
@@ -32,13 +31,8 @@ impl Simulation {
             order: &self.world.order,
             step_s: self.setup.step_s,
         };
-        let bodies = Bodies {
-            order: &self.world.order.bodies,
-            inertias: &self.inertias,
-            states: &self.states,
-        };
         let dolphins = &self.dolphins.motions;
-        self.ledger.add(bodies, &step.works(), &self.contact_totals, dolphins);
+        self.ledger.add(&step.works(), &self.contact_totals, dolphins);
     }
 
     /// The contact engine moves the bodies itself.

@@ -192,6 +192,9 @@ impl World {
     ) {
         self.events.clear();
         self.take_orders(setup, states, t_s, step_s);
+        if setup.vessels.is_empty() && setup.lines.is_empty() {
+            return; // tugs and anchors are of vessels
+        }
         let vessels = (setup.vessels.as_slice(), states);
         passing::act(&setup.flow, vessels, &setup.environment, t_s, &mut self.passing);
         passing::act_of_banks(&setup.flow, vessels, &setup.environment, t_s, &mut self.banks);

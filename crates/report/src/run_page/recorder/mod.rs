@@ -206,8 +206,9 @@ impl Recorder {
     fn record_energy(&mut self, step: &StepRecord<'_>) {
         // The ledger is that at the end of the step.
         let end_s = step.t_s + self.step_s;
-        self.energy.push(end_s, &step.energy);
-        let stored_j = step.energy.stored_j + step.energy.shear_stored_j;
+        let energy = step.energy();
+        self.energy.push(end_s, &energy);
+        let stored_j = energy.stored_j + energy.shear_stored_j;
         if stored_j > self.most_stored.0 {
             self.most_stored = (stored_j, end_s);
         }
