@@ -13,6 +13,7 @@
 //! part ½k·Δ(d²) at the ends of the face: sliding along a tilted hull would then create energy.
 
 use crate::angle::tilt_rad;
+use crate::face_frame::Frame;
 use crate::fender::{Fender, RankedFender};
 use crate::number::{greater, lesser};
 use crate::panel::press::Pressed;
@@ -58,37 +59,7 @@ struct Integrals {
     of_moment: [f64; 3],
 }
 
-/// A fender's face in the frame of a patch: the direction inwards, that along the face, and its middle.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Frame {
-    pub(crate) inward: Vec2,
-    pub(crate) along: Vec2,
-    pub(crate) face_m: Vec2,
-}
-
 impl Frame {
-    /// `host`: the pose of the fender's body.
-    pub(crate) fn of(ranked: &RankedFender, host: Pose) -> Frame {
-        let inward = host.rotation.apply(ranked.inward);
-        Frame { inward, along: inward.quarter_turn(), face_m: host.apply(ranked.face_m) }
-    }
-
-    /// A place in the face's frame.
-    #[inline(always)]
-    pub(crate) fn to_face(self, v: Vec2) -> Vec2 {
-        self.turned_to_face(v - self.face_m)
-    }
-
-    /// A direction in the face's frame.
-    #[inline(always)]
-    pub(crate) fn turned_to_face(self, v: Vec2) -> Vec2 {
-        vec2(v.dot(self.inward), v.dot(self.along))
-    }
-
-    fn turned(self, v: Vec2) -> Vec2 {
-        self.inward * v.x + self.along * v.y
-    }
-
     /// The integrals of an overlap with this area and centroid, and the centroid in the face's frame.
     // Inlined: a call costs a twelfth of a step of a ship at eight faces.
     #[inline(always)]
@@ -128,7 +99,7 @@ pub(crate) fn press<'a>(
     within: (f64, Vec2),
     outlines: impl Iterator<Item = &'a [Vec2]>,
 ) -> Press {
-    let frame = Frame::of(ranked, host);
+    let frame = Frame::of(ranked.inward, ranked.face_m, host);
     let (sums, centroid) = frame.integrals(ranked.width_m, within, outlines);
     let area_m2 = within.0;
     let moment = centroid * area_m2;
@@ -172,7 +143,7 @@ pub(crate) fn press_panel<'a>(
     within: (f64, Vec2),
     outlines: impl Iterator<Item = &'a [Vec2]>,
 ) -> Press {
-    let frame = Frame::of(ranked, host);
+    let frame = Frame::of(ranked.inward, ranked.face_m, host);
     let (sums, centroid) = frame.integrals(ranked.width_m, within, outlines);
     let size_n = pressed.force_n.length();
     let (push, point) = line_of_action(pressed.force_n, size_n, pressed.torque_nm, centroid);

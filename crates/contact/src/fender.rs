@@ -4,7 +4,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use crate::error::ModelError;
-use crate::face::Frame;
+use crate::face_frame::Frame;
 use crate::geometry::convex::ConvexPolygon;
 use crate::material::{BodyId, FenderId, Material, MaterialId};
 use crate::number::greater;
@@ -193,7 +193,7 @@ impl RankedFender {
     /// From the frame of a hull to the face's: x inwards from the face's middle, y along it. Both bodies' poses are in one
     /// frame.
     pub(crate) fn hull_to_face(&self, host: Pose, hull: Pose) -> impl Fn(Vec2) -> Vec2 + use<> {
-        let frame = Frame::of(self, host);
+        let frame = Frame::of(self.inward, self.face_m, host);
         move |v: Vec2| frame.to_face(hull.apply(v))
     }
 

@@ -113,6 +113,7 @@ mod coupled;
 mod error;
 mod events;
 mod face;
+mod face_frame;
 mod fender;
 mod geometry;
 pub mod hash;

@@ -6,7 +6,7 @@
 
 use alloc::vec::Vec;
 
-use crate::face::Frame;
+use crate::face_frame::Frame;
 use crate::fender::RankedFender;
 use crate::geometry::convex::{ConvexPolygon, signed_area};
 use crate::number::{greater, lesser};
@@ -78,7 +78,7 @@ impl Slice {
         hull: Pose,
         host: Pose,
     ) -> Option<SideMet> {
-        let frame = Frame::of(face, host);
+        let frame = Frame::of(face.inward, face.face_m, host);
         let turned = |v: Vec2| frame.turned_to_face(hull.rotation.apply(v));
         let place = |v: Vec2| frame.to_face(hull.apply(v));
         let half_m = 0.5 * face.width_m;

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use fenderline_live::message::GalleryEntry;
 
 use super::file_name::{self, NameError};
-use super::gallery::{self, DELETED, EXERCISE_ENDING, Gallery};
+use super::gallery::{self, Changed, DELETED, EXERCISE_ENDING, Gallery};
 use super::kept_seats;
 use super::saved::ENDING;
 
@@ -111,17 +111,6 @@ enum To {
     Path(PathBuf),
     /// A folder that is made if need be, under a name that is free there.
     Deleted(PathBuf),
-}
-
-/// A change that was made.
-#[derive(Debug)]
-pub(crate) struct Changed {
-    pub(crate) from: PathBuf,
-    pub(crate) to: PathBuf,
-    /// The entry of the file where it is now.
-    pub(crate) entry: GalleryEntry,
-    /// Whether it is among the deleted files now.
-    pub(crate) is_deleted: bool,
 }
 
 impl FileChange {

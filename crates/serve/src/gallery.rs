@@ -8,7 +8,6 @@ use fenderline_live::message::GalleryEntry;
 use fenderline_live::{INTO_A_SESSION, Outline, Session, Source};
 use fenderline_scenario::{berth_words, read_text};
 
-use super::file_change::Changed;
 use super::kept_seats::{self, KeptSeats};
 use super::saved::{self, ENDING, Replayed, Watch};
 
@@ -23,6 +22,17 @@ pub(crate) const DELETED: &str = "deleted";
 const FROM_THE_PAGE: [&str; 2] = ["Made from choices:", INTO_A_SESSION];
 /// A scenario and the files that it names together (bytes).
 const LARGEST_SCENARIO: usize = 64 << 20;
+
+/// A change that was made.
+#[derive(Debug)]
+pub(crate) struct Changed {
+    pub(crate) from: PathBuf,
+    pub(crate) to: PathBuf,
+    /// The entry of the file where it is now.
+    pub(crate) entry: GalleryEntry,
+    /// Whether it is among the deleted files now.
+    pub(crate) is_deleted: bool,
+}
 
 /// A list of files that can be opened, by name. Nothing else can: a page names an entry, not a path.
 #[derive(Clone, Debug, Default)]

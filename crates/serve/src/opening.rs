@@ -12,8 +12,8 @@ use std::time::{Duration, Instant};
 use fenderline_live::message::{GalleryEntry, OpeningNow};
 
 use super::claims::ClientId;
-use super::file_change::{Changed, FileChange};
-use super::gallery::{self, Opened};
+use super::file_change::FileChange;
+use super::gallery::{self, Changed, Opened};
 use super::new_file::NewFile;
 use super::recorder::{Copy, Recorder, SoFar};
 use super::saved::Progress as ReplayProgress;

@@ -11,8 +11,8 @@ use fenderline_live::{Creation, PresentFile, Refusal};
 
 use super::Engine;
 use super::kept_history::KeptHistory;
-use crate::file_change::{Changed, FileChange, InUse, Wish};
-use crate::gallery::Opened;
+use crate::file_change::{FileChange, InUse, Wish};
+use crate::gallery::{Changed, Opened};
 use crate::hub::ToEngine;
 use crate::new_file::{Content, NewFile};
 use crate::opening::{Outcome, Requester, Task, Work};
