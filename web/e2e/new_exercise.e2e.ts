@@ -64,7 +64,7 @@ test("the instructor makes an exercise from nothing and saves it", async () => {
   await saved().filter({ hasText: "Saved as first_try.toml" }).waitFor();
   // The form stays where it was scrolled to, with what comes next in sight.
   expect(await form().evaluate((view) => view.scrollTop)).toBeGreaterThan(0);
-  const next = await instructor.getByRole("button", { name: /^Open the saved/ }).boundingBox();
+  const next = await instructor.getByRole("button", { name: /^Open it now/ }).boundingBox();
   const panel = await form().boundingBox();
   expect(next?.y).toBeGreaterThan(panel?.y ?? Infinity);
   expect((next?.y ?? Infinity) + (next?.height ?? 0)).toBeLessThan(
