@@ -39,7 +39,9 @@ impl Ledger {
     pub(crate) fn energy(&self, bodies: Bodies<'_>) -> Energy {
         let (kinetic_j, load_work_j) = (bodies.kinetic_j(), self.sums.loads.total_j());
         let work_j = load_work_j + self.sums.normal_work_j + self.sums.tangential_work_j;
-        let residual_j = kinetic_j - self.start_j - work_j;
+        // Before the first step, both may be infinite: a start may be faster than the engine's steps take.
+        let gained_j = if kinetic_j == self.start_j { 0.0 } else { kinetic_j - self.start_j };
+        let residual_j = gained_j - work_j;
         Energy { kinetic_j, load_work_j, residual_j, ..self.sums }
     }
 

@@ -33,6 +33,17 @@ fn head_on(
     two(block, wall, spring(stiffness_npm2, restitution), integrator, step_s, duration_s)
 }
 
+/// Found by the attack on FMI states: such a start has an infinite kinetic energy.
+#[test]
+fn the_residual_of_a_start_faster_than_any_step_takes_is_zero_and_not_a_nan() {
+    let setup = head_on(1e215, 500e3, 0.1, Integrator::SemiImplicit, 0.1, 1.0);
+    let mut simulation =
+        Simulation::new(setup).expect("a set-up that is checked by its first step");
+    assert_eq!(simulation.energy().residual_j, 0.0);
+    simulation.step().expect_err("it is too fast");
+    assert_eq!(simulation.energy().residual_j, 0.0);
+}
+
 #[allow(clippy::disallowed_methods, reason = "a test's closed form need not be bit for bit")]
 /// Error of position and velocity before a quarter of the contact's period, while nothing limits the
 /// force (m). (In position alone semi-implicit Euler, begun at the touch, is of second order.)
