@@ -70,11 +70,11 @@ impl Prediction {
         self.tick
     }
 
-    /// Whether it begins in the state that another prediction from the same run foresees for this tick, if its bits are the same: nothing but steps has
-    /// changed the run since, and no order is due that the other one dropped.
-    pub(crate) fn may_continue(&self, other: &Prediction) -> bool {
-        self.interventions == other.interventions
-            && self.dropped == other.dropped
+    /// Whether an earlier prediction of the same run can be continued in place of this one, if it has the same state at this tick: nothing but
+    /// steps has changed the run since, and no order is due that the earlier one dropped.
+    pub(crate) fn may_continue(&self, earlier: &Prediction) -> bool {
+        self.interventions == earlier.interventions
+            && self.dropped == earlier.dropped
             && self.simulation.pending_orders().is_empty()
     }
 

@@ -49,7 +49,7 @@ fn a_continued_prediction_has_the_bits_of_one_that_is_made_anew() {
             21 => command(&mut session, engine(0.4)),
             60 => command(&mut session, wind(0.0)),
             90 => command(&mut session, push.clone()),
-            // A line goes slack and parts when nobody gives an order.
+            // A line parts 3 s later, when nobody gives an order.
             120 => {
                 let event = OtherAction::PartLine { line: "after_tow".into() };
                 let plan = OtherAction::Plan { at_s: 15.0, event: Box::new(event) };

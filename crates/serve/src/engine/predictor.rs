@@ -60,13 +60,14 @@ struct Asked {
     ended: bool,
 }
 
+/// What waits for the thread. A newer job takes the place of one that waits.
 #[derive(Debug, Default)]
-struct Desk {
+struct Inbox {
     asked: Mutex<Asked>,
     changed: Condvar,
 }
 
-impl Desk {
+impl Inbox {
     fn asked(&self) -> MutexGuard<'_, Asked> {
         self.asked.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -82,7 +83,7 @@ impl Desk {
 /// The thread. It lasts: threads that come and go would each leave memory behind.
 #[derive(Debug)]
 struct Thread {
-    desk: Arc<Desk>,
+    inbox: Arc<Inbox>,
     handle: JoinHandle<()>,
 }
 
@@ -111,38 +112,38 @@ impl Predictor {
             // Without a thread the next one tries again.
             self.thread = Thread::start(hub).ok();
         }
-        if let Some(Thread { desk, .. }) = &self.thread {
-            desk.asked().job = Some(Job { prediction, changes: self.changes });
-            desk.changed.notify_one();
+        if let Some(Thread { inbox, .. }) = &self.thread {
+            inbox.asked().job = Some(Job { prediction, changes: self.changes });
+            inbox.changed.notify_one();
         }
     }
 }
 
 impl Drop for Predictor {
     fn drop(&mut self) {
-        if let Some(Thread { desk, .. }) = &self.thread {
-            desk.asked().ended = true;
-            desk.changed.notify_one();
+        if let Some(Thread { inbox, .. }) = &self.thread {
+            inbox.asked().ended = true;
+            inbox.changed.notify_one();
         }
     }
 }
 
 impl Thread {
     fn start(hub: &Arc<Hub>) -> std::io::Result<Thread> {
-        let (desk, hub) = (Arc::<Desk>::default(), Arc::clone(hub));
-        let of_thread = Arc::clone(&desk);
+        let (inbox, hub) = (Arc::<Inbox>::default(), Arc::clone(hub));
+        let of_thread = Arc::clone(&inbox);
         let thread = std::thread::Builder::new().name("prediction".into());
         let handle = thread.spawn(move || predict(&of_thread, &hub))?;
-        Ok(Thread { desk, handle })
+        Ok(Thread { inbox, handle })
     }
 }
 
 /// Makes predictions until there is no engine any more.
-fn predict(desk: &Desk, hub: &Hub) {
+fn predict(inbox: &Inbox, hub: &Hub) {
     let processors = std::thread::available_parallelism().map_or(1, usize::from);
     let mut allowance = Allowance::new(if processors == 1 { 0.5 } else { 2.0 / 3.0 });
     let (mut outlook, mut changes) = (Outlook::default(), 0);
-    while let Some(job) = desk.take() {
+    while let Some(job) = inbox.take() {
         if job.changes != changes {
             outlook.forget();
             changes = job.changes;
