@@ -63,8 +63,10 @@ impl Study {
                 self.simulation.restart(&start).expect("a restart in place");
             }
             while set_up != SetUp::RestartAlone && !self.simulation.is_done() {
-                black_box(self.simulation.step().expect("a good step"));
+                // As `run_many` of the Python package does, which takes no record.
+                assert!(self.simulation.step().is_ok(), "a good step");
             }
+            black_box(self.simulation.states());
         }
     }
 }

@@ -62,8 +62,14 @@ impl Kirchhoff {
     /// √m_y v and √I r their Jacobian has, with ρ² twice the energy, a Frobenius norm of at most
     /// ρ √(2(m_y/m_x + m_x/m_y)/I).
     #[inline]
-    fn rate_squared(&self, (u, v, r): (f64, f64, f64)) -> f64 {
-        self.coupling * (self.surge_by_yaw * u * u + self.sway_by_yaw * v * v + r * r)
+    fn rate_squared(&self, velocity: (f64, f64, f64)) -> f64 {
+        self.coupling * self.energy(velocity)
+    }
+
+    /// Twice the kinetic energy over the inertia in yaw (1/s²).
+    #[inline]
+    fn energy(&self, (u, v, r): (f64, f64, f64)) -> f64 {
+        self.surge_by_yaw * u * u + self.sway_by_yaw * v * v + r * r
     }
 
     /// A step in which they turn too far for one fixed-point iteration.
@@ -76,23 +82,24 @@ impl Kirchhoff {
     /// One step of the midpoint rule, by a fixed point of the mean velocities. `turns_squared` is a bound on h² times
     /// [`Kirchhoff::rate_squared`], at most 1.
     ///
-    /// A round divides the error in √m_x u, √m_y v and √I r by two over √`turns_squared` at least, and the start is wrong by
-    /// less than one round would change it. So the number of rounds is known beforehand, and no round waits for a comparison.
+    /// A round divides the error in √m_x u, √m_y v and √I r by two over √`turns_squared` at least, so the start is wrong by at most
+    /// twice what the first round changes. That bounds the number of rounds: one for a body that goes straight ahead.
     #[inline]
     fn part(&self, start: (f64, f64, f64), h: f64, turns_squared: f64) -> (f64, f64, f64) {
         let ((u0, v0, r0), half_s) = (start, 0.5 * h);
         let (of_u, of_v) = (half_s * self.sway_by_surge, half_s * self.surge_by_sway);
         let of_r = half_s * (self.sway_by_yaw - self.surge_by_yaw);
-        let (mut u, mut v, mut r) = start;
+        let changes = |u, v, r| (of_u * (v * r), -of_v * (u * r), -of_r * (u * v));
         let reduction_squared = 0.25 * turns_squared;
-        let mut error_squared = reduction_squared;
-        loop {
-            (u, v, r) = (u0 + of_u * (v * r), v0 - of_v * (u * r), r0 - of_r * (u * v));
+        let small = ERROR_SQUARED * self.energy(start);
+        let mut change = changes(u0, v0, r0);
+        let mut error_squared = 4.0 * reduction_squared * self.energy(change);
+        while error_squared > small {
+            change = changes(u0 + change.0, v0 + change.1, r0 + change.2);
             error_squared *= reduction_squared;
-            if error_squared <= ERROR_SQUARED {
-                return (2.0 * u - u0, 2.0 * v - v0, 2.0 * r - r0);
-            }
         }
+        let (of_surge, of_sway, of_yaw) = change;
+        (u0 + 2.0 * of_surge, v0 + 2.0 * of_sway, r0 + 2.0 * of_yaw)
     }
 }
 

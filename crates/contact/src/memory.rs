@@ -262,6 +262,9 @@ impl ContactMemory {
     /// Moves what was added to `from` beyond these lengths here, in place of what is here.
     pub(crate) fn take(&mut self, from: &mut ContactMemory, [patches, places, hints]: [usize; 3]) {
         self.clear();
+        if [patches, places, hints] == [0; 3] {
+            return core::mem::swap(self, from);
+        }
         self.patches.extend(from.patches.drain(patches..));
         self.places.extend(from.places.drain(places..));
         self.hints.extend(from.hints.drain(hints..));

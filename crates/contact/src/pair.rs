@@ -21,10 +21,9 @@ pub(crate) struct RankedPair {
 /// sub-steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Bounds {
-    /// On the squares of the rates of spring and damper (1/s²), for `inverse_mass` (1/kg).
+    /// On the squares of the rates of spring and damper (1/s²).
     pub(crate) spring_rate_squared: f64,
     pub(crate) damping_rate_squared: f64,
-    pub(crate) inverse_mass: f64,
     /// About half the width of the narrower body (m).
     pub(crate) half_width_m: f64,
     /// Half of the longest chord (m).
@@ -49,11 +48,6 @@ impl InverseMassBound {
             lightest_inverse_mass: body.lightest_inverse_mass,
             of_yaw: body.inverse_of_turning,
         }
-    }
-
-    #[inline]
-    pub(crate) fn is_fixed(&self) -> bool {
-        self.lightest_inverse_mass.to_bits() == 0
     }
 }
 
@@ -87,7 +81,6 @@ impl Bounds {
         Bounds {
             spring_rate_squared: material.stiffness_npm2 * per_force,
             damping_rate_squared: damping_rate * damping_rate,
-            inverse_mass,
             half_width_m: lesser(half_widths_m[0], half_widths_m[1]),
             half_chord_m: 0.5 * longest_chord_m(a, b),
             b_is_smaller: if a.radius_m <= b.radius_m { 0.0 } else { 1.0 },

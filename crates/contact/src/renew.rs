@@ -55,6 +55,9 @@ impl Model {
         slice: Option<Slice>,
     ) -> Renewal {
         let (candidate, place) = self.met(fender, body);
+        if *self.slices.slot(place) == slice {
+            return Renewal { work_j: 0.0, before: slice };
+        }
         let is_near = self.is_near(&candidate, states);
         // By the time before the start, in halves of the last (sub-)step.
         let held = |model: &Model, memory: &Memory, halves: f64| {

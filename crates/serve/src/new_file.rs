@@ -53,15 +53,16 @@ impl Content {
 #[derive(Debug)]
 pub(crate) struct NewFile {
     to: PathBuf,
+    name: String,
     content: Content,
-    replaces: bool,
+    may_replace: bool,
 }
 
 impl NewFile {
-    /// An exercise of a name, in a folder.
+    /// An exercise of a name, in a folder. Asks no file system.
     ///
     /// # Errors
-    /// A name that is not safe; one that is taken, unless it may be replaced; one that is a link or no file.
+    /// A name that is not safe.
     pub(crate) fn new(
         folder: &Path,
         name: &str,
@@ -70,30 +71,35 @@ impl NewFile {
     ) -> Result<NewFile, String> {
         file_name::check(name).map_err(|error| error.to_string())?;
         let to = folder.join(format!("{name}{EXERCISE_ENDING}"));
-        let taken = to.symlink_metadata().ok();
-        match &taken {
-            Some(_) if !may_replace => {
-                return Err(format!(
-                    "there is an exercise named {name} already: it stays as it is"
-                ));
+        Ok(NewFile { to, name: name.to_owned(), content, may_replace })
+    }
+
+    /// Whether there is an exercise that it replaces.
+    fn replaces(&self) -> Result<bool, String> {
+        let name = &self.name;
+        match self.to.symlink_metadata() {
+            Err(_) => Ok(false),
+            Ok(_) if !self.may_replace => {
+                Err(format!("there is an exercise named {name} already: it stays as it is"))
             }
-            Some(what) if !what.is_file() => {
-                return Err(format!("{name}.toml is a link or no file: it is not replaced"));
+            Ok(what) if !what.is_file() => {
+                Err(format!("{name}.toml is a link or no file: it is not replaced"))
             }
-            _ => {}
+            Ok(_) => Ok(true),
         }
-        Ok(NewFile { to, content, replaces: taken.is_some() })
     }
 
     /// Writes it and makes its entry.
     ///
     /// # Errors
-    /// Choices that make no exercise, or the file system's error. Nothing is changed then.
+    /// A name that is taken, unless it may be replaced; one that is a link or no file; choices that make no exercise; the file
+    /// system's error. Nothing is changed then.
     pub(crate) fn write(&self) -> Result<(PathBuf, GalleryEntry), String> {
+        let replaces = self.replaces()?;
         let folder = self.to.parent().unwrap_or(Path::new(""));
         let text = self.content.text(folder)?;
         let failed = |error: std::io::Error| format!("{}: {error}", self.to.display());
-        if self.replaces {
+        if replaces {
             // Another name first, so that a full disk does not cost the old exercise.
             let beside = self.to.with_extension("toml.new");
             let written =
@@ -162,7 +168,7 @@ mod tests {
         let named = |content: &str| {
             let files = BTreeMap::from([("chart.geojson".to_owned(), content.to_owned())]);
             let text = Content::Text("title = \"x\"".to_owned(), files);
-            NewFile::new(&folder, "named", text, false).expect("it may").write().unwrap_err()
+            NewFile::new(&folder, "named", text, false).expect("a good name").write().unwrap_err()
         };
         assert!(named("{}").contains("names chart.geojson"), "{}", named("{}"));
         assert!(new("mine", "Two", false).unwrap_err().contains("already"));
@@ -170,7 +176,8 @@ mod tests {
         // A mistake costs nothing either.
         let mut bad = exercise("Two");
         bad.berth.fenders = 0;
-        let refused = NewFile::new(&folder, "mine", choices(bad), true).expect("it may").write();
+        let refused =
+            NewFile::new(&folder, "mine", choices(bad), true).expect("a good name").write();
         assert!(refused.unwrap_err().contains("at least one fender"));
         assert_eq!(fs::read(&path).expect("a file"), first);
         assert_eq!(new("mine", "Two", true).expect("it may").1.title, "Two");

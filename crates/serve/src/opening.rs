@@ -35,10 +35,18 @@ pub(crate) struct Requester {
     pub(crate) id: Option<i64>,
 }
 
+/// A session to continue with, already recorded to a file of its own.
+pub(crate) struct Ready {
+    pub(crate) opened: Opened,
+    pub(crate) recorder: Recorder,
+    /// The entry of the former session's recording, which can be opened again.
+    pub(crate) former: Option<GalleryEntry>,
+}
+
 /// The result of the work, for the simulation's thread.
 pub(crate) enum Outcome {
-    /// A session to continue with, already recorded to a file of its own; or why it could not be opened.
-    Opened(Box<Result<(Opened, Recorder), String>>),
+    /// A session to continue with; or why it could not be opened.
+    Opened(Box<Result<Ready, String>>),
     /// The path of a copy and its entry in the gallery; or why it could not be saved.
     Saved(Result<(PathBuf, Option<GalleryEntry>), String>),
     /// The path of a new exercise and its entry in the gallery; or why there is none.
@@ -89,7 +97,7 @@ pub(crate) struct Work {
 }
 
 impl Work {
-    /// Begins to open an entry of the gallery, and its recording in a folder.
+    /// Begins to open an entry of the gallery, and its recording in a folder. `former` is the recording of the present session.
     ///
     /// # Errors
     /// The system gives no thread.
@@ -98,7 +106,7 @@ impl Work {
         requester: Requester,
         file: String,
         path: PathBuf,
-        sessions: PathBuf,
+        (sessions, former): (PathBuf, PathBuf),
     ) -> io::Result<Work> {
         let progress = Arc::new(Progress::default());
         let (shared, name) = (Arc::clone(&progress), file.clone());
@@ -122,7 +130,7 @@ impl Work {
             };
             gallery::open(&path, &[], watch).and_then(|mut opened| {
                 let recorder = Recorder::begin(&sessions, &name, &mut opened)?;
-                Ok((opened, recorder))
+                Ok(Ready { opened, recorder, former: gallery::entry(&former) })
             })
         };
         let done = move |opened| Outcome::Opened(Box::new(opened));

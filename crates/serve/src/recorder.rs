@@ -83,16 +83,15 @@ impl Recorder {
     }
 
     /// Prepares a copy of the recording so far, under a name of letters, digits, `-` and `_`; `end_line` is its last line.
+    /// Asks no file system.
     ///
     /// # Errors
-    /// A name that is not allowed, or is taken.
+    /// A name that is not allowed.
     pub(crate) fn copy(&self, name: &str, end_line: String) -> Result<Copy, String> {
         file_name::check(name).map_err(|error| error.to_string())?;
         let to = self.folder.join(format!("{name}{ENDING}"));
-        if to.symlink_metadata().is_ok() {
-            return Err(format!("there is a session named {name} already"));
-        }
-        Ok(Copy { from: self.path.clone(), bytes: self.bytes, end_line, to })
+        let (from, name) = (self.path.clone(), name.to_owned());
+        Ok(Copy { from, bytes: self.bytes, end_line, to, name })
     }
 }
 
@@ -130,17 +129,23 @@ pub(crate) struct Copy {
     bytes: u64,
     end_line: String,
     to: PathBuf,
+    name: String,
 }
 
 impl Copy {
     /// Writes the copy; returns its path.
     ///
     /// # Errors
-    /// An error of the file system. No copy is left then.
+    /// A name that is taken; an error of the file system. No copy is left then.
     pub(crate) fn make(self) -> Result<PathBuf, String> {
         let from = open_regular(&self.from, LARGEST_RECORDING_BYTES).map_err(|e| e.to_string())?;
         let to = OpenOptions::new().write(true).create_new(true).open(&self.to);
-        let mut to = to.map_err(|e| with_path(&self.to, &e))?;
+        let mut to = to.map_err(|e| match e.kind() {
+            io::ErrorKind::AlreadyExists => {
+                format!("there is a session named {} already", self.name)
+            }
+            _ => with_path(&self.to, &e),
+        })?;
         let written = io::copy(&mut from.take(self.bytes), &mut to).and_then(|bytes| {
             let lacks = io::Error::other("the recording is shorter than what was written to it");
             if bytes < self.bytes { Err(lacks) } else { to.write_all(self.end_line.as_bytes()) }

@@ -17,8 +17,6 @@ pub(crate) struct LoadedStep<'a> {
     pub(crate) before: &'a [BodyState],
     pub(crate) after: &'a [BodyState],
     pub(crate) mean: &'a [MeanVelocity],
-    /// Loads of the set-up and of the host.
-    pub(crate) plain: &'a [Wrench],
     pub(crate) world: &'a WorldSetup,
     pub(crate) forces: &'a [VesselForces],
     pub(crate) water_inertia: &'a [WaterInertia],
@@ -30,13 +28,21 @@ pub(crate) struct LoadedStep<'a> {
     pub(crate) step_s: f64,
 }
 
+/// Work of the loads of set-up and host in a step (J); `order` is that of the bodies.
+pub(crate) fn plain_work_j(
+    order: &[usize],
+    inertias: &[Inertia],
+    (mean, plain): (&[MeanVelocity], &[Wrench]),
+    step_s: f64,
+) -> f64 {
+    let floating = order.iter().filter(|&&body| !inertias[body].fixed);
+    floating.fold(0.0, |sum_j, &body| sum_j + mean[body].power_w(&plain[body]) * step_s)
+}
+
 impl LoadedStep<'_> {
-    /// Work of each kind of load: force times displacement over the ground.
+    /// Work of each kind of load but those of set-up and host: force times displacement over the ground.
     pub(crate) fn works(&self) -> LoadWork {
         let mut works = LoadWork::default();
-        for &body in self.order.bodies.iter().filter(|&&body| !self.inertias[body].fixed) {
-            works.other_j += self.mean[body].power_w(&self.plain[body]) * self.step_s;
-        }
         for &vessel in &self.order.vessels {
             self.vessel(vessel, self.world.vessels[vessel].body, &mut works);
         }

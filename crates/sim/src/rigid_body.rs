@@ -111,6 +111,7 @@ impl Inertia {
     /// With Δ = sway mass − surge mass, c the coupling of sway and yaw, and u, v, r relative to the water, it is
     /// (Δ r v + c r², Δ r u, −Δ u v) in the body's axes; its moment is the Munk moment. It is zero if the mass is the
     /// same in all directions.
+    #[inline]
     pub(crate) fn momentum_wrench(&self, state: &BodyState, current_mps: Vec2) -> Wrench {
         let difference_kg = self.sway_kg - self.surge_kg;
         if (difference_kg == 0.0 && self.coupling_kgm == 0.0) || self.engine_turns {

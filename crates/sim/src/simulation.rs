@@ -266,14 +266,14 @@ impl Simulation {
         self.world.settle(world, fenders, touched, &self.states, (t_s, self.setup.step_s));
     }
 
-    /// Adds the step to the summaries of the run, and gives its record. It is wrapped here: a record is not small, and would be
-    /// copied otherwise.
+    /// Adds the step to the summaries of the run, and gives its record. It is wrapped from the start: a record is not small, and
+    /// would be copied otherwise.
     #[inline(always)]
     fn record(&mut self, t_s: f64) -> Result<StepRecord<'_>, SimError> {
         self.dolphins.summarise(&self.setup, t_s);
         let (order, inertias) = (&self.world.order.bodies, &self.inertias);
         let bodies = Bodies { order, inertias, states: &self.states };
-        let mut record = StepRecord {
+        let mut result = Ok(StepRecord {
             index: self.index,
             t_s,
             states: &self.buffers.before,
@@ -293,28 +293,29 @@ impl Simulation {
             dolphins: &self.dolphins.motions,
             tugs: &self.world.tugs,
             world_events: &self.world.events,
-        };
-        self.summaries.add(&record);
-        self.watch.add(&self.setup, &record);
+        });
+        let Ok(record) = &mut result else { unreachable!("it was made here") };
+        self.summaries.add(record);
+        self.watch.add(&self.setup, record);
         if let Some(statistics) = &mut self.statistics {
-            statistics.add(&self.setup, &record);
+            statistics.add(&self.setup, record);
         }
         let setups = (self.setup.fenders.as_slice(), self.setup.materials.as_slice());
         let (vessels, now) = (&self.setup.world.vessels, &self.world.vessels);
-        let sinking_mps = |contact: &Contact, host: usize| {
-            sinking_mps(vessels, now, record.states, contact, host)
-        };
-        self.fender_summaries.add(setups, &record, sinking_mps);
+        let states = record.states;
+        let sinking_mps =
+            |contact: &Contact, host: usize| sinking_mps(vessels, now, states, contact, host);
+        self.fender_summaries.add(setups, record, sinking_mps);
         record.chains = &self.fender_summaries.chains;
         if let Some(study) = &mut self.study {
             study.add(
                 &self.setup.fenders,
                 &self.inertias,
-                &StudyStep::of(&record, self.setup.step_s),
+                &StudyStep::of(record, self.setup.step_s),
             );
         }
         self.index += 1;
-        Ok(record)
+        result
     }
 }
 

@@ -11,6 +11,7 @@ use crate::fender::{FenderBounds, RankedFender};
 use crate::geometry::clip::Hint;
 use crate::geometry::gap::gap_m;
 use crate::geometry::shapes::{Piece, near_pairs};
+use crate::material::Material;
 use crate::memory::HintMemory;
 use crate::model::Model;
 use crate::number::{bounded, greater, lesser};
@@ -19,7 +20,7 @@ use crate::panel::press::deepest_m;
 use crate::patch::Patch;
 use crate::ranked::RankedBody;
 use crate::reaction::FenderLaw;
-use crate::vec2::Pose;
+use crate::vec2::{Pose, Vec2};
 
 /// Largest ωh of a sub-step. The contact that begins within a sub-step is felt up to h late, which
 /// costs at most (ωh)²/2 of the depth: 0.5 % here, and less as the bounds on ω below are wide.
@@ -167,7 +168,7 @@ impl Bounded<'_> {
             return None;
         }
         let bounds = self.candidates.bounds_of(self.model, *pair);
-        let is_slow = existing_rate_squared(bounds, only, share) <= share
+        let is_slow = self.existing_rate_squared(candidate, bounds, only, share) <= share
             && !self.may_travel(candidate, bounds);
         is_slow.then_some(others)
     }
@@ -246,7 +247,7 @@ impl Bounded<'_> {
         match (own, candidate.fender(self.model)) {
             ([only], None) => {
                 let bounds = self.candidates.bounds_of(self.model, *pair);
-                let rate_squared = existing_rate_squared(bounds, only, share);
+                let rate_squared = self.existing_rate_squared(candidate, bounds, only, share);
                 let travel = if self.may_travel(candidate, bounds) {
                     self.travel(candidate, bounds)
                 } else {
@@ -260,6 +261,25 @@ impl Bounded<'_> {
             },
             _ => self.demand_of_other(pairing, own),
         }
+    }
+
+    /// A bound on ω² of an existing contact of two outlines in one patch (1/s²). `share` is what needs no further sub-step.
+    #[inline(always)]
+    fn existing_rate_squared(
+        &self,
+        candidate: &Candidate,
+        bounds: &Bounds,
+        only: &Patch,
+        share: f64,
+    ) -> f64 {
+        let most = EXISTING * bounds.spring_rate_squared + bounds.damping_rate_squared;
+        // The tighter bound by the patch is computed only if that of the pair is too large.
+        if most > share && only.per_chord_m > 0.0 {
+            let closing_m = self.closing_mps(candidate) * self.step_s;
+            let material = &self.model.materials()[candidate.material.0 as usize];
+            return lesser(rate_squared_of_patch(bounds, material, only, closing_m), most);
+        }
+        most
     }
 
     /// May two outlines close more than the largest travel of a sub-step?
@@ -446,16 +466,36 @@ impl Bounded<'_> {
     }
 }
 
-/// A bound on ω² of an existing contact of two outlines in one patch (1/s²). `share` is what needs no further sub-step.
+/// A bound on ω² of a contact of two outlines in one patch, while the bodies close by `closing_m` (1/s²): of the spring along its
+/// normal and the shear spring together, and of the damper.
+fn rate_squared_of_patch(
+    bounds: &Bounds,
+    material: &Material,
+    patch: &Patch,
+    closing_m: f64,
+) -> f64 {
+    let half_chord_m = half_chord_m(bounds, patch, closing_m);
+    let chord_m = 2.0 * half_chord_m;
+    let [normal, tangential, cross] = inverse_masses(bounds, patch, half_chord_m);
+    let (spring_npm, shear_npm) = (material.stiffness_npm2 * chord_m, material.shear_stiffness_npm);
+    // The larger eigenvalue.
+    let (along, across) = (spring_npm * normal, shear_npm * tangential);
+    let (mean, half) = (0.5 * (along + across), 0.5 * (along - across));
+    let larger = mean + libm::sqrt(half * half + spring_npm * shear_npm * (cross * cross));
+    let damping_rate = material.damping_nspm2 * chord_m * normal;
+    EXISTING * larger + damping_rate * damping_rate
+}
+
+/// A bound on half of a patch's chord while the bodies close by `closing_m` (m), at most that of the pair.
+///
+/// The chord c is the derivative of the area A along the normal. For convex outlines √A is a concave function of the depth
+/// (Brunn and Minkowski), so a step of length δ makes the chord at most c (1 + δ c/(2A)): that of a corner grows so. Exact for motion
+/// along the normal; turning counts by the way of the points that move most.
 #[inline(always)]
-fn existing_rate_squared(bounds: &Bounds, only: &Patch, share: f64) -> f64 {
-    let most = EXISTING * bounds.spring_rate_squared + bounds.damping_rate_squared;
-    // The tighter bound by the patch's lever is computed only if the bound of the pair is too large.
-    if most > share && only.per_chord_m > 0.0 {
-        let felt = inverse_mass(bounds, only) / bounds.inverse_mass;
-        return (EXISTING * bounds.spring_rate_squared + bounds.damping_rate_squared * felt) * felt;
-    }
-    most
+fn half_chord_m(bounds: &Bounds, patch: &Patch, closing_m: f64) -> f64 {
+    let half_m = 0.5 * patch.chord_m.length_squared() * patch.per_chord_m;
+    let grown_m = half_m + half_m * (closing_m * half_m / patch.area_m2);
+    lesser(grown_m, bounds.half_chord_m)
 }
 
 /// Takes the patches of candidate number `index` off the front of `patches`.
@@ -471,26 +511,35 @@ fn patches_of<'p>(patches: &mut &'p [Patch], index: usize) -> &'p [Patch] {
     own
 }
 
-/// A bound on the inverse effective mass of a contact (1/kg).
+/// Bounds on the inverse effective mass of a contact (1/kg): along its normal, along its chord, and what couples both.
 ///
-/// Twice the value without rotation allows for a contact off the centre. The lever may show that rotation adds less: the
-/// patch lies on the chord, so it moves by half of that at most, and within the smaller body, so it comes no further from
+/// Along the normal, twice the value without rotation allows for a contact off the centre. The lever may show that rotation adds less:
+/// the patch lies on the chord, so it moves by half of that at most, and within the smaller body, so it comes no further from
 /// that body's centre of gravity.
 #[inline(always)]
-fn inverse_mass(bounds: &Bounds, patch: &Patch) -> f64 {
-    let of_body = |body: &InverseMassBound, patch_m: f64, smaller_m: f64| {
-        let lever_m = lesser(patch_m.abs(), smaller_m.abs()) + bounds.half_chord_m;
-        let by_turning = body.of_yaw * lever_m * lever_m;
-        body.lightest_inverse_mass + lesser(by_turning, body.lightest_inverse_mass)
-    };
-    // Levers of the patch and of B's centre of gravity about A's, along the chord.
-    let along = patch.chord_m * patch.per_chord_m;
-    let (patch_m, b_m) = (patch.centroid_m.dot(along), patch.b_in_a.position_m.dot(along));
-    let smaller_m = b_m * bounds.b_is_smaller;
+fn inverse_masses(bounds: &Bounds, patch: &Patch, half_chord_m: f64) -> [f64; 3] {
+    let chord = patch.chord_m * patch.per_chord_m;
+    // Places of the patch and of B's centre of gravity about A's, along the chord and along the normal.
+    let in_chord = |place_m: Vec2| (place_m.dot(chord), place_m.cross(chord));
+    let (along_m, depth_m) = in_chord(patch.centroid_m);
+    let (b_along_m, b_depth_m) = in_chord(patch.b_in_a.position_m);
+    let smaller_m = b_along_m * bounds.b_is_smaller;
     let [a, b] = &bounds.bodies;
-    if b.is_fixed() {
-        return of_body(a, patch_m, smaller_m);
-    }
-    let of_b = of_body(b, patch_m - b_m, smaller_m - b_m);
-    if a.is_fixed() { of_b } else { of_body(a, patch_m, smaller_m) + of_b }
+    // Those of a fixed body are zero.
+    let of_a = inverse_masses_of(a, lesser(along_m.abs(), smaller_m.abs()) + half_chord_m, depth_m);
+    let b_lever_m = lesser((along_m - b_along_m).abs(), (smaller_m - b_along_m).abs());
+    let of_b = inverse_masses_of(b, b_lever_m + half_chord_m, depth_m - b_depth_m);
+    core::array::from_fn(|part| of_a[part] + of_b[part])
+}
+
+/// Those of one body, with the levers of forces along the normal and along the chord (m).
+#[inline(always)]
+fn inverse_masses_of(body: &InverseMassBound, normal_m: f64, chord_m: f64) -> [f64; 3] {
+    let linear = body.lightest_inverse_mass;
+    let (turn_n, turn_t) = (body.of_yaw * normal_m, (body.of_yaw * chord_m).abs());
+    [
+        linear + lesser(turn_n * normal_m, linear),
+        linear + turn_t * chord_m.abs(),
+        turn_n * chord_m.abs(),
+    ]
 }

@@ -12,12 +12,11 @@ use fenderline_live::{Creation, PresentFile, Refusal};
 use super::Engine;
 use super::kept_history::KeptHistory;
 use crate::file_change::{FileChange, InUse, Wish};
-use crate::gallery::{Changed, Opened};
+use crate::gallery::Changed;
 use crate::hub::ToEngine;
 use crate::new_file::{Content, NewFile};
-use crate::opening::{Outcome, Requester, Task, Work};
+use crate::opening::{Outcome, Ready, Requester, Task, Work};
 use crate::pacer::Pacer;
-use crate::recorder::Recorder;
 use crate::saved::ENDING;
 
 /// Longest title of an exercise (bytes).
@@ -29,8 +28,9 @@ impl Engine {
         self.check_no_work()?;
         let path = self.gallery.path(&file);
         let path = path.ok_or_else(|| Refusal::new("there is no such scenario in the gallery"))?;
-        let (path, sessions) = (path.to_owned(), self.sessions.clone());
-        let work = Work::open(self.send_outcome(), requester, file, path, sessions);
+        let (path, former) = (path.to_owned(), self.recorder.path().to_owned());
+        let recordings = (self.sessions.clone(), former);
+        let work = Work::open(self.send_outcome(), requester, file, path, recordings);
         self.work = Some(work.map_err(Refusal::new)?);
         Ok(())
     }
@@ -154,11 +154,11 @@ impl Engine {
         let Some(work) = self.work.take() else { return };
         let done = match outcome {
             Outcome::Opened(opened) => match *opened {
-                Ok((_, recorder)) if work.is_stopped() => {
-                    recorder.discard();
+                Ok(ready) if work.is_stopped() => {
+                    ready.recorder.discard();
                     Err(format!("{}: stopped", work.file().unwrap_or_default()))
                 }
-                Ok((opened, recorder)) => self.take_over(&work.requester, opened, recorder),
+                Ok(ready) => self.take_over(&work.requester, ready),
                 Err(why) => Err(why),
             },
             Outcome::Saved(saved) => {
@@ -237,14 +237,15 @@ impl Engine {
     fn take_over(
         &mut self,
         requester: &Requester,
-        opened: Opened,
-        recorder: Recorder,
+        Ready { opened, recorder, former }: Ready,
     ) -> Result<(), String> {
         self.end_recording();
         // What was just run can be opened again, if there was a run.
         let ended = mem::replace(&mut self.recorder, recorder).path().to_owned();
-        if self.session.branches().iter().any(|branch| branch.ends_tick > 0) {
-            self.gallery.add(&ended);
+        if self.session.branches().iter().any(|branch| branch.ends_tick > 0)
+            && let Some(entry) = former
+        {
+            self.gallery.put(&ended, entry);
         }
         self.ended.push(ended);
         self.session = opened.session;

@@ -2,8 +2,9 @@
 
 use super::Simulation;
 use crate::contact_totals::WorkSource;
-use crate::load_work::LoadedStep;
+use crate::load_work::{LoadedStep, plain_work_j};
 use crate::mean_velocity::MeanVelocity;
+use crate::record::LoadWork;
 use crate::setup::{Integrator, Method};
 
 /// Weights of the four stages of classical Runge–Kutta.
@@ -14,14 +15,25 @@ impl Simulation {
     pub(super) fn account_energy(&mut self) {
         self.find_mean_velocities();
         self.account_contacts();
-        let buffers = &self.buffers;
+        let plain = (self.buffers.mean.as_slice(), self.buffers.plain_loads.as_slice());
+        let (order, step_s) = (&self.world.order.bodies, self.setup.step_s);
+        let other_j = plain_work_j(order, &self.inertias, plain, step_s);
+        let works = LoadWork { other_j, ..self.works_of_world() };
+        self.ledger.add(&works, &self.contact_totals, &self.dolphins.motions);
+    }
+
+    /// The works of vessels, tugs, lines, anchors and piles in the step.
+    fn works_of_world(&self) -> LoadWork {
+        let (world, buffers) = (&self.setup.world, &self.buffers);
+        if !world.changes() && self.dolphins.motions.is_empty() {
+            return LoadWork::default();
+        }
         let step = LoadedStep {
             inertias: &self.inertias,
             before: &buffers.before,
             after: &self.states,
             mean: &buffers.mean,
-            plain: &buffers.plain_loads,
-            world: &self.setup.world,
+            world,
             forces: &self.world.forces,
             water_inertia: &self.world.water_inertia,
             tugs: &self.world.tugs,
@@ -31,8 +43,7 @@ impl Simulation {
             order: &self.world.order,
             step_s: self.setup.step_s,
         };
-        let dolphins = &self.dolphins.motions;
-        self.ledger.add(&step.works(), &self.contact_totals, dolphins);
+        step.works()
     }
 
     /// The contact engine moves the bodies itself.

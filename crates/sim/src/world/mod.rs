@@ -502,6 +502,9 @@ impl World {
         states: &[BodyState],
         (t_s, step_s): (f64, f64),
     ) {
+        if setup.vessels.is_empty() {
+            return;
+        }
         let level_m = setup.environment.level_m(t_s);
         let shore = Shore { fixed: &self.fixed, level_m, afloat: &self.afloat };
         for (index, vessel) in setup.vessels.iter().enumerate() {
