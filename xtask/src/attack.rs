@@ -11,7 +11,7 @@ use crate::live_load;
 use crate::step::Done;
 
 /// Default time for all parts together (s), also in continuous integration.
-pub(crate) const SECONDS: u64 = 420;
+pub(crate) const SECONDS: u64 = 300;
 /// The default seed.
 pub(crate) const SEED: u64 = 20_261_122;
 

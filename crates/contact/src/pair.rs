@@ -21,9 +21,10 @@ pub(crate) struct RankedPair {
 /// sub-steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Bounds {
-    /// On the squares of the rates of spring and damper (1/s²).
+    /// On the squares of the rates of spring and damper (1/s²), for `inverse_mass` (1/kg).
     pub(crate) spring_rate_squared: f64,
     pub(crate) damping_rate_squared: f64,
+    pub(crate) inverse_mass: f64,
     /// About half the width of the narrower body (m).
     pub(crate) half_width_m: f64,
     /// Half of the longest chord (m).
@@ -81,6 +82,7 @@ impl Bounds {
         Bounds {
             spring_rate_squared: material.stiffness_npm2 * per_force,
             damping_rate_squared: damping_rate * damping_rate,
+            inverse_mass,
             half_width_m: lesser(half_widths_m[0], half_widths_m[1]),
             half_chord_m: 0.5 * longest_chord_m(a, b),
             b_is_smaller: if a.radius_m <= b.radius_m { 0.0 } else { 1.0 },

@@ -272,14 +272,21 @@ impl Bounded<'_> {
         only: &Patch,
         share: f64,
     ) -> f64 {
-        let most = EXISTING * bounds.spring_rate_squared + bounds.damping_rate_squared;
-        // The tighter bound by the patch is computed only if that of the pair is too large.
-        if most > share && only.per_chord_m > 0.0 {
-            let closing_m = self.closing_mps(candidate) * self.step_s;
-            let material = &self.model.materials()[candidate.material.0 as usize];
-            return lesser(rate_squared_of_patch(bounds, material, only, closing_m), most);
+        let (spring, damping) =
+            (EXISTING * bounds.spring_rate_squared, bounds.damping_rate_squared);
+        // Tighter bounds are computed only if that of the pair is too large: first by the patch's lever, then by its chord.
+        if spring + damping <= share || only.per_chord_m <= 0.0 {
+            return spring + damping;
         }
-        most
+        let [normal, ..] = inverse_masses(bounds, only, bounds.half_chord_m);
+        let felt = normal / bounds.inverse_mass;
+        let by_lever = (spring + damping * felt) * felt;
+        if by_lever <= share {
+            return by_lever;
+        }
+        let closing_m = self.closing_mps(candidate) * self.step_s;
+        let material = &self.model.materials()[candidate.material.0 as usize];
+        lesser(rate_squared_of_patch(bounds, material, only, closing_m), by_lever)
     }
 
     /// May two outlines close more than the largest travel of a sub-step?
@@ -467,7 +474,7 @@ impl Bounded<'_> {
 }
 
 /// A bound on ω² of a contact of two outlines in one patch, while the bodies close by `closing_m` (1/s²): of the spring along its
-/// normal and the shear spring together, and of the damper.
+/// normal and the shear spring together, and of the damper. Bounds by the longest chord are wide enough to do without the shear spring.
 fn rate_squared_of_patch(
     bounds: &Bounds,
     material: &Material,
