@@ -114,21 +114,21 @@ fn greater(best: BestAxis, next: BestAxis) -> BestAxis {
 }
 
 /// The axis of an edge of A.
-#[inline]
+#[inline(always)]
 fn axis_of_a(a: &ConvexPolygon, b: &Placed<'_>, edge: usize, corner: Corner) -> BestAxis {
     let ends = [a.corner(edge), a.corner(edge + 1)];
     gap(edge, ends, |k| b.vertex(k), b.count(), corner.of_b).axis(true)
 }
 
 /// The axis of an edge of B.
-#[inline]
+#[inline(always)]
 fn axis_of_b(a: &ConvexPolygon, b: &Placed<'_>, edge: usize, corner: Corner) -> BestAxis {
     let ends = [b.vertex(edge), b.vertex(edge + 1)];
     gap(edge, ends, |k| a.corner(k), a.count(), corner.of_a).axis(false)
 }
 
 /// The gap behind an edge, from a corner of the other polygon, of `count` corners, near the one deepest behind it.
-#[inline]
+#[inline(always)]
 fn gap(
     edge: usize,
     [start, end]: [Vec2; 2],

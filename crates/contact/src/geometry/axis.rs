@@ -41,7 +41,7 @@ pub(super) struct EdgeGap {
 
 impl EdgeGap {
     /// Of the edge of this number, start and direction, with the corner deepest behind it.
-    #[inline]
+    #[inline(always)]
     pub(super) fn new(
         edge: usize,
         (start, along): (Vec2, Vec2),
@@ -52,6 +52,7 @@ impl EdgeGap {
     }
 
     /// As an axis, for an edge of the first polygon or of the second.
+    #[inline(always)]
     pub(super) fn axis(&self, on_a: bool) -> BestAxis {
         let EdgeGap { gap_m, edge, support, outward } = *self;
         let normal = if on_a { outward } else { -outward };

@@ -47,7 +47,7 @@ impl Simulation {
     }
 
     /// The contact engine moves the bodies itself.
-    fn engine_moves(&self) -> bool {
+    pub(super) fn engine_moves(&self) -> bool {
         self.setup.method == Method::Coupled && self.setup.integrator == Integrator::SemiImplicit
     }
 

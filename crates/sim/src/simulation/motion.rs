@@ -18,6 +18,9 @@ impl Simulation {
     /// The contact forces of this step are not known yet, so the prediction of a vessel's motion uses those of
     /// the last step. Without them, a vessel at rest on her fenders would be expected to move through them.
     pub(super) fn turn_momentum(&mut self) {
+        if self.engine_moves() && self.setup.world.vessels.is_empty() {
+            return; // the engine turns that of plain bodies
+        }
         let Buffers { loads, turning, .. } = &mut self.buffers;
         for ((wrench, inertia), state) in turning.iter_mut().zip(&self.inertias).zip(&self.states) {
             *wrench = inertia.momentum_wrench(state, Vec2::ZERO);

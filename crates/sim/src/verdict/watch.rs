@@ -136,6 +136,16 @@ impl Watch {
     /// Adds one step.
     pub(crate) fn add(&mut self, setup: &Setup, step: &StepRecord<'_>) {
         self.add_touches(step);
+        if setup.world.changes() {
+            self.add_world(setup, step);
+        }
+        if step.events.iter().any(|event| event.kind == EventKind::NotConverged) {
+            self.not_converged.count(step.t_s);
+        }
+    }
+
+    /// Vessels, lines and anchors.
+    fn add_world(&mut self, setup: &Setup, step: &StepRecord<'_>) {
         for (own, now) in self.aground.iter_mut().zip(step.vessels) {
             if now.aground {
                 own.count(step.t_s);
@@ -151,9 +161,6 @@ impl Watch {
             if event.kind == WorldEventKind::LineNotMadeFast {
                 self.lines[event.who].not_made_fast_s.get_or_insert(step.t_s);
             }
-        }
-        if step.events.iter().any(|event| event.kind == EventKind::NotConverged) {
-            self.not_converged.count(step.t_s);
         }
     }
 
