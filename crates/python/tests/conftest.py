@@ -1,5 +1,6 @@
 """Paths of the repository, for the tests."""
 
+import signal
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,14 @@ def root() -> Path:
 @pytest.fixture(scope="session")
 def scenarios() -> Path:
     return ROOT / "scenarios"
+
+
+@pytest.fixture
+def interruptible() -> Iterator[None]:
+    """Programs in the background of a shell ignore interrupts, so that a test of one would never end there."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
 
 
 @pytest.fixture(scope="session")

@@ -142,6 +142,7 @@ def test_a_mistake_names_its_run() -> None:
 LONG = SCENARIO.with_set({"time.duration": "5000000 s"})
 
 
+@pytest.mark.usefixtures("interruptible")
 @pytest.mark.parametrize("runs", [1, 500])
 @pytest.mark.parametrize("threads", [1, 3])
 def test_an_interrupt_stops_many_runs_at_once(threads: int, runs: int) -> None:

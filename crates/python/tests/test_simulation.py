@@ -183,6 +183,7 @@ def test_events_have_names() -> None:
     assert kinds == ["contact_began", "contact_ended"]
 
 
+@pytest.mark.usefixtures("interruptible")
 def test_an_interrupt_stops_a_long_run(scenarios: Path) -> None:
     simulation = Simulation(berth(scenarios))
     timer = threading.Timer(0.2, signal.raise_signal, [signal.SIGINT])
