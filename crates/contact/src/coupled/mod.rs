@@ -263,11 +263,11 @@ fn advance_islands(
     step_s: f64,
 ) -> bool {
     let Workspace { displaced, islands, kept, gathered, overlap, candidates, .. } = work;
-    let is_alone = islands.list.is_empty();
-    if is_alone || !islands.in_order {
+    let is_empty = islands.list.is_empty();
+    if is_empty || !islands.in_order {
         end_contacts_of_teleported(model, memory, candidates, displaced, &mut work.results);
     }
-    if is_alone {
+    if is_empty {
         return false;
     }
     let (joined, in_order) = (islands.joined(), islands.in_order);

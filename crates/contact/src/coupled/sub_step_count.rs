@@ -474,7 +474,7 @@ impl Bounded<'_> {
 }
 
 /// A bound on ω² of a contact of two outlines in one patch, while the bodies close by `closing_m` (1/s²): of the spring along its
-/// normal and the shear spring together, and of the damper. Bounds by the longest chord are wide enough to do without the shear spring.
+/// normal and the shear spring together, and of the damper. The wider bounds by the longest chord do without the shear spring; so far no test has needed it there.
 fn rate_squared_of_patch(
     bounds: &Bounds,
     material: &Material,
@@ -527,26 +527,24 @@ fn patches_of<'p>(patches: &mut &'p [Patch], index: usize) -> &'p [Patch] {
 fn inverse_masses(bounds: &Bounds, patch: &Patch, half_chord_m: f64) -> [f64; 3] {
     let chord = patch.chord_m * patch.per_chord_m;
     // Places of the patch and of B's centre of gravity about A's, along the chord and along the normal.
-    let in_chord = |place_m: Vec2| (place_m.dot(chord), place_m.cross(chord));
-    let (along_m, depth_m) = in_chord(patch.centroid_m);
-    let (b_along_m, b_depth_m) = in_chord(patch.b_in_a.position_m);
+    let by_chord = |place_m: Vec2| (place_m.dot(chord), place_m.cross(chord));
+    let (along_m, across_m) = by_chord(patch.centroid_m);
+    let (b_along_m, b_across_m) = by_chord(patch.b_in_a.position_m);
     let smaller_m = b_along_m * bounds.b_is_smaller;
     let [a, b] = &bounds.bodies;
     // Those of a fixed body are zero.
-    let of_a = inverse_masses_of(a, lesser(along_m.abs(), smaller_m.abs()) + half_chord_m, depth_m);
+    let of_a =
+        inverse_masses_of(a, lesser(along_m.abs(), smaller_m.abs()) + half_chord_m, across_m);
     let b_lever_m = lesser((along_m - b_along_m).abs(), (smaller_m - b_along_m).abs());
-    let of_b = inverse_masses_of(b, b_lever_m + half_chord_m, depth_m - b_depth_m);
+    let of_b = inverse_masses_of(b, b_lever_m + half_chord_m, across_m - b_across_m);
     core::array::from_fn(|part| of_a[part] + of_b[part])
 }
 
-/// Those of one body, with the levers of forces along the normal and along the chord (m).
+/// The bounds of one body, by the levers of forces along the normal and along the chord (m).
 #[inline(always)]
 fn inverse_masses_of(body: &InverseMassBound, normal_m: f64, chord_m: f64) -> [f64; 3] {
     let linear = body.lightest_inverse_mass;
-    let (turn_n, turn_t) = (body.of_yaw * normal_m, (body.of_yaw * chord_m).abs());
-    [
-        linear + lesser(turn_n * normal_m, linear),
-        linear + turn_t * chord_m.abs(),
-        turn_n * chord_m.abs(),
-    ]
+    let (chord_m, turn_n) = (chord_m.abs(), body.of_yaw * normal_m);
+    let turn_t = body.of_yaw * chord_m;
+    [linear + lesser(turn_n * normal_m, linear), linear + turn_t * chord_m, turn_n * chord_m]
 }
