@@ -3,17 +3,23 @@
 
 use std::path::PathBuf;
 use std::process::{Command, ExitCode, Stdio};
-use std::time::Instant;
+use std::time::{Instant, SystemTime, UNIX_EPOCH};
 
-use crate::command::{cargo, run};
+use crate::command::{cargo, run, run_quietly};
 use crate::fuzz;
 use crate::live_load;
-use crate::step::Done;
+use crate::step::{Done, Step};
 
-/// Default time for all parts together (s), also in continuous integration.
-pub(crate) const SECONDS: u64 = 300;
-/// The default seed.
-pub(crate) const SEED: u64 = 20_261_122;
+/// Default time for all parts together (s).
+const SECONDS: u64 = 600;
+/// The time in continuous integration (s): each part is seen to work, and tries the same every time.
+const SECONDS_OF_GATE: u64 = 120;
+/// The seed in continuous integration, so that its outcome depends on the change alone.
+const SEED_OF_GATE: u64 = 20_261_122;
+
+/// The step of `cargo xtask test all`.
+pub(crate) const STEP: Step =
+    Step { name: "attacks", run: || attack(SECONDS_OF_GATE, SEED_OF_GATE, &[]) };
 
 /// One part of the attacks.
 struct Part {
@@ -24,12 +30,11 @@ struct Part {
 }
 
 enum Kind {
-    /// A test of a package, by its file and the start of its name.
-    Test { package: &'static str, file: &'static str, test: &'static str },
+    /// A test of a package, by its file and name.
+    Test { package: &'static str, test: &'static str },
     /// Tests that take a number of cases instead of a time: for each environment variable the cases per second.
     Counted {
         package: &'static str,
-        file: &'static str,
         tests: &'static [&'static str],
         counts: &'static [(&'static str, u64)],
     },
@@ -41,28 +46,32 @@ enum Kind {
     Fuzz,
 }
 
-const fn test(package: &'static str, file: &'static str, test: &'static str) -> Kind {
-    Kind::Test { package, file, test }
+const fn test(package: &'static str, test: &'static str) -> Kind {
+    Kind::Test { package, test }
 }
 
 const PARTS: [Part; 12] = [
     Part {
         name: "files",
         what: "changed scenarios, checked and run",
-        attack: test("fenderline", "attack_files", "a_changed_scenario"),
+        attack: test("fenderline", "attack_files::a_changed_scenario_is_refused_or_runs"),
     },
     Part {
         name: "odd-files",
         what: "pipes, devices, folders, links and sockets in every place for a file",
-        attack: test("fenderline", "attack_files", "what_is_no_file"),
+        attack: test(
+            "fenderline",
+            "attack_files::paths_without_a_regular_file_are_refused_at_once",
+        ),
     },
     Part {
         name: "one-folder",
         what: "eight runs at once into one folder, on slowed files",
         attack: Kind::Counted {
             package: "fenderline",
-            file: "one_folder",
-            tests: &["of_eight_runs"],
+            tests: &[
+                "one_folder::one_of_eight_runs_at_once_writes_the_folder_and_seven_are_refused",
+            ],
             counts: &[("FENDERLINE_ROUNDS", 1)],
         },
     },
@@ -71,8 +80,11 @@ const PARTS: [Part; 12] = [
         what: "recordings damaged and forged, in memory",
         attack: Kind::Counted {
             package: "fenderline-live",
-            file: "recordings",
-            tests: &["damaged", "forged", "absurd"],
+            tests: &[
+                "recordings::a_thousand_damaged_recordings_are_all_detected",
+                "recordings::a_forged_recording_is_refused_at_the_forged_line",
+                "recordings::recordings_with_absurd_numbers_and_correct_check_sums_are_refused_or_replayed_in_time",
+            ],
             counts: &[("FENDERLINE_DAMAGED", 2000), ("FENDERLINE_FORGED", 200)],
         },
     },
@@ -81,15 +93,16 @@ const PARTS: [Part; 12] = [
         what: "recordings damaged and forged, by `fenderline replay`",
         attack: Kind::Counted {
             package: "fenderline",
-            file: "recordings",
-            tests: &["damaged", "forged", "absurd"],
+            tests: &[
+                "recordings::damaged_recordings_are_never_reported_as_whole_and_never_take_long",
+            ],
             counts: &[("FENDERLINE_DAMAGED_FILES", 40)],
         },
     },
     Part {
         name: "server",
         what: "malformed request heads, and any command from every link",
-        attack: test("fenderline", "attack_server", ""),
+        attack: test("fenderline", "attack_server::the_server_survives_any_message"),
     },
     Part {
         name: "server-load",
@@ -99,17 +112,17 @@ const PARTS: [Part; 12] = [
     Part {
         name: "providers",
         what: "providers that reply with anything, at any time, or not at all",
-        attack: test("fenderline", "attack_providers", ""),
+        attack: test("fenderline", "attack_providers::no_provider_stops_a_run_or_outlives_it"),
     },
     Part {
         name: "hosts",
         what: "hosts in C that teleport, pass wrong velocities, step by 1e-9 to 1e6 s and alter saved states",
-        attack: test("fenderline-capi", "attack_hosts", "inconsistent_hosts"),
+        attack: test("fenderline-capi", "attack_hosts::inconsistent_hosts"),
     },
     Part {
         name: "fmi",
         what: "altered and invented FMI 3 states, inputs and steps of any size, calls in any order",
-        attack: test("fenderline-fmu", "attack_fmi3", "altered_states"),
+        attack: test("fenderline-fmu", "attack_fmi3::altered_states_of_fmi_3"),
     },
     Part { name: "python", what: "inconsistent hosts, through Python", attack: Kind::Python },
     Part {
@@ -130,7 +143,7 @@ pub(crate) fn attack_command(arguments: &[&str]) -> ExitCode {
         }
         _ => default,
     };
-    let (seconds, seed) = (number(SECONDS), number(SEED));
+    let (seconds, seed) = (number(SECONDS), number(seed_of_the_day()));
     let named: Vec<&str> = left.collect();
     if let Some(unknown) = named.iter().find(|name| PARTS.iter().all(|part| part.name != **name)) {
         let names: Vec<&str> = PARTS.iter().map(|part| part.name).collect();
@@ -145,6 +158,12 @@ pub(crate) fn attack_command(arguments: &[&str]) -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+/// The number of the day: without a seed, each day tries other things.
+fn seed_of_the_day() -> u64 {
+    const DAY_S: u64 = 86_400;
+    SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_secs() / DAY_S)
 }
 
 /// The named parts; all if none is named.
@@ -200,7 +219,7 @@ fn together(seconds: u64, seed: u64, named: &[&str]) -> Result<Done, String> {
 ///
 /// # Errors
 /// What did not survive.
-pub(crate) fn attack(seconds: u64, seed: u64, named: &[&str]) -> Result<Done, String> {
+fn attack(seconds: u64, seed: u64, named: &[&str]) -> Result<Done, String> {
     let parts = parts(named);
     let each = (seconds / parts.len() as u64).max(1);
     for part in parts {
@@ -214,19 +233,17 @@ pub(crate) fn attack(seconds: u64, seed: u64, named: &[&str]) -> Result<Done, St
 
 fn attack_part(part: &Part, seconds: u64, seed: u64) -> Result<(), String> {
     match part.attack {
-        Kind::Test { package, file, test } => {
-            let mut command = cargo(["test", "--quiet", "--package", package, "--test", file]);
-            command.args(["--", "--nocapture", "--include-ignored", test]);
+        Kind::Test { package, test } => {
+            let mut command = named_tests(package, &[test]);
             command.env("FENDERLINE_ATTACK_SECONDS", seconds.to_string());
-            run(command.env("FENDERLINE_ATTACK_SEED", seed.to_string()))
+            run_named(command.env("FENDERLINE_ATTACK_SEED", seed.to_string()), 1)
         }
-        Kind::Counted { package, file, tests, counts } => {
-            let mut command = cargo(["test", "--quiet", "--package", package, "--test", file]);
-            command.args(["--", "--nocapture"]).args(tests);
+        Kind::Counted { package, tests, counts } => {
+            let mut command = named_tests(package, tests);
             for (key, per_second) in counts {
                 command.env(key, (per_second * seconds).to_string());
             }
-            run(command.env("FENDERLINE_SEED", seed.to_string()))
+            run_named(command.env("FENDERLINE_SEED", seed.to_string()), tests.len())
         }
         // Times are reported, not required: other programs may use the processor too.
         Kind::LiveLoad => live_load::live_load(seconds, true),
@@ -238,6 +255,23 @@ fn attack_part(part: &Part, seconds: u64, seed: u64) -> Result<(), String> {
                 Ok(())
             }
         },
+    }
+}
+
+fn named_tests(package: &str, tests: &[&str]) -> Command {
+    let mut command = cargo(["test", "--quiet", "--package", package, "--test", "all", "--"]);
+    command.args(["--nocapture", "--include-ignored", "--exact"]).args(tests);
+    command
+}
+
+/// Runs tests by their names. A name that no test has is a failure: nothing would be attacked.
+fn run_named(command: &mut Command, count: usize) -> Result<(), String> {
+    let printed = run_quietly(command)?;
+    println!("{}", printed.trim());
+    if printed.contains(&format!("{count} passed")) {
+        Ok(())
+    } else {
+        Err(format!("{command:?}: not {count} tests of these names"))
     }
 }
 

@@ -16,6 +16,7 @@ mod compare;
 mod dist;
 mod finite_elements;
 mod fuzz;
+mod gate;
 mod guide;
 mod hosts;
 mod live_load;
@@ -40,7 +41,9 @@ mod wrappers;
 use std::process::ExitCode;
 
 const USAGE: &str = "\
-usage: cargo xtask test [FIRST]           everything that a change must pass; FIRST: the number of the step to begin at
+usage: cargo xtask test                   what a change must pass and Rust alone can tell: format, tests, published cases
+       cargo xtask test all               everything that a change must pass
+       cargo xtask test STEP...           the named steps of it
        cargo xtask program [PROFILE]      the program for this machine as one file that needs nothing else
        cargo xtask alone [dev]            that program in an empty folder, with the sources, cargo and Node hidden
        cargo xtask slurm                  a campaign as an array of a Slurm of this machine, as root
@@ -83,11 +86,8 @@ fn main() -> ExitCode {
         return ExitCode::FAILURE;
     }
     match arguments.as_slice() {
-        ["test"] => test::test(1),
-        ["test", first] => match first.parse() {
-            Ok(first) => test::test(first),
-            Err(_) => usage(),
-        },
+        ["test", names @ ..] => test::test_command(names),
+        ["step", name] => test::step_command(name),
         ["program"] => program::program_command("release"),
         ["program", profile] => program::program_command(profile),
         ["alone"] => alone::alone_command("release"),

@@ -39,7 +39,7 @@ fn in_a_browser() -> Result<Done, String> {
     run(npm(&["run", "e2e"]).env("FENDERLINE_BIN", program))?;
     // The report, which the same browser prints.
     let documents =
-        ["test", "--package", "fenderline", "--test", "documents", "--", "--ignored", "chromium"];
+        ["test", "--package", "fenderline", "--test", "all", "--", "--ignored", "chromium"];
     run(&mut cargo(documents))?;
     Ok(Done::Good)
 }

@@ -22,22 +22,13 @@ pub(crate) struct Step {
     pub(crate) run: fn() -> Result<Done, String>,
 }
 
-/// Runs all of `steps`, as [`run_from`] does.
+/// Runs all of `steps`. In continuous integration (where `CI` is set) a missing tool is a failure, so that no step is
+/// skipped unnoticed.
 pub(crate) fn run_all(steps: &[Step]) -> ExitCode {
-    run_from(steps, 1)
-}
-
-/// Runs `steps` from number `first` on, counted from 1. In continuous integration (where `CI` is set) a missing tool is a failure, so that no step is skipped
-/// unnoticed.
-pub(crate) fn run_from(steps: &[Step], first: usize) -> ExitCode {
-    if first == 0 || first > steps.len() {
-        eprintln!("there is no step {first}: they are numbered from 1 to {}", steps.len());
-        return ExitCode::FAILURE;
-    }
     let strict = std::env::var_os("CI").is_some_and(|v| !v.is_empty() && v != "false");
     let began = Instant::now();
     let mut not_run = Vec::new();
-    for (index, step) in steps.iter().enumerate().skip(first - 1) {
+    for (index, step) in steps.iter().enumerate() {
         println!("\n== {}/{} {}", index + 1, steps.len(), step.name);
         let step_began = Instant::now();
         let seconds = || step_began.elapsed().as_secs_f64();
@@ -52,12 +43,8 @@ pub(crate) fn run_from(steps: &[Step], first: usize) -> ExitCode {
             Err(message) => return stop(step, &message),
         }
     }
-    let good = steps.len() + 1 - first - not_run.len();
-    println!(
-        "\n== {good} of {} steps good, {:.0} s",
-        steps.len() + 1 - first,
-        began.elapsed().as_secs_f64()
-    );
+    let good = steps.len() - not_run.len();
+    println!("\n== {good} of {} steps good, {:.0} s", steps.len(), began.elapsed().as_secs_f64());
     not_run.iter().for_each(|line| println!("== {line}"));
     ExitCode::SUCCESS
 }

@@ -5,6 +5,7 @@ use std::process::{Command, ExitCode};
 
 use crate::alone;
 use crate::attack;
+use crate::bench;
 use crate::book;
 use crate::browser;
 use crate::c_interface;
@@ -14,51 +15,143 @@ use crate::compare::{same_bytes, same_numbers};
 use crate::dist;
 use crate::finite_elements;
 use crate::fuzz;
+use crate::gate::{Gated, Uses, run_gated, run_one};
 use crate::hosts;
 use crate::nautical;
+use crate::oldest_rust;
 use crate::pages;
 use crate::passivity;
 use crate::scenarios;
 use crate::slurm;
-use crate::step::{Done, Step, run_from};
+use crate::step::{Done, Step};
 use crate::tools;
 use crate::wrappers;
 
-/// Runs the steps from number `first` on, counted from 1.
-pub(crate) fn test(first: usize) -> ExitCode {
-    let steps = [
-        Step { name: "format", run: format },
-        Step { name: "lints", run: lints },
-        Step { name: "the contact engine is no_std with one dependency", run: no_std },
-        circles::STEP,
-        Step { name: "tests", run: tests },
-        Step { name: "examples in the documentation", run: doc_tests },
-        Step { name: "documentation", run: documentation },
-        Step { name: "every scenario is accepted", run: scenarios_accepted },
-        Step { name: "the same bits from debug, release and a second run", run: same_bits },
-        Step { name: "published cases", run: validate },
-        book::STEP,
-        Step { name: "independent implementation", run: independent },
-        Step { name: "fenders by finite elements, coarse", run: finite_elements::small },
-        nautical::STEP,
-        Step { name: "the Python package", run: python_package },
-        Step { name: "licences and sources of dependencies", run: licences },
-        Step { name: "contacts make no energy", run: passive },
-        Step { name: "C: examples and guide", run: c_interface::examples },
-        Step { name: "C++: example, guide of game loops", run: wrappers::cpp },
-        Step { name: "C#: example", run: wrappers::csharp },
-        Step { name: "C: random calls", run: || c_interface::random_calls(c_interface::SEQUENCES) },
-        dist::CHEAP,
-        Step { name: "FMI: FMPy, libcosim, ecos and the guide", run: hosts::hosts },
-        pages::CHECKED,
-        pages::DRIVEN,
-        browser::PACKAGE_TESTED,
-        browser::PAGE_DRIVEN,
-        alone::STEP,
-        slurm::STEP,
-        Step { name: "attacks", run: || attack::attack(attack::SECONDS, attack::SEED, &[]) },
-    ];
-    run_from(&steps, first)
+/// Folders of `target` that one cargo at a time writes.
+const DEBUG: Uses = Uses::Builds("debug");
+const RELEASE: Uses = Uses::Builds("release");
+
+/// The steps that need Rust alone: what a contributor runs.
+const OWN: [Gated; 7] = [
+    gated("format", "format", format, &[], Uses::Processor),
+    gated("no-std", "the contact engine is no_std with one dependency", no_std, &[], DEBUG),
+    Gated { key: "circles", step: circles::STEP, after: &[], uses: Uses::Processor },
+    gated("build", "all tests are built", tests_built, &[], DEBUG),
+    gated("tests", "tests", tests, &["build"], Uses::Processor),
+    gated("doc-tests", "examples in the documentation", doc_tests, &["build"], DEBUG),
+    gated("cases", "published cases", validate, &["build"], Uses::Processor),
+];
+
+/// The steps that also need other tools, or compile everything once more. The longest come first.
+const MORE: [Gated; 27] = [
+    gated("release", "the program as users build it", release_built, &[], RELEASE),
+    gated("lints", "lints", lints, &["build"], DEBUG),
+    Gated { key: "pages", step: pages::CHECKED, after: &[], uses: Uses::Processor },
+    Gated { key: "browser", step: pages::DRIVEN, after: &["release", "pages"], uses: Uses::Waits },
+    gated("python", "the Python package", python_package, &["release"], RELEASE),
+    Gated { key: "npm", step: browser::PACKAGE_TESTED, after: &["release"], uses: RELEASE },
+    Gated {
+        key: "page",
+        step: browser::PAGE_DRIVEN,
+        after: &["npm", "browser"],
+        uses: Uses::Waits,
+    },
+    gated("documentation", "documentation", documentation, &["lints"], DEBUG),
+    Gated { key: "book", step: book::STEP, after: &["release"], uses: Uses::Processor },
+    gated("hosts", "FMI: FMPy, libcosim, ecos and the guide", hosts::hosts, &["release"], RELEASE),
+    gated(
+        "scenarios",
+        "every scenario is accepted",
+        scenarios_accepted,
+        &["release"],
+        Uses::Processor,
+    ),
+    gated(
+        "same-bits",
+        "the same bits from debug, release and a second run",
+        same_bits,
+        &["build", "release"],
+        Uses::Processor,
+    ),
+    gated("independent", "independent implementation", independent, &[], Uses::Processor),
+    gated(
+        "finite-elements",
+        "fenders by finite elements, coarse",
+        finite_elements::small,
+        &[],
+        Uses::Processor,
+    ),
+    Gated { key: "nautical", step: nautical::STEP, after: &["build"], uses: Uses::Processor },
+    gated("licences", "licences and sources of dependencies", licences, &[], Uses::Processor),
+    gated("passivity", "contacts make no energy", passive, &["release"], RELEASE),
+    Gated { key: "dist", step: dist::CHEAP, after: &["release"], uses: RELEASE },
+    gated("c", "C: examples and guide", c_interface::examples, &["dist"], RELEASE),
+    gated("cpp", "C++: example, guide of game loops", wrappers::cpp, &["dist"], RELEASE),
+    gated("csharp", "C#: example", wrappers::csharp, &["dist"], RELEASE),
+    gated(
+        "c-calls",
+        "C: random calls",
+        || c_interface::random_calls(c_interface::SEQUENCES),
+        &["dist"],
+        RELEASE,
+    ),
+    Gated { key: "attacks", step: attack::STEP, after: &["tests", "python"], uses: DEBUG },
+    gated(
+        "oldest-rust",
+        "the oldest Rust that the manifest names",
+        oldest_rust::where_it_is,
+        &["lints"],
+        Uses::Builds("oldest-rust"),
+    ),
+    gated(
+        "instructions",
+        "instruction counts, which decide nothing",
+        bench::reported,
+        &["release", "tests"],
+        RELEASE,
+    ),
+    // The last ones of their folder: they build the program with the libraries of FMUs in it.
+    Gated { key: "alone", step: alone::STEP, after: &["attacks", "same-bits"], uses: DEBUG },
+    Gated { key: "slurm", step: slurm::STEP, after: &["alone"], uses: DEBUG },
+];
+
+const fn gated(
+    key: &'static str,
+    name: &'static str,
+    run: fn() -> Result<Done, String>,
+    after: &'static [&'static str],
+    uses: Uses,
+) -> Gated {
+    Gated { key, step: Step { name, run }, after, uses }
+}
+
+/// `cargo xtask test [all | STEP...]`: without names the steps that need Rust alone.
+pub(crate) fn test_command(names: &[&str]) -> ExitCode {
+    let all = || OWN.into_iter().chain(MORE);
+    if let Some(unknown) =
+        names.iter().find(|name| **name != "all" && all().all(|s| s.key != **name))
+    {
+        let keys: Vec<&str> = all().map(|step| step.key).collect();
+        eprintln!("there is no step `{unknown}`; there are all, {}", keys.join(", "));
+        return ExitCode::from(2);
+    }
+    let steps: Vec<Gated> = if names.is_empty() {
+        OWN.into_iter().collect()
+    } else {
+        all().filter(|step| names.contains(&"all") || names.contains(&step.key)).collect()
+    };
+    run_gated(&steps)
+}
+
+/// `cargo xtask step NAME`: one step in this process, as `test` starts it.
+pub(crate) fn step_command(name: &str) -> ExitCode {
+    match OWN.into_iter().chain(MORE).find(|step| step.key == name) {
+        Some(step) => run_one(&step),
+        None => {
+            eprintln!("there is no step `{name}`");
+            ExitCode::from(2)
+        }
+    }
 }
 
 fn format() -> Result<Done, String> {
@@ -102,11 +195,24 @@ fn no_std() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
+/// What the tests and their program are built from. Benches and the maker of the npm package's JavaScript have no tests,
+/// and their libraries take long to build.
+const TESTED: [&str; 5] =
+    ["--workspace", "--exclude", "fenderline-bench", "--exclude", "xtask-bindgen"];
+
+fn tests_built() -> Result<Done, String> {
+    let mut build = cargo(["test", "--lib", "--bins", "--tests", "--examples", "--no-run"]);
+    run(build.args(TESTED))?;
+    run(&mut cargo(["build", "--package", "fenderline"]))?;
+    Ok(Done::Good)
+}
+
 /// The property tests draw the same cases every time, so that the outcome depends on the change only. `cargo test`
 /// without the seed draws new cases, as the fuzz targets do.
 fn tests() -> Result<Done, String> {
     const SEED: (&str, &str) = ("PROPTEST_RNG_SEED", "20261121");
-    let mut tests = cargo(["test", "--workspace", "--lib", "--bins", "--tests", "--examples"]);
+    let mut tests = cargo(["test", "--lib", "--bins", "--tests", "--examples"]);
+    tests.args(TESTED);
     if std::env::var_os(SEED.0).is_none() {
         tests.env(SEED.0, SEED.1);
     }
@@ -115,7 +221,12 @@ fn tests() -> Result<Done, String> {
 }
 
 fn doc_tests() -> Result<Done, String> {
-    run(&mut cargo(["test", "--workspace", "--doc"]))?;
+    run(cargo(["test", "--doc"]).args(TESTED))?;
+    Ok(Done::Good)
+}
+
+fn release_built() -> Result<Done, String> {
+    run(&mut cargo(["build", "--release", "--package", "fenderline"]))?;
     Ok(Done::Good)
 }
 
@@ -174,7 +285,7 @@ fn same_bits_in(folder: &Path) -> Result<(), String> {
 }
 
 fn validate() -> Result<Done, String> {
-    run(program("release").arg("validate"))?;
+    run(program("dev").arg("validate"))?;
     Ok(Done::Good)
 }
 

@@ -1,6 +1,6 @@
 //! The approach of a ship, normal and abnormal, from one file.
 
-mod support;
+use crate::support;
 
 use support::{BERTH, Workplace, contains_all};
 

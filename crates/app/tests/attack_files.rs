@@ -1,7 +1,7 @@
 //! Files that mean it ill: scenarios, vessels and fenders with something changed at random, and names of things that are
 //! no files. Whatever it is, the program ends by itself with one of its own exit codes, and says what was wrong.
 
-mod attack;
+use crate::attack;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -2,7 +2,7 @@
 //! them or ends with a reason; it is never stopped by them, and no process of theirs outlives it.
 #![cfg(unix)]
 
-mod attack;
+use crate::attack;
 
 use std::fs;
 use std::process::Command;

@@ -1,11 +1,9 @@
 //! Strangers and clients that mean the live server ill: broken heads, broken frames, commands of any size and kind, from
 //! every link. It goes on at its pace, its memory stays bounded, and what it recorded replays to the same bits.
 
-mod attack;
-#[path = "serve/client.rs"]
-mod client;
-#[path = "serve/server.rs"]
-mod server;
+use crate::attack;
+use crate::client;
+use crate::server;
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -1,6 +1,6 @@
 //! `fenderline campaign`: many runs as a table and a figure, shared, interrupted and replayed.
 
-mod support;
+use crate::support;
 
 use calamine::{Data, DataType as _, Reader as _, Xlsx, open_workbook};
 use fenderline_contact::number::greater;

@@ -1,6 +1,6 @@
 //! `fenderline check` of a campaign: what can be known before its first run.
 
-mod support;
+use crate::support;
 
 use serde_json::Value;
 use support::{TUG, Workplace, contains_all};

@@ -3,7 +3,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
-mod support;
+use crate::support;
 
 use serde_json::Value;
 use support::{TUG, Workplace, contains_all};

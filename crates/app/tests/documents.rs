@@ -2,7 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "expected values may use std")]
 
-mod support;
+use crate::support;
 
 use calamine::{Data, Reader as _, Xlsx};
 use fenderline_contact::number::greater;
@@ -456,7 +456,7 @@ fn chromium_prints_the_report_on_numbered_pages() {
 }
 
 /// LibreOffice writes numbers with 15 digits: the cells equal those of the csv files to a unit of the last. Run by hand after a
-/// change of the workbook (Debian: libreoffice-calc-nogui): `cargo test -p fenderline --test documents -- --ignored libreoffice`.
+/// change of the workbook (Debian: libreoffice-calc-nogui): `cargo test -p fenderline --test all -- --ignored libreoffice`.
 #[test]
 #[ignore = "needs LibreOffice Calc"]
 fn libreoffice_reads_the_cells_of_the_csv_files() {

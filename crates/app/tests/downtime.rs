@@ -1,6 +1,6 @@
 //! Hours of a year that a berth loses to the weather: `fenderline campaign` of a file with [downtime].
 
-mod support;
+use crate::support;
 
 use support::{Workplace, contains_all};
 

@@ -1,6 +1,6 @@
 //! `fenderline fender fit`: from rows to a fender that a scenario takes.
 
-mod support;
+use crate::support;
 
 use support::{BERTH, Workplace, contains_all};
 

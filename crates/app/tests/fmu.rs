@@ -1,6 +1,6 @@
 //! `fenderline fmu`: what it writes and what it refuses. What masters make of it: `crates/fmu/hosts`.
 
-mod support;
+use crate::support;
 
 use support::{Workplace, contains_all};
 

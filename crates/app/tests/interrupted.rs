@@ -1,7 +1,7 @@
 //! A run that its user interrupts, and the processes of its providers when it ends.
 #![cfg(target_os = "linux")]
 
-mod support;
+use crate::support;
 
 use std::fs;
 use std::process::{Child, Command, Stdio};

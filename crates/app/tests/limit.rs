@@ -1,6 +1,6 @@
 //! `fenderline limit`: the largest value of a key with which a run keeps its limits.
 
-mod support;
+use crate::support;
 
 use support::{Workplace, contains_all};
 

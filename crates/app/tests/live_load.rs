@@ -1,10 +1,8 @@
 //! The server under load: eight clients that steer, try manoeuvres, ask for the history and order what cannot be, fifty that mean it ill, at 1×,
 //! beside predictions of three ships. Run by `cargo xtask live-load`, which prints what this measures; all of it goes to 127.0.0.1.
 
-#[path = "serve/client.rs"]
-mod client;
-#[path = "serve/server.rs"]
-mod server;
+use crate::client;
+use crate::server;
 
 use std::fmt;
 use std::fs;

@@ -1,6 +1,6 @@
 //! `fenderline manoeuvre`: tables, JSON, tracks, refusals.
 
-mod support;
+use crate::support;
 
 use serde_json::Value;
 use support::Workplace;

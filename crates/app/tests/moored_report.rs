@@ -1,6 +1,6 @@
 //! The report of a moored ship: what a mooring engineer hands to a client.
 
-mod support;
+use crate::support;
 
 use std::path::Path;
 

@@ -2,7 +2,7 @@
 //! devices, folders, links.
 #![cfg(unix)]
 
-mod support;
+use crate::support;
 
 use std::process::Command;
 

@@ -1,7 +1,7 @@
 //! Names and numbers of users on the terminal: nothing that it would obey, no digits without end, places that are
 //! those of the mistake.
 
-mod support;
+use crate::support;
 
 use support::{TUG, Workplace, contains_all};
 

@@ -1,10 +1,10 @@
 //! Many runs started at once into one folder, on a file system that is slow: one writes it, the others say so.
 //!
-//! `FENDERLINE_ROUNDS=1000 cargo test -p fenderline --test one_folder -- --nocapture` tries a thousand times, and
+//! `FENDERLINE_ROUNDS=1000 cargo test -p fenderline --test all one_folder:: -- --nocapture` tries a thousand times, and
 //! prints what came out; without the variable it is a few times.
 #![cfg(target_os = "linux")]
 
-mod support;
+use crate::support;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,6 +1,6 @@
 //! The parquet tables hold what the csv tables hold, with units and meanings in their metadata.
 
-mod support;
+use crate::support;
 
 use std::collections::BTreeMap;
 use std::fs::File;

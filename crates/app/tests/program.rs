@@ -2,7 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
-mod support;
+use crate::support;
 
 use std::fs;
 

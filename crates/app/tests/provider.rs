@@ -1,6 +1,6 @@
 //! Other programs that put forces on bodies: one that works, and those that do not.
 
-mod support;
+use crate::support;
 
 use std::path::Path;
 use std::process::Command;

@@ -1,12 +1,9 @@
 //! `fenderline replay` and `fenderline serve` with recordings that are large, long, damaged or absurd, and with files
 //! that would stop a program.
 
-#[path = "serve/client.rs"]
-mod client;
-#[path = "../../live/tests/support/damage.rs"]
-mod damage;
-#[path = "serve/server.rs"]
-mod server;
+use crate::client;
+use crate::damage;
+use crate::server;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -285,7 +282,7 @@ fn a_second_ctrl_c_ends_the_program_whatever_it_waits_for() {
     assert_eq!(status.code(), Some(130));
 }
 
-/// `FENDERLINE_DAMAGED_FILES=1000 cargo test -p fenderline --test recordings damaged` for all of them.
+/// `FENDERLINE_DAMAGED_FILES=1000 cargo test -p fenderline --test all recordings::damaged` for all of them.
 #[test]
 fn damaged_recordings_are_never_reported_as_whole_and_never_take_long() {
     let parameter = |name: &str, default: u64| {

@@ -1,23 +1,15 @@
 //! `fenderline serve` over real sockets: roles, claims, what is shown, and everybody who means it ill.
 
-#[path = "serve/alarms.rs"]
 mod alarms;
-#[path = "serve/client.rs"]
-mod client;
-#[path = "serve/files.rs"]
 mod files;
-#[path = "serve/instruments.rs"]
 mod instruments;
-#[path = "serve/mooring.rs"]
 mod mooring;
-#[path = "serve/people.rs"]
 mod people;
-#[path = "serve/restart.rs"]
 mod restart;
-#[path = "serve/server.rs"]
-mod server;
-#[path = "serve/trial.rs"]
 mod trial;
+
+use crate::client;
+use crate::server;
 
 use std::time::Duration;
 

@@ -2,10 +2,8 @@
 //! believed.
 #![cfg(unix)]
 
-#[path = "serve/client.rs"]
-mod client;
-#[path = "serve/server.rs"]
-mod server;
+use crate::client;
+use crate::server;
 
 use std::fs;
 use std::process::Command;

@@ -1,6 +1,6 @@
 //! `fenderline run` and `fenderline report` of a session that people steered.
 
-mod support;
+use crate::support;
 
 use std::path::Path;
 
@@ -288,7 +288,7 @@ fn a_session_cannot_be_changed_and_a_torn_one_is_reported_up_to_its_end() {
 }
 
 /// Prints the time of the report of a session of thirty minutes, in which the ship is pushed to her berth:
-/// `cargo test --release -p fenderline --test session_report -- --ignored --nocapture`.
+/// `cargo test --release -p fenderline --test all session_report:: -- --ignored --nocapture`.
 #[test]
 #[ignore = "a measurement"]
 fn the_report_of_thirty_minutes() {

@@ -1,6 +1,6 @@
 //! `fenderline statistics`: from a file of berthing speeds to a design value.
 
-mod support;
+use crate::support;
 
 use support::{Workplace, contains_all};
 

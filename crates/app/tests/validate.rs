@@ -1,6 +1,6 @@
 //! `fenderline validate`: the table, the files, the exit codes.
 
-mod support;
+use crate::support;
 
 use support::Workplace;
 

@@ -1,7 +1,7 @@
 //! The table `verdict/cases.json`: cases whose state is known, and the verdict on each in terminal, exit code,
 //! `summary.json`, report and the frames of the live pages. `crates/python/tests/test_verdict.py` reads the same table.
 
-mod support;
+use crate::support;
 
 use std::path::{Path, PathBuf};
 

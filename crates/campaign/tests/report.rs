@@ -1,6 +1,6 @@
 //! The report of a campaign, from a table in a file.
 
-mod support;
+use crate::support;
 
 use std::path::PathBuf;
 

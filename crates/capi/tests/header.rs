@@ -1,5 +1,5 @@
 //! `include/fenderline.h` is generated from this crate by cbindgen. After a change:
-//! `FENDERLINE_BLESS=1 cargo test -p fenderline-capi --test header`.
+//! `FENDERLINE_BLESS=1 cargo test -p fenderline-capi --test all header::`.
 
 use std::path::Path;
 
@@ -39,6 +39,6 @@ fn the_header_is_up_to_date() {
     assert!(
         committed == made,
         "include/fenderline.h is out of date: FENDERLINE_BLESS=1 cargo test -p fenderline-capi \
-         --test header"
+         --test all header::"
     );
 }

@@ -3,7 +3,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
-mod small_host;
+use crate::small_host;
 
 use fenderline_contact::BodyState;
 use small_host::scenes::{oblique_berthing, oblique_tug_impact, tug_impact, tug_push};

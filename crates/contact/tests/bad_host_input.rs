@@ -4,7 +4,7 @@
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 #[allow(dead_code, reason = "each test uses its own part of the scene")]
-mod scene;
+use crate::scene;
 
 use fenderline_contact::{
     Body, BodyId, BodyState, EventKind, Material, Memory, Mobility, Model, Outline, Pair,

@@ -3,7 +3,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
-mod support;
+use crate::support;
 
 use fenderline_contact::{Clip, ConvexPolygon, PairClip, Pose, Vec2, vec2};
 use proptest::prelude::*;

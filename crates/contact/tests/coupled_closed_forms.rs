@@ -1,6 +1,6 @@
 //! The coupled method in every case of docs/contact_model.md, section 5, where the paper's method fails.
 
-mod small_host;
+use crate::small_host;
 
 use fenderline_contact::{EventKind, Material, vec2};
 use proptest::prelude::*;

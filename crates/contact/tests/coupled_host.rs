@@ -3,7 +3,7 @@
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 #[allow(dead_code, reason = "each test uses its own part of the scene")]
-mod scene;
+use crate::scene;
 
 use std::f64::consts::FRAC_PI_2;
 

@@ -1,6 +1,6 @@
 //! Two floating bodies, one with fenders: properties that need no reference data.
 
-mod small_host;
+use crate::small_host;
 
 use std::f64::consts::FRAC_PI_2;
 

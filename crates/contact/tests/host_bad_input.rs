@@ -2,7 +2,7 @@
 //! change nothing.
 
 #[allow(dead_code, reason = "each test uses its own part of the master")]
-mod master;
+use crate::master;
 
 use fenderline_contact::{
     BodyState, CoSimHost, EventKind, HostIntegration, HostSettings, HostWorkspace, StepError, Vec2,

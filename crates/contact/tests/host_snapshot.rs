@@ -1,7 +1,7 @@
 //! A co-simulation host as bytes: saved during contact, restored, and replayed.
 
 #[allow(dead_code, reason = "each test uses its own part of the master")]
-mod master;
+use crate::master;
 
 use fenderline_contact::{CoSimHost, HostIntegration, HostSettings, RestoreError};
 use master::{Master, Service, tug_against_a_ship, tug_at_a_wall};

@@ -1,7 +1,7 @@
 //! Stiff contacts of hosts that move their bodies themselves.
 
 #[allow(dead_code, reason = "each test uses its own part of the master")]
-mod master;
+use crate::master;
 
 use fenderline_contact::{
     Body, BodyId, BodyState, DirectHost, HostIntegration, HostSettings, HostWorkspace, Material,

@@ -3,7 +3,7 @@
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
 #[allow(dead_code, reason = "each test uses its own part of the master")]
-mod master;
+use crate::master;
 
 use fenderline_contact::{
     BodyState, CoSimHost, EventKind, HostIntegration, HostSettings, HostWorkspace, Memory,

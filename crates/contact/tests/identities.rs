@@ -1,6 +1,6 @@
 //! Identities of docs/contact_model.md, section 7, by the paper's method: they need no reference data.
 
-mod small_host;
+use crate::small_host;
 
 use fenderline_contact::{Vec2, vec2};
 use proptest::prelude::*;

@@ -1,6 +1,6 @@
 //! Islands: bodies with contacts in several islands, and the order of the memory.
 
-mod support;
+use crate::support;
 
 use fenderline_contact::{
     Body, BodyId, BodyState, Event, EventKind, Material, Memory, Mobility, Model, Workspace,

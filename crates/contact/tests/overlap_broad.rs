@@ -2,7 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
-mod support;
+use crate::support;
 
 use fenderline_contact::{Body, BodyState, vec2};
 use support::harbour::{PAPER, Run, body, model, model_of_explicit_pairs};

@@ -1,7 +1,7 @@
 //! Non-convex bodies in the whole engine: area against an integer-grid clipper, the normal against the
 //! area's derivative, and patches that split and merge.
 
-mod support;
+use crate::support;
 
 use fenderline_contact::{BodyState, Contact, EventKind, Material, Pose, Vec2, vec2};
 use geo::{Area, BooleanOps, Coord, LineString, Polygon};

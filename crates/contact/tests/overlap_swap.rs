@@ -3,7 +3,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
-mod support;
+use crate::support;
 
 use fenderline_contact::{BodyState, Contact, Memory, Vec2, Wrench, vec2};
 use proptest::prelude::*;

@@ -3,7 +3,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
-mod small_host;
+use crate::small_host;
 
 use fenderline_contact::{
     BodyState, CoSimHost, HostIntegration, HostSettings, HostWorkspace, Material, vec2,

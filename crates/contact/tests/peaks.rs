@@ -1,7 +1,7 @@
 //! The largest wrench within a step, beside the mean.
 
 #[allow(dead_code, reason = "each test uses its own part of the master")]
-mod master;
+use crate::master;
 
 use fenderline_contact::{
     Body, BodyId, BodyState, DirectHost, HostWorkspace, Memory, Mobility, Model, Pair, Vec2,

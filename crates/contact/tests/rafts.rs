@@ -173,7 +173,7 @@ fn a_raft_of_25_barges_rides_out_gusts() {
 
 /// Ten minutes. It takes a minute or two.
 #[test]
-#[ignore = "long: cargo test --release -p fenderline-contact --test rafts -- --ignored"]
+#[ignore = "long: cargo test --release -p fenderline-contact --test all rafts:: -- --ignored"]
 fn a_raft_of_100_barges_rides_out_ten_minutes_of_gusts() {
     rides_out_gusts(10, 6000);
 }

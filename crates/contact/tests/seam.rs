@@ -3,7 +3,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 
-mod support;
+use crate::support;
 
 use fenderline_contact::{BodyState, Contact, EventKind, Material, Outline, Vec2, vec2};
 use proptest::prelude::*;

@@ -2,7 +2,7 @@
 //! nothing.
 
 #[allow(dead_code, reason = "each test uses its own part of the scene")]
-mod scene;
+use crate::scene;
 
 use fenderline_contact::hash::Fnv1a;
 use fenderline_contact::{

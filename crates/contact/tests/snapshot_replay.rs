@@ -1,6 +1,6 @@
 //! A restored snapshot continues a run with the same bits, and a workspace has no influence on it.
 
-mod small_host;
+use crate::small_host;
 
 use fenderline_contact::{BodyState, Memory, Workspace, Wrench, advance};
 use small_host::Host;

@@ -1,7 +1,7 @@
 //! The content of a workspace affects speed, never results: a run with a new workspace in each step gives the same bits
 //! as one that keeps its own, and so does a run without contact reports.
 
-mod support;
+use crate::support;
 
 use fenderline_contact::{
     BodyId, BodyState, Contact, Event, Fender, FenderLaw, Material, MaterialId, Memory, Mobility,

@@ -5,7 +5,7 @@
 #![allow(unsafe_code, reason = "the test acts as a master")]
 #![allow(clippy::disallowed_methods, reason = "they give random input, not results")]
 
-mod support;
+use crate::support;
 
 use std::ffi::{CString, c_char, c_int, c_void};
 use std::ptr::{null, null_mut, without_provenance_mut};

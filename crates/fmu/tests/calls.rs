@@ -1,7 +1,7 @@
 //! Mistakes of masters: each gives an error with a message and changes nothing.
 #![allow(unsafe_code, reason = "the test acts as a master")]
 
-mod support;
+use crate::support;
 
 use std::ffi::{c_int, c_void};
 use std::ptr::{null, null_mut, without_provenance_mut};

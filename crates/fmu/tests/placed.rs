@@ -2,7 +2,7 @@
 #![allow(clippy::disallowed_methods, reason = "they give expected values, not results")]
 #![allow(unsafe_code, reason = "the test acts as a master")]
 
-mod support;
+use crate::support;
 
 use std::ffi::{CString, c_int, c_void};
 use std::ptr::{null, null_mut};

@@ -1,7 +1,7 @@
 //! States that a master saves, restores, serialises or forges; and calls in any order.
 #![allow(unsafe_code, reason = "the test acts as a master")]
 
-mod support;
+use crate::support;
 
 use std::ffi::c_void;
 use std::ptr::without_provenance_mut;

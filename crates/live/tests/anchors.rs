@@ -1,6 +1,6 @@
 //! Anchors of a live session: orders, faults, alarms, the forecastle's report, replay.
 
-mod support;
+use crate::support;
 
 use fenderline_live::message::{AnchorNow, RunState};
 use fenderline_live::{Action, AnchorFault, OtherAction, Session};

@@ -1,6 +1,6 @@
 //! Acknowledgements and notes: recorded, kept over restart, rewinding and branches, and without effect on the ship.
 
-mod support;
+use crate::support;
 
 use fenderline_live::message::Role;
 use fenderline_live::{Action, Fault, OtherAction, Repeat, Session};

@@ -1,7 +1,7 @@
 //! The docking board's report of each end of a ship over a sweep of poses: from contacts and the berth, not from distance
 //! alone.
 
-mod support;
+use crate::support;
 
 use fenderline_live::message::{BerthEnd, BerthNow, Frame, Role, RunState};
 use fenderline_live::{Light, OtherAction, Session};

@@ -1,6 +1,6 @@
 //! The exercise of a session: over its end, rewinding, branches, and a recording that is played again.
 
-mod support;
+use crate::support;
 
 use fenderline_live::message::{PlaceInfo, RunState, text};
 use fenderline_live::{Repeat, Session};

@@ -1,6 +1,6 @@
 //! Frozen instruments: her pilot sees the old values, the instructor the true ones, and nobody else is told. A single thruster trips.
 
-mod support;
+use crate::support;
 
 use fenderline_live::message::{Frame, Role, RunState};
 use fenderline_live::{Fault, OtherAction, Session};

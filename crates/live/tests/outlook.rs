@@ -1,6 +1,6 @@
 //! Predictions that continue the one before: the same bits as predictions that are made anew.
 
-mod support;
+use crate::support;
 
 use fenderline_live::message::Reply;
 use fenderline_live::{Action, OtherAction, Outlook, Session};

@@ -1,6 +1,6 @@
 //! A ship passes a moored one: she surges, lines part when they should, and the messages to people say why.
 
-mod support;
+use crate::support;
 
 use fenderline_live::message::{Role, RunState};
 use fenderline_live::{NamedOrder, Session};

@@ -1,6 +1,6 @@
 //! Placing ships before the start: refused with a reason where she cannot be, recorded like any command.
 
-mod support;
+use crate::support;
 
 use fenderline_live::{OtherAction, Session};
 

@@ -1,6 +1,6 @@
 //! The present state as a scenario file: it is the same state again, within what the file says it rounds and leaves out.
 
-mod support;
+use crate::support;
 
 use std::path::Path;
 

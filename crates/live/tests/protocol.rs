@@ -1,6 +1,6 @@
 //! Compares the names in messages and orders with `web/src/protocol.ts` and `web/src/orders.ts`.
 
-mod support;
+use crate::support;
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,8 +1,7 @@
 //! Recordings that are large, torn, damaged or absurd.
 
-#[path = "support/damage.rs"]
-mod damage;
-mod support;
+use crate::damage;
+use crate::support;
 
 use std::time::{Duration, Instant};
 
@@ -143,7 +142,7 @@ fn a_flipped_bit_in_a_title_a_name_or_a_time_is_detected() {
     }
 }
 
-/// `cargo test -p fenderline-live --test recordings damaged`, with `FENDERLINE_DAMAGED=100000` for more of them and
+/// `cargo test -p fenderline-live --test all recordings::damaged`, with `FENDERLINE_DAMAGED=100000` for more of them and
 /// `FENDERLINE_SEED=7` for other ones.
 #[test]
 fn a_thousand_damaged_recordings_are_all_detected() {

@@ -1,6 +1,6 @@
 //! What pages make rows and elements of has keys of its own, and orders that are refused cost a small part of a tick.
 
-mod support;
+use crate::support;
 
 use std::collections::BTreeSet;
 use std::time::Instant;

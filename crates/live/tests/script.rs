@@ -1,6 +1,6 @@
 //! What the instructor prepares: changes over a time, planned events, and faults by name.
 
-mod support;
+use crate::support;
 
 use fenderline_live::{Action, Fault, OtherAction, Session};
 use support::{command, engine, go, harbour, open, replay, rudder, saved};

@@ -1,6 +1,6 @@
 //! Replay, rewind and branches give the same bits; a refused command changes nothing.
 
-mod support;
+use crate::support;
 
 use fenderline_live::message::Role;
 use fenderline_live::{Action, Fault, OtherAction, Request, Session};

@@ -1,6 +1,6 @@
 //! Traffic on tracks, and ships with pilots of their own.
 
-mod support;
+use crate::support;
 
 use fenderline_live::Session;
 use fenderline_live::message::{Role, RunState};

@@ -1,6 +1,6 @@
 //! Trial manoeuvres: they show what the run would do, and change nothing of it.
 
-mod support;
+use crate::support;
 
 use fenderline_live::message::{Reply, ShipPath};
 use fenderline_live::{Action, OtherAction, Session};

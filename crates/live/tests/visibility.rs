@@ -1,6 +1,6 @@
 //! Fog: what is hidden from whom, and that it is a part of the session.
 
-mod support;
+use crate::support;
 
 use fenderline_live::message::{Frame, Role, RunState};
 use fenderline_live::{OtherAction, Session};

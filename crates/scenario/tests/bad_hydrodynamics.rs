@@ -5,8 +5,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "expected values may use std")]
 
-#[path = "support/data_with_mistakes.rs"]
-mod data_with_mistakes;
+use crate::data_with_mistakes;
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,6 +1,6 @@
 //! What friction at the fenders does to a ship on constant-tension winches in long waves. The long forms are ignored: they take minutes.
 //!
-//!     cargo test -p fenderline-scenario --test friction_in_long_waves -- --ignored --nocapture
+//!     cargo test -p fenderline-scenario --test all friction_in_long_waves:: -- --ignored --nocapture
 
 #![allow(clippy::disallowed_methods, reason = "expected values may use std")]
 

@@ -1,6 +1,6 @@
 //! The worked scenario of a container ship moored in swell, gusts and long waves. The long forms are ignored: they take minutes.
 //!
-//!     cargo test -p fenderline-scenario --test moored_in_waves -- --ignored --nocapture
+//!     cargo test -p fenderline-scenario --test all moored_in_waves:: -- --ignored --nocapture
 
 #![allow(clippy::disallowed_methods, reason = "expected values may use std")]
 

@@ -1,6 +1,5 @@
 //! The JSON Schema against the reader: both accept and refuse the same files, key by key.
 // The scenario with all keys is one macro.
-#![recursion_limit = "256"]
 
 use std::path::{Path, PathBuf};
 

@@ -7,8 +7,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
-#[path = "support/ships.rs"]
-mod ships;
+use crate::ships;
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,8 +1,7 @@
 //! Formulas against closed forms, quadrature and the numbers of validation/independent/ship_formulas.py.
 //! "To the printed digits" means half a unit of the last place.
 
-#[path = "support/ships.rs"]
-mod ships;
+use crate::ships;
 
 use fenderline_sim::hydro::shallow::{
     barrass_squat_m, current_abeam_n, eryuzlu_squat_m, icorels_squat_m, shallow_cross_flow_drag,

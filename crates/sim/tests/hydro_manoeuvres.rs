@@ -8,8 +8,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
-#[path = "support/ships.rs"]
-mod ships;
+use crate::ships;
 
 use fenderline_sim::hydro::manoeuvres::{
     Approach, ManoeuvreError, TurningCircle, ZigZag, bollard_pull_n, crash_stop,

@@ -2,8 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
-#[path = "support/ships.rs"]
-mod ships;
+use crate::ships;
 
 use fenderline_sim::hydro::actuator::{Lag, Order, RateLimited, Slewing, Telegraph};
 use fenderline_sim::hydro::manoeuvres::{bollard_pull_n, crabbing};

@@ -5,8 +5,7 @@
 //! of Esso Osaka were about as in deep water).
 //! `validation/shallow_water.toml` has the numbers.
 
-#[path = "support/ships.rs"]
-mod ships;
+use crate::ships;
 
 use fenderline_scenario::VesselLibrary;
 use fenderline_sim::hydro::actuator::RateLimited;

@@ -1,7 +1,7 @@
 //! Identities of docs/contact_model.md, section 7, that involve the integrators, the berthing formulas and the
 //! energy ledger. Others are in crates/contact/tests/identities.rs.
 
-mod support;
+use crate::support;
 
 use fenderline_contact::{BodyState, vec2};
 use fenderline_sim::berthing::{ContactPoint, frictionless_factor};

@@ -2,7 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "what is drawn, not what is computed")]
 
-mod support;
+use crate::support;
 
 use fenderline_sim::{Integrator, Method, Setup, Simulation};
 use support::{fixed, floating, rectangle, spring, two};

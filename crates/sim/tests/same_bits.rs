@@ -1,6 +1,6 @@
 //! The same bits on any number of threads.
 
-mod support;
+use crate::support;
 
 use fenderline_contact::BodyState;
 use fenderline_sim::{Setup, Simulation};

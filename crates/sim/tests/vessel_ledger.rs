@@ -2,9 +2,8 @@
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
-#[path = "support/ships.rs"]
-mod ships;
-mod support;
+use crate::ships;
+use crate::support;
 
 use fenderline_contact::{Vec2, vec2};
 use fenderline_sim::environment::current::{Current, CurrentGrid};

@@ -1,9 +1,8 @@
 //! A vessel in the simulation, compared with the model of three degrees of freedom with which the manoeuvres are validated, in
 //! still water and in a current.
 
-#[path = "support/ships.rs"]
-mod ships;
-mod support;
+use crate::ships;
+use crate::support;
 
 use fenderline_contact::{Vec2, vec2};
 use fenderline_sim::environment::current::Current;

@@ -5,9 +5,9 @@ use std::time::Duration;
 use serde_json::{Value, json};
 use tokio::time::sleep;
 
+use super::{block_on, reason};
 use crate::client::Client;
 use crate::server::Server;
-use crate::{block_on, reason};
 
 const KEY: &str = "rudder stuck ship";
 /// Time between two events, of up to two commands of one client each.

@@ -8,9 +8,9 @@ use std::time::Duration;
 use serde_json::{Value, json};
 use tokio::time::sleep;
 
+use super::{block_on, reason};
 use crate::client::Client;
 use crate::server::{self, Server};
-use crate::{block_on, reason};
 
 const KEPT: &str = "kept.session.jsonl";
 

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::block_on;
+use super::block_on;
 use crate::client::{self, Client};
 use crate::server::Server;
 

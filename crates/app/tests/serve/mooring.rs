@@ -4,9 +4,9 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
+use super::{block_on, reason};
 use crate::client::Client;
 use crate::server::Server;
-use crate::{block_on, reason};
 
 fn send(line: &str, bollard: &str) -> Value {
     json!({ "do": "send", "line": line, "bollard": bollard })

@@ -4,9 +4,9 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
+use super::{block_on, claim, reason};
 use crate::client::Client;
 use crate::server::Server;
-use crate::{block_on, claim, reason};
 
 fn engine(vessel: &str) -> Value {
     json!({ "do": "engine", "vessel": vessel, "share": 0.1 })

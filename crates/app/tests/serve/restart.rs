@@ -5,9 +5,9 @@ use std::time::{Duration, Instant};
 use serde_json::{Value, json};
 use tokio::time::sleep;
 
+use super::{block_on, claim, reason, rudder};
 use crate::client::Client;
 use crate::server::{self, Server};
-use crate::{block_on, claim, reason, rudder};
 
 /// Name of the file of links beside a recording.
 fn links_of(server: &Server) -> std::path::PathBuf {

@@ -5,6 +5,7 @@
 pub(crate) mod limited;
 
 use std::collections::BTreeMap;
+use std::ffi::OsString;
 use std::fs;
 use std::io::{BufRead as _, BufReader, Read as _};
 use std::net::SocketAddr;
@@ -30,8 +31,14 @@ pub(crate) struct Server {
     pub(crate) nmea: Option<SocketAddr>,
 }
 
+/// The program under test: the one that the environment names, or the one that cargo built with the tests.
+fn program_path() -> OsString {
+    std::env::var_os("FENDERLINE_PROGRAM")
+        .unwrap_or_else(|| OsString::from(env!("CARGO_BIN_EXE_fenderline")))
+}
+
 pub(crate) fn program() -> Command {
-    Command::new(env!("CARGO_BIN_EXE_fenderline"))
+    Command::new(program_path())
 }
 
 pub(crate) fn scenario() -> PathBuf {
@@ -54,7 +61,7 @@ impl Server {
     pub(crate) fn start_under(limits: &str, options: &[&str]) -> Server {
         let mut shell = Command::new("sh");
         shell.args(["-c", &format!("{limits}; exec \"$0\" \"$@\"")]);
-        shell.arg(env!("CARGO_BIN_EXE_fenderline"));
+        shell.arg(program_path());
         Server::start_by(shell, None, options)
     }
 

@@ -5,9 +5,9 @@ use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
+use super::{block_on, claim, reason, rudder};
 use crate::client::Client;
 use crate::server::Server;
-use crate::{block_on, claim, reason, rudder};
 
 /// Far above what a trial takes on a machine that other tests use too; the time itself is printed.
 const GENEROUS: Duration = Duration::from_secs(20);

@@ -1,0 +1,312 @@
+//! Runs the steps of `cargo xtask test` side by side: each step is a process of its own with its output in a file, which
+//! is printed as a whole when the step ends. A table of all times follows.
+
+use std::fs::File;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, ExitCode, Stdio};
+use std::time::{Duration, Instant};
+
+use crate::step::Step;
+use crate::virtual_environment::target_folder;
+
+/// Folder of the output of each step, under `target`.
+const FOLDER: &str = "steps";
+/// The exit code of a step whose tool is missing.
+const NOT_RUN: u8 = 3;
+/// The line with which a step tells its processor time.
+const PROCESSOR: &str = "== processor ";
+/// The line with which a step tells which tool is missing.
+const MISSING: &str = "== not run: ";
+
+/// A step among others.
+pub(crate) struct Gated {
+    /// Its name on the command line.
+    pub(crate) key: &'static str,
+    /// What it does.
+    pub(crate) step: Step,
+    /// Names of the steps that end before it begins, where they are part of the run.
+    pub(crate) after: &'static [&'static str],
+    /// What it uses.
+    pub(crate) uses: Uses,
+}
+
+/// What a step uses while it runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Uses {
+    /// A processor.
+    Processor,
+    /// A processor, and a folder of builds that one cargo at a time may write, such as `debug`.
+    Builds(&'static str),
+    /// Mostly waits, for a browser or a clock: it runs beside all others.
+    Waits,
+}
+
+/// A step that runs.
+struct Running {
+    index: usize,
+    child: Child,
+    began: Instant,
+}
+
+/// A step that ended.
+struct Ended {
+    index: usize,
+    began_s: f64,
+    wall_s: f64,
+    /// Processor time of the step's programs (s), where the system tells.
+    processor_s: Option<f64>,
+    outcome: Outcome,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Outcome {
+    Good,
+    /// What is missing.
+    NotRun(String),
+    Failed,
+}
+
+/// Runs `steps`. Where `CI` is set, a missing tool is a failure, so that no step is skipped unnoticed. After a failure no
+/// step begins.
+pub(crate) fn run_gated(steps: &[Gated]) -> ExitCode {
+    match run_steps(steps) {
+        Ok(ended) => {
+            print_table(steps, &ended);
+            conclude(steps, &ended)
+        }
+        Err(why) => {
+            eprintln!("{why}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Runs one step in this process, for [`run_gated`] in another.
+pub(crate) fn run_one(gated: &Gated) -> ExitCode {
+    let done = (gated.step.run)();
+    if let Some(seconds) = processor_time_of_children_s() {
+        println!("{PROCESSOR}{seconds:.1} s");
+    }
+    match done {
+        Ok(crate::step::Done::Good) => ExitCode::SUCCESS,
+        Ok(crate::step::Done::NotRun(missing)) => {
+            println!("{MISSING}{} is missing; install: {}", missing.tool, missing.install);
+            ExitCode::from(NOT_RUN)
+        }
+        Err(why) => {
+            println!("{why}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run_steps(steps: &[Gated]) -> Result<Vec<Ended>, String> {
+    let folder = target_folder().join(FOLDER);
+    let program = copy_of_this_program(&folder)?;
+    let at_once = std::thread::available_parallelism().map_or(1, usize::from);
+    let began = Instant::now();
+    let mut waiting: Vec<usize> = (0..steps.len()).collect();
+    let mut running: Vec<Running> = Vec::new();
+    let mut ended: Vec<Ended> = Vec::new();
+    while !(waiting.is_empty() && running.is_empty()) {
+        let may_begin = ended.iter().all(|step| !is_failure(&step.outcome));
+        while let Some(place) = waiting
+            .iter()
+            .position(|&index| may_begin && is_ready(steps, index, &waiting, &running, at_once))
+        {
+            let index = waiting.remove(place);
+            println!("-- {:>5.0} s: {} begins", began.elapsed().as_secs_f64(), steps[index].key);
+            let child = start(&program, steps[index].key, &output(&folder, &steps[index]))?;
+            running.push(Running { index, child, began: Instant::now() });
+        }
+        if running.is_empty() {
+            break;
+        }
+        std::thread::sleep(Duration::from_millis(100));
+        let mut place = 0;
+        while place < running.len() {
+            let status = running[place].child.try_wait().map_err(|e| e.to_string())?;
+            let Some(status) = status else {
+                place += 1;
+                continue;
+            };
+            let step = running.remove(place);
+            let printed = output(&folder, &steps[step.index]);
+            let printed =
+                std::fs::read(&printed).map_err(|e| format!("{}: {e}", printed.display()))?;
+            let printed = String::from_utf8_lossy(&printed);
+            let last =
+                |start| printed.lines().rev().take(2).find_map(|line| line.strip_prefix(start));
+            let outcome = match status.code() {
+                Some(0) => Outcome::Good,
+                Some(code) if code == i32::from(NOT_RUN) => {
+                    Outcome::NotRun(last(MISSING).unwrap_or_default().to_owned())
+                }
+                _ => Outcome::Failed,
+            };
+            let wall_s = step.began.elapsed().as_secs_f64();
+            let processor_s = last(PROCESSOR)
+                .and_then(|text| text.strip_suffix(" s"))
+                .and_then(|text| text.parse().ok());
+            println!(
+                "\n== {}: {}\n{}",
+                steps[step.index].key,
+                steps[step.index].step.name,
+                printed.trim_end()
+            );
+            println!("== {}, {wall_s:.1} s", word(&outcome));
+            let began_s = began.elapsed().as_secs_f64() - wall_s;
+            ended.push(Ended { index: step.index, began_s, wall_s, processor_s, outcome });
+        }
+    }
+    Ok(ended)
+}
+
+/// Whether the step may begin now: what it comes after has ended, and what it uses is free.
+fn is_ready(
+    steps: &[Gated],
+    index: usize,
+    waiting: &[usize],
+    running: &[Running],
+    at_once: usize,
+) -> bool {
+    let to_come = waiting.iter().copied().chain(running.iter().map(|step| step.index));
+    let is_before = |other: usize| steps[index].after.contains(&steps[other].key);
+    if to_come.into_iter().any(is_before) {
+        return false;
+    }
+    let uses = steps[index].uses;
+    let busy = running.iter().filter(|step| steps[step.index].uses != Uses::Waits).count();
+    let same_folder = |step: &Running| steps[step.index].uses == uses;
+    match uses {
+        Uses::Waits => true,
+        Uses::Processor => busy < at_once,
+        Uses::Builds(_) => busy < at_once && !running.iter().any(same_folder),
+    }
+}
+
+/// A copy, as cargo may build this program anew while the steps run.
+fn copy_of_this_program(folder: &Path) -> Result<PathBuf, String> {
+    std::fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+    let own = std::env::current_exe().map_err(|e| format!("this program: {e}"))?;
+    let copy = folder.join(format!("xtask{}", std::env::consts::EXE_SUFFIX));
+    std::fs::copy(&own, &copy).map_err(|e| format!("{}: {e}", copy.display()))?;
+    Ok(copy)
+}
+
+fn output(folder: &Path, step: &Gated) -> PathBuf {
+    folder.join(step.key).with_extension("txt")
+}
+
+fn start(program: &Path, key: &str, output: &Path) -> Result<Child, String> {
+    let failed = |e| format!("{}: {e}", output.display());
+    let file = File::create(output).map_err(failed)?;
+    let errors = file.try_clone().map_err(failed)?;
+    let mut command = Command::new(program);
+    command.args(["step", key]).stdin(Stdio::null()).stdout(file).stderr(errors);
+    command.spawn().map_err(|e| format!("{key}: {e}"))
+}
+
+/// Processor time of all programs that this process has started and waited for (s), by Linux's `/proc`.
+fn processor_time_of_children_s() -> Option<f64> {
+    // Linux counts in hundredths of a second for programs, whatever the kernel's own clock.
+    const TICKS_PER_S: f64 = 100.0;
+    let stat = std::fs::read_to_string("/proc/self/stat").ok()?;
+    // The name of the program stands in parentheses and may have spaces. Fields 16 and 17 are the children's times; the
+    // first after the name is field 3.
+    let fields: Vec<&str> = stat.rsplit_once(')')?.1.split_whitespace().collect();
+    let ticks = |field: usize| fields.get(field - 3)?.parse::<f64>().ok();
+    Some((ticks(16)? + ticks(17)?) / TICKS_PER_S)
+}
+
+fn is_strict() -> bool {
+    std::env::var_os("CI").is_some_and(|value| !value.is_empty() && value != "false")
+}
+
+fn is_failure(outcome: &Outcome) -> bool {
+    match outcome {
+        Outcome::Good => false,
+        Outcome::NotRun(_) => is_strict(),
+        Outcome::Failed => true,
+    }
+}
+
+fn word(outcome: &Outcome) -> &'static str {
+    match outcome {
+        Outcome::Good => "good",
+        Outcome::NotRun(_) => "not run",
+        Outcome::Failed => "failed",
+    }
+}
+
+fn print_table(steps: &[Gated], ended: &[Ended]) {
+    println!("\n{:<24} {:>8} {:>8} {:>10}", "step", "began", "took", "processor");
+    let mut processors_s = 0.0;
+    for step in ended {
+        let processor = step.processor_s.map_or_else(String::new, |time| format!("{time:.0} s"));
+        println!(
+            "{:<24} {:>6.0} s {:>6.0} s {processor:>10}  {}",
+            steps[step.index].key,
+            step.began_s,
+            step.wall_s,
+            word(&step.outcome)
+        );
+        processors_s += step.processor_s.unwrap_or(0.0);
+    }
+    // Steps stand in the order in which they ended.
+    let whole_s = ended.last().map_or(0.0, |step| step.began_s + step.wall_s);
+    println!("{:<24} {:>8} {whole_s:>6.0} s {processors_s:>8.0} s", "all", "");
+    if let Ok(load) = std::fs::read_to_string("/proc/loadavg") {
+        println!("the machine's load at the end: {}", load.trim());
+    }
+}
+
+fn conclude(steps: &[Gated], ended: &[Ended]) -> ExitCode {
+    let good = ended.iter().filter(|step| step.outcome == Outcome::Good).count();
+    println!("\n== {good} of {} steps good", steps.len());
+    for step in ended {
+        match &step.outcome {
+            Outcome::Good => {}
+            Outcome::NotRun(why) => println!("== not run: {}: {why}", steps[step.index].step.name),
+            Outcome::Failed => println!(
+                "== failed: {}; `cargo xtask test {}` runs it alone",
+                steps[step.index].step.name, steps[step.index].key
+            ),
+        }
+    }
+    if ended.iter().any(|step| is_failure(&step.outcome)) || ended.len() < steps.len() {
+        ExitCode::FAILURE
+    } else {
+        ExitCode::SUCCESS
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Gated, Uses, is_ready};
+    use crate::step::{Done, Step};
+
+    const fn step(key: &'static str, after: &'static [&'static str], uses: Uses) -> Gated {
+        Gated { key, step: Step { name: key, run: || Ok(Done::Good) }, after, uses }
+    }
+
+    const STEPS: [Gated; 3] = [
+        step("build", &[], Uses::Builds("debug")),
+        step("tests", &["build"], Uses::Processor),
+        step("browser", &["absent"], Uses::Waits),
+    ];
+
+    #[test]
+    fn a_step_waits_for_what_it_comes_after_and_not_for_what_is_not_run() {
+        assert!(is_ready(&STEPS, 0, &[1, 2], &[], 2));
+        assert!(!is_ready(&STEPS, 1, &[0, 2], &[], 2));
+        assert!(is_ready(&STEPS, 1, &[2], &[], 2));
+        assert!(is_ready(&STEPS, 2, &[0, 1], &[], 2));
+    }
+
+    #[test]
+    fn a_processor_is_needed_by_all_but_what_waits() {
+        assert!(!is_ready(&STEPS, 1, &[2], &[], 0));
+        assert!(is_ready(&STEPS, 2, &[1], &[], 0));
+    }
+}
