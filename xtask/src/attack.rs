@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use std::process::{Command, ExitCode, Stdio};
 use std::time::{Instant, SystemTime, UNIX_EPOCH};
 
-use crate::command::{cargo, run, run_quietly};
+use crate::built;
+use crate::command::{run, run_quietly};
 use crate::fuzz;
 use crate::live_load;
 use crate::step::{Done, Step};
@@ -30,14 +31,10 @@ struct Part {
 }
 
 enum Kind {
-    /// A test of a package, by its file and name.
-    Test { package: &'static str, test: &'static str },
+    /// A test, by its file and name.
+    Test { test: &'static str },
     /// Tests that take a number of cases instead of a time: for each environment variable the cases per second.
-    Counted {
-        package: &'static str,
-        tests: &'static [&'static str],
-        counts: &'static [(&'static str, u64)],
-    },
+    Counted { tests: &'static [&'static str], counts: &'static [(&'static str, u64)] },
     /// The live server with steering and hostile clients.
     LiveLoad,
     /// Tests of the Python package, where `crates/python/test.py` has installed it.
@@ -46,29 +43,25 @@ enum Kind {
     Fuzz,
 }
 
-const fn test(package: &'static str, test: &'static str) -> Kind {
-    Kind::Test { package, test }
+const fn test(test: &'static str) -> Kind {
+    Kind::Test { test }
 }
 
 const PARTS: [Part; 12] = [
     Part {
         name: "files",
         what: "changed scenarios, checked and run",
-        attack: test("fenderline", "attack_files::a_changed_scenario_is_refused_or_runs"),
+        attack: test("attack_files::a_changed_scenario_is_refused_or_runs"),
     },
     Part {
         name: "odd-files",
         what: "pipes, devices, folders, links and sockets in every place for a file",
-        attack: test(
-            "fenderline",
-            "attack_files::paths_without_a_regular_file_are_refused_at_once",
-        ),
+        attack: test("attack_files::paths_without_a_regular_file_are_refused_at_once"),
     },
     Part {
         name: "one-folder",
         what: "eight runs at once into one folder, on slowed files",
         attack: Kind::Counted {
-            package: "fenderline",
             tests: &[
                 "one_folder::one_of_eight_runs_at_once_writes_the_folder_and_seven_are_refused",
             ],
@@ -79,7 +72,6 @@ const PARTS: [Part; 12] = [
         name: "recordings",
         what: "recordings damaged and forged, in memory",
         attack: Kind::Counted {
-            package: "fenderline-live",
             tests: &[
                 "recordings::a_thousand_damaged_recordings_are_all_detected",
                 "recordings::a_forged_recording_is_refused_at_the_forged_line",
@@ -92,7 +84,6 @@ const PARTS: [Part; 12] = [
         name: "recording-files",
         what: "recordings damaged and forged, by `fenderline replay`",
         attack: Kind::Counted {
-            package: "fenderline",
             tests: &[
                 "recordings::damaged_recordings_are_never_reported_as_whole_and_never_take_long",
             ],
@@ -102,7 +93,7 @@ const PARTS: [Part; 12] = [
     Part {
         name: "server",
         what: "malformed request heads, and any command from every link",
-        attack: test("fenderline", "attack_server::the_server_survives_any_message"),
+        attack: test("attack_server::the_server_survives_any_message"),
     },
     Part {
         name: "server-load",
@@ -112,17 +103,17 @@ const PARTS: [Part; 12] = [
     Part {
         name: "providers",
         what: "providers that reply with anything, at any time, or not at all",
-        attack: test("fenderline", "attack_providers::no_provider_stops_a_run_or_outlives_it"),
+        attack: test("attack_providers::no_provider_stops_a_run_or_outlives_it"),
     },
     Part {
         name: "hosts",
         what: "hosts in C that teleport, pass wrong velocities, step by 1e-9 to 1e6 s and alter saved states",
-        attack: test("fenderline-capi", "attack_hosts::inconsistent_hosts"),
+        attack: test("attack_hosts::inconsistent_hosts"),
     },
     Part {
         name: "fmi",
         what: "altered and invented FMI 3 states, inputs and steps of any size, calls in any order",
-        attack: test("fenderline-fmu", "attack_fmi3::altered_states_of_fmi_3"),
+        attack: test("attack_fmi3::altered_states_of_fmi_3"),
     },
     Part { name: "python", what: "inconsistent hosts, through Python", attack: Kind::Python },
     Part {
@@ -233,13 +224,13 @@ fn attack(seconds: u64, seed: u64, named: &[&str]) -> Result<Done, String> {
 
 fn attack_part(part: &Part, seconds: u64, seed: u64) -> Result<(), String> {
     match part.attack {
-        Kind::Test { package, test } => {
-            let mut command = named_tests(package, &[test]);
+        Kind::Test { test } => {
+            let mut command = named_tests(&[test]);
             command.env("FENDERLINE_ATTACK_SECONDS", seconds.to_string());
             run_named(command.env("FENDERLINE_ATTACK_SEED", seed.to_string()), 1)
         }
-        Kind::Counted { package, tests, counts } => {
-            let mut command = named_tests(package, tests);
+        Kind::Counted { tests, counts } => {
+            let mut command = named_tests(tests);
             for (key, per_second) in counts {
                 command.env(key, (per_second * seconds).to_string());
             }
@@ -258,9 +249,9 @@ fn attack_part(part: &Part, seconds: u64, seed: u64) -> Result<(), String> {
     }
 }
 
-fn named_tests(package: &str, tests: &[&str]) -> Command {
-    let mut command = cargo(["test", "--quiet", "--package", package, "--test", "all", "--"]);
-    command.args(["--nocapture", "--include-ignored", "--exact"]).args(tests);
+fn named_tests(names: &[&str]) -> Command {
+    let mut command = built::tests(&["--nocapture", "--include-ignored", "--exact"]);
+    command.args(names);
     command
 }
 
@@ -268,7 +259,9 @@ fn named_tests(package: &str, tests: &[&str]) -> Command {
 fn run_named(command: &mut Command, count: usize) -> Result<(), String> {
     let printed = run_quietly(command)?;
     println!("{}", printed.trim());
-    if printed.contains(&format!("{count} passed")) {
+    let passed =
+        |line: &str| line.split_once(" passed")?.0.rsplit(' ').next()?.parse::<usize>().ok();
+    if printed.lines().filter_map(passed).sum::<usize>() == count {
         Ok(())
     } else {
         Err(format!("{command:?}: not {count} tests of these names"))

@@ -7,8 +7,9 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use crate::built;
 use crate::citations;
-use crate::command::{cargo, run, run_quietly};
+use crate::command::{run, run_quietly};
 use crate::step::{Done, Step};
 use crate::tools;
 use crate::virtual_environment::{environment, target_folder};
@@ -55,7 +56,5 @@ fn program() -> Result<PathBuf, String> {
     if let Some(program) = std::env::var_os("FENDERLINE_BIN") {
         return std::path::absolute(&program).map_err(|e| format!("FENDERLINE_BIN: {e}"));
     }
-    run(&mut cargo(["build", "--quiet", "--release", "--package", "fenderline"]))?;
-    let name = format!("fenderline{}", std::env::consts::EXE_SUFFIX);
-    Ok(target_folder().join("release").join(name))
+    built::program("release")
 }

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
+use crate::built;
 use crate::command::{cargo, run};
 use crate::pages::{npm_in, target_folder};
 use crate::step::{Done, Step, run_all};
@@ -74,7 +75,7 @@ fn package(scripts: &[&str]) -> Result<Done, String> {
     }
     run(&mut npm_in(PACKAGE, &["ci", "--no-audit", "--no-fund"]))?;
     run(&mut npm_in(PACKAGE, &["run", "types"]))?;
-    let [program, native] = native_programs(&target)?;
+    let [program, native] = native_programs()?;
     for script in scripts {
         let mut script = npm_in(PACKAGE, &["run", script]);
         run(script.env("FENDERLINE_BIN", &program).env("FENDERLINE_NATIVE", &native))?;
@@ -83,12 +84,8 @@ fn package(scripts: &[&str]) -> Result<Done, String> {
 }
 
 /// The program, and that which makes the same runs as the package natively.
-fn native_programs(target: &Path) -> Result<[PathBuf; 2], String> {
-    run(&mut cargo(["build", "--release", "--package", "fenderline"]))?;
-    let native = ["build", "--release", "--package", "fenderline-wasm", "--example", "native"];
-    run(&mut cargo(native))?;
-    let release = target.join("release");
-    Ok([release.join("fenderline"), release.join("examples").join("native")])
+fn native_programs() -> Result<[PathBuf; 2], String> {
+    Ok([built::program("release")?, built::example("release", "native")?])
 }
 
 fn page_whole() -> Result<Done, String> {
@@ -106,7 +103,7 @@ fn page_driven() -> Result<Done, String> {
     }
     run(&mut npm_in(WEB, &["ci", "--no-audit", "--no-fund"]))?;
     run(&mut npm_in(WEB, &["run", "build:page"]))?;
-    let program = target_folder()?.join("release").join("fenderline");
+    let program = built::program("release")?;
     run(npm_in(WEB, &["run", "e2e:page"]).env("FENDERLINE_BIN", program))?;
     Ok(Done::Good)
 }

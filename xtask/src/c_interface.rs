@@ -5,7 +5,8 @@
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitCode, Stdio};
 
-use crate::command::{cargo, run, run_quietly};
+use crate::built;
+use crate::command::{run, run_quietly};
 use crate::guide;
 use crate::step::Done;
 use crate::tools;
@@ -67,7 +68,7 @@ fn examples_in(build: &Build) -> Result<(), String> {
     let ship = build.compile("ship", Path::new("examples/c/ship.c"), &SANITIZERS)?;
     let printed = run_quietly(Command::new(&ship).arg(SCENARIO.0).arg(SCENARIO.1))?;
     let out = build.folder.join("run");
-    let mut program = cargo(["run", "--quiet", "--release", "--package", "fenderline", "--"]);
+    let mut program = Command::new(built::program("release")?);
     run_quietly(program.args(["run", SCENARIO.0, "--out"]).arg(&out))?;
     let bodies = out.join("bodies.csv");
     let bodies =
@@ -214,12 +215,8 @@ pub(crate) struct Build {
 impl Build {
     /// Builds the library, optimised.
     pub(crate) fn new(what: &str) -> Result<Build, String> {
-        const PACKAGE: [&str; 4] = ["build", "--release", "--package", "fenderline-capi"];
-        run(&mut cargo(PACKAGE))?;
-        // The second call only reports where the library is.
-        let messages = run_quietly(cargo(PACKAGE).args(["--quiet", "--message-format", "json"]))?;
-        let library = messages.split('"').find(|text| text.ends_with("libfenderline.a"));
-        let library = library.ok_or("cargo does not report where libfenderline.a is")?.into();
+        run(built::build("release").arg("--lib"))?;
+        let library = built::folder("release").join("libfenderline.a");
         let name = format!("fenderline-c-{what}-{}", std::process::id());
         let folder = std::env::temp_dir().join(name);
         std::fs::create_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;

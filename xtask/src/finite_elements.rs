@@ -3,7 +3,8 @@
 
 use std::process::{Command, ExitCode};
 
-use crate::command::{cargo, run};
+use crate::built;
+use crate::command::run;
 use crate::step::Done;
 use crate::tools;
 
@@ -12,7 +13,7 @@ const SCRIPT: &str = "validation/finite_elements/analyse.py";
 /// Runs all studies and the comparison with the program's laws, and writes data files and tables.
 pub(crate) fn finite_elements_command() -> ExitCode {
     let whole = || {
-        run(&mut cargo(["build", "--quiet", "--release", "--package", "fenderline"]))?;
+        built::program("release")?;
         analyse(&[])
     };
     match whole() {

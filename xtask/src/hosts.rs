@@ -4,7 +4,8 @@
 use std::path::Path;
 use std::process::{Command, ExitCode};
 
-use crate::command::{cargo, run};
+use crate::built;
+use crate::command::run;
 use crate::step::Done;
 use crate::tools;
 use crate::virtual_environment::{environment, target_folder};
@@ -38,9 +39,7 @@ pub(crate) fn hosts() -> Result<Done, String> {
         &target.join("fmu-hosts"),
         &Path::new(FOLDER).join("requirements.txt"),
     )?;
-    run(&mut cargo(["build", "--quiet", "--release", "--package", "fenderline"]))?;
-    let program =
-        target.join("release").join(format!("fenderline{}", std::env::consts::EXE_SUFFIX));
+    let program = built::program("release")?;
     let mut tests = Command::new(python);
     // No __pycache__ and no caches in the source tree.
     tests.args(["-B", "-m", "pytest", "-q", "-p", "no:cacheprovider", FOLDER]);

@@ -2,8 +2,8 @@
 
 use std::process::ExitCode;
 
-use crate::command::{cargo, run};
-use crate::virtual_environment::target_folder;
+use crate::built;
+use crate::command::run;
 
 /// Default length of a run (s), also in continuous integration.
 pub(crate) const SECONDS: u64 = 20;
@@ -11,12 +11,9 @@ pub(crate) const SECONDS: u64 = 20;
 /// Prints late ticks, delays and memory. Fails if memory grew or a tick was missed; missed ticks do not count if times
 /// are only reported.
 pub(crate) fn live_load(seconds: u64, times_reported_only: bool) -> Result<(), String> {
-    run(&mut cargo(["build", "--release", "--package", "fenderline"]))?;
-    let program = format!("fenderline{}", std::env::consts::EXE_SUFFIX);
-    let program = target_folder().join("release").join(program);
+    let program = built::program("release")?;
     // The clients are built without optimisation, the server under load as users have it.
-    let mut command = cargo(["test", "--package", "fenderline", "--test", "all", "--"]);
-    command.args(["--ignored", "--nocapture", "live_load::"]);
+    let mut command = built::tests(&["--ignored", "--nocapture", "live_load::"]);
     command.env("FENDERLINE_PROGRAM", program);
     if times_reported_only {
         command.env("FENDERLINE_LIVE_TIMES_REPORTED_ONLY", "1");

@@ -8,6 +8,7 @@ mod attack;
 mod bench;
 mod book;
 mod browser;
+mod built;
 mod c_interface;
 mod circles;
 mod citations;

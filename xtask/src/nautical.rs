@@ -3,7 +3,8 @@
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use crate::command::{cargo, run, run_quietly};
+use crate::built;
+use crate::command::{run, run_quietly};
 use crate::step::{Done, Step};
 use crate::tools::{self, Missing};
 
@@ -36,8 +37,7 @@ fn parsers() -> Result<Done, String> {
             }));
         }
     }
-    let example = ["run", "--quiet", "--package", "fenderline-nautical", "--example", "sentences"];
-    let sentences = run_quietly(&mut cargo(example))?;
+    let sentences = run_quietly(&mut Command::new(built::example("dev", "sentences")?))?;
     let file = Path::new(FOLDER).join("sentences.txt");
     std::fs::write(&file, sentences).map_err(|e| format!("{}: {e}", file.display()))?;
     let input = std::fs::File::open(&file).map_err(|e| format!("{}: {e}", file.display()))?;

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::process::Command;
 
+use crate::built;
 use crate::command::{cargo, run, run_quietly};
 use crate::step::{Done, Step};
 use crate::tools;
@@ -34,13 +35,10 @@ fn in_a_browser() -> Result<Done, String> {
             return Ok(Done::NotRun(missing));
         }
     }
-    run(&mut cargo(["build", "--release", "--package", "fenderline"]))?;
-    let program = target_folder()?.join("release").join("fenderline");
+    let program = built::program("release")?;
     run(npm(&["run", "e2e"]).env("FENDERLINE_BIN", program))?;
     // The report, which the same browser prints.
-    let documents =
-        ["test", "--package", "fenderline", "--test", "all", "--", "--ignored", "chromium"];
-    run(&mut cargo(documents))?;
+    run(&mut built::tests(&["--ignored", "chromium"]))?;
     Ok(Done::Good)
 }
 

@@ -1,8 +1,9 @@
 //! `cargo xtask passivity`: random impacts on fenders, none of which may gain energy.
 
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
 
-use crate::command::{cargo, run};
+use crate::built;
+use crate::command::run;
 
 /// Default number of impacts of each kind.
 pub(crate) const EPISODES: u64 = 100_000;
@@ -23,6 +24,5 @@ pub(crate) fn passivity_command(episodes: u64) -> ExitCode {
 /// # Errors
 /// An impact gained energy, a closed loop along a face did work, or the build failed.
 pub(crate) fn passivity(episodes: u64) -> Result<(), String> {
-    let example = ["run", "--quiet", "--release", "--package", "fenderline-sim", "--example"];
-    run(cargo(example).args(["passivity", "--"]).arg(episodes.to_string()))
+    run(Command::new(built::example("release", "passivity")?).arg(episodes.to_string()))
 }

@@ -4,7 +4,8 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
-use crate::command::{cargo, run, run_quietly};
+use crate::built;
+use crate::command::{run, run_quietly};
 use crate::virtual_environment::target_folder;
 
 /// The variable with which the build of the program finds the libraries; see `crates/app/build.rs`.
@@ -30,9 +31,7 @@ pub(crate) fn program_command(profile: &str) -> ExitCode {
 /// A build that fails, or one without pages.
 pub(crate) fn program(profile: &str) -> Result<PathBuf, String> {
     let target = target_folder();
-    let built = target.join(if profile == "dev" { "debug" } else { profile });
-    let build = ["build", "--quiet", "--profile", profile, "--package"];
-    run(cargo(build).arg("fenderline-fmu"))?;
+    run(built::build(profile).arg("--lib"))?;
     let name =
         format!("{}fenderline_fmu{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
     let folder = target.join("program").join("fmu-libraries");
@@ -41,11 +40,11 @@ pub(crate) fn program(profile: &str) -> Result<PathBuf, String> {
         os => os,
     };
     let place = folder.join(format!("{}-{os}", std::env::consts::ARCH)).join(&name);
-    copy_stripped("strip", &built.join(&name), &place)?;
-    run(cargo(build).arg("fenderline").env(LIBRARIES, &folder))?;
+    copy_stripped("strip", &built::folder(profile).join(&name), &place)?;
+    run(built::build(profile).args(["--bin", "fenderline"]).env(LIBRARIES, &folder))?;
     let name = format!("fenderline{}", std::env::consts::EXE_SUFFIX);
     let program = target.join("program").join(&name);
-    copy_stripped("strip", &built.join(&name), &program)?;
+    copy_stripped("strip", &built::folder(profile).join(&name), &program)?;
     Ok(program)
 }
 

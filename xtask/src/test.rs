@@ -8,6 +8,7 @@ use crate::attack;
 use crate::bench;
 use crate::book;
 use crate::browser;
+use crate::built;
 use crate::c_interface;
 use crate::circles;
 use crate::command::{cargo, run, run_quietly};
@@ -195,15 +196,10 @@ fn no_std() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// What the tests and their program are built from. Benches and the maker of the npm package's JavaScript have no tests,
-/// and their libraries take long to build.
-const TESTED: [&str; 5] =
-    ["--workspace", "--exclude", "fenderline-bench", "--exclude", "xtask-bindgen"];
-
 fn tests_built() -> Result<Done, String> {
     let mut build = cargo(["test", "--lib", "--bins", "--tests", "--examples", "--no-run"]);
-    run(build.args(TESTED))?;
-    run(&mut cargo(["build", "--package", "fenderline"]))?;
+    run(build.args(built::TESTED))?;
+    built::program("dev")?;
     Ok(Done::Good)
 }
 
@@ -212,7 +208,7 @@ fn tests_built() -> Result<Done, String> {
 fn tests() -> Result<Done, String> {
     const SEED: (&str, &str) = ("PROPTEST_RNG_SEED", "20261121");
     let mut tests = cargo(["test", "--lib", "--bins", "--tests", "--examples"]);
-    tests.args(TESTED);
+    tests.args(built::TESTED);
     if std::env::var_os(SEED.0).is_none() {
         tests.env(SEED.0, SEED.1);
     }
@@ -221,13 +217,12 @@ fn tests() -> Result<Done, String> {
 }
 
 fn doc_tests() -> Result<Done, String> {
-    run(cargo(["test", "--doc"]).args(TESTED))?;
+    run(cargo(["test", "--doc"]).args(built::TESTED))?;
     Ok(Done::Good)
 }
 
 fn release_built() -> Result<Done, String> {
-    run(&mut cargo(["build", "--release", "--package", "fenderline"]))?;
-    Ok(Done::Good)
+    built::program("release").map(|_| Done::Good)
 }
 
 fn documentation() -> Result<Done, String> {
@@ -241,8 +236,9 @@ fn documentation() -> Result<Done, String> {
 
 fn scenarios_accepted() -> Result<Done, String> {
     let all = scenarios::all()?;
+    let program = built::program("release")?;
     for scenario in &all {
-        run_quietly(program("release").arg("check").arg(scenario))?;
+        run_quietly(Command::new(&program).arg("check").arg(scenario))?;
     }
     println!("{} scenarios", all.len());
     Ok(Done::Good)
@@ -271,7 +267,7 @@ fn same_bits_in(folder: &Path) -> Result<(), String> {
             if out.exists() {
                 std::fs::remove_dir_all(&out).map_err(|e| format!("{}: {e}", out.display()))?;
             }
-            let mut command = program(profile);
+            let mut command = Command::new(built::program(profile)?);
             command.args(["run", scenario]).args(&options).arg("--out").arg(&out);
             run_quietly(&mut command).map(|_| out)
         };
@@ -285,7 +281,7 @@ fn same_bits_in(folder: &Path) -> Result<(), String> {
 }
 
 fn validate() -> Result<Done, String> {
-    run(program("dev").arg("validate"))?;
+    run(Command::new(built::program("dev")?).arg("validate"))?;
     Ok(Done::Good)
 }
 
@@ -345,9 +341,4 @@ fn licences() -> Result<Done, String> {
         run(deny.args(["check", "--hide-inclusion-graph", "licenses", "bans", "sources"]))?;
     }
     Ok(Done::Good)
-}
-
-/// The program, built with `profile` if necessary.
-fn program(profile: &str) -> Command {
-    cargo(["run", "--quiet", "--profile", profile, "--package", "fenderline", "--"])
 }

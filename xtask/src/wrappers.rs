@@ -4,8 +4,9 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use crate::built;
 use crate::c_interface::{Build, SANITIZERS, SYSTEM, WARNINGS};
-use crate::command::{cargo, run_quietly};
+use crate::command::run_quietly;
 use crate::guide;
 use crate::step::Done;
 use crate::tools;
@@ -40,7 +41,7 @@ fn cpp_in(build: &Build) -> Result<(), String> {
         guide.expects(&run_quietly(&mut Command::new(&program))?)?;
     }
     println!("{EXAMPLE}, wrapper.cpp and {GUIDE}: as C++17 and C++20 under sanitizers");
-    let mut program = cargo(["run", "--quiet", "--release", "--package", "fenderline", "--"]);
+    let mut program = Command::new(built::program("release")?);
     let replayed = run_quietly(program.arg("replay").arg(&dump))?;
     if !replayed.contains("the same bits in all steps") {
         return Err(format!("fenderline replay of the example's dump:\n{replayed}"));

@@ -5,7 +5,8 @@ use std::process::Command;
 
 use super::platforms::Platform;
 use super::{copy, version};
-use crate::command::{cargo, run, run_quietly};
+use crate::built;
+use crate::command::{run, run_quietly};
 use crate::program::copy_stripped;
 use crate::virtual_environment::target_folder;
 
@@ -25,8 +26,7 @@ pub(super) fn soname() -> Result<String, String> {
 
 /// Builds the library for this machine, with its SONAME. The next plain build, which has none, replaces it.
 pub(super) fn build_here() -> Result<(), String> {
-    let mut build = cargo(["build", "--release", "--package", "fenderline-capi"]);
-    run(build.env("FENDERLINE_SONAME", soname()?))?;
+    run(built::build("release").arg("--lib").env("FENDERLINE_SONAME", soname()?))?;
     Ok(())
 }
 

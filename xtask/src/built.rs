@@ -1,0 +1,69 @@
+//! The one place where the tasks have cargo build. All builds of a profile select the same packages: cargo gives a
+//! dependency the features that all selected packages ask of it, so that another selection would compile most crates once
+//! more.
+
+use std::path::PathBuf;
+use std::process::Command;
+
+use crate::command::{cargo, run};
+use crate::virtual_environment::target_folder;
+
+/// The packages with tests: all but the benches and the maker of the npm package's JavaScript, whose libraries take long
+/// to build.
+pub(crate) const TESTED: [&str; 5] =
+    ["--workspace", "--exclude", "fenderline-bench", "--exclude", "xtask-bindgen"];
+/// The packages that users build, and an example that steps.
+const USED: [&str; 10] = [
+    "--package",
+    "fenderline",
+    "--package",
+    "fenderline-capi",
+    "--package",
+    "fenderline-fmu",
+    "--package",
+    "fenderline-wasm",
+    "--package",
+    "fenderline-sim",
+];
+
+/// A `cargo build` of `profile`, `dev` or `release`, to which the target is to be added: `--bin`, `--example` or `--lib`.
+pub(crate) fn build(profile: &str) -> Command {
+    let mut build = cargo(["build", "--quiet", "--profile", profile]);
+    if profile == "dev" {
+        build.args(TESTED)
+    } else {
+        build.args(USED)
+    };
+    build
+}
+
+/// Builds the program; returns its path.
+///
+/// # Errors
+/// A build that fails.
+pub(crate) fn program(profile: &str) -> Result<PathBuf, String> {
+    run(build(profile).args(["--bin", "fenderline"]))?;
+    Ok(folder(profile).join(format!("fenderline{}", std::env::consts::EXE_SUFFIX)))
+}
+
+/// Builds an example; returns its path.
+///
+/// # Errors
+/// A build that fails.
+pub(crate) fn example(profile: &str, name: &str) -> Result<PathBuf, String> {
+    run(build(profile).args(["--example", name]))?;
+    let program = format!("{name}{}", std::env::consts::EXE_SUFFIX);
+    Ok(folder(profile).join("examples").join(program))
+}
+
+/// The folder of what a profile builds.
+pub(crate) fn folder(profile: &str) -> PathBuf {
+    target_folder().join(if profile == "dev" { "debug" } else { profile })
+}
+
+/// A run of tests with these names of the programs `tests/all.rs`; the arguments go to the tests.
+pub(crate) fn tests(arguments: &[&str]) -> Command {
+    let mut tests = cargo(["test", "--quiet"]);
+    tests.args(TESTED).args(["--test", "all", "--"]).args(arguments);
+    tests
+}
