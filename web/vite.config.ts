@@ -12,9 +12,20 @@ export default defineConfig({
         test: {
           name: "e2e",
           include: ["e2e/**/*.e2e.ts"],
+          exclude: ["e2e/speed.e2e.ts"],
           testTimeout: 450_000,
           hookTimeout: 60_000,
-          fileParallelism: false,
+          // Most of the time they wait for the ship.
+          maxWorkers: 3,
+        },
+      },
+      {
+        test: {
+          name: "speed",
+          include: ["e2e/speed.e2e.ts"],
+          testTimeout: 450_000,
+          hookTimeout: 60_000,
+          sequence: { groupOrder: 1 },
         },
       },
       {
@@ -24,6 +35,7 @@ export default defineConfig({
           testTimeout: 180_000,
           hookTimeout: 60_000,
           fileParallelism: false,
+          sequence: { groupOrder: 2 },
         },
       },
     ],

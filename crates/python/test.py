@@ -5,7 +5,7 @@ doctests, the guide's snippets and the example, stubtest, and mypy on tests and 
     python3 crates/python/test.py --heavy    # with Stable-Baselines3 (PyTorch, 5 GB): its tests run too
     python3 crates/python/test.py --wheel WHEEL PYTHON...   # a wheel, in a clean environment of each interpreter
 
-Standard library only. `cargo xtask test` calls it; it needs Rust, Python 3.11 or later, and PyPI.
+Standard library only. `cargo xtask test all` calls it; it needs Rust, Python 3.11 or later, and PyPI.
 """
 
 from __future__ import annotations
@@ -90,11 +90,13 @@ def main() -> None:
     if "--heavy" in sys.argv[1:]:
         run(*pip, "-r", OWN / "requirements-heavy.txt")
     run(*pip, ".", CARGO_TARGET_DIR=str(target))
-    # The program with which the package's numbers are compared.
-    run(os.environ.get("CARGO", "cargo"), "build", "--release", "--package", "fenderline")
-    program = target / "release" / ("fenderline.exe" if os.name == "nt" else "fenderline")
+    # The program with which the package's numbers are compared: `cargo xtask test` names the one that it has built.
+    program = os.environ.get("FENDERLINE_PROGRAM")
+    if program is None:
+        run(os.environ.get("CARGO", "cargo"), "build", "--release", "--package", "fenderline")
+        program = str(target / "release" / ("fenderline.exe" if os.name == "nt" else "fenderline"))
     pytest = [python, "-m", "pytest"]
-    run(*pytest, FENDERLINE_PROGRAM=str(program))
+    run(*pytest, FENDERLINE_PROGRAM=program)
     run(*pytest, "--doctest-modules", "--pyargs", "fenderline")
     mypy_config = ["--mypy-config-file", ROOT / "pyproject.toml"]
     # `python -m` searches the current folder first, but this one has no package: the installed one is found.

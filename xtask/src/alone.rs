@@ -13,7 +13,7 @@ use crate::step::{Done, Step, run_all};
 
 const NAME: &str = "the program alone in an empty folder";
 
-/// The step of `cargo xtask test`. It takes the program without optimisation, which is built soonest.
+/// The step of `cargo xtask test all`. It takes the program without optimisation, which is built soonest.
 pub(crate) const STEP: Step = Step { name: NAME, run: || alone("dev") };
 
 /// `cargo xtask alone`.

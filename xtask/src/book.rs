@@ -14,7 +14,7 @@ use crate::step::{Done, Step};
 use crate::tools;
 use crate::virtual_environment::{environment, target_folder};
 
-/// As a step of `cargo xtask test`, and alone.
+/// As a step of `cargo xtask test all`, and alone.
 pub(crate) const STEP: Step = Step { name: "the book", run: book };
 
 /// Folder for the data that the book is made from.

@@ -101,9 +101,9 @@ fn page_driven() -> Result<Done, String> {
             return Ok(Done::NotRun(missing));
         }
     }
-    run(&mut npm_in(WEB, &["ci", "--no-audit", "--no-fund"]))?;
-    run(&mut npm_in(WEB, &["run", "build:page"]))?;
+    // The build of the program has installed what the pages need.
     let program = built::program("release")?;
+    run(&mut npm_in(WEB, &["run", "build:page"]))?;
     run(npm_in(WEB, &["run", "e2e:page"]).env("FENDERLINE_BIN", program))?;
     Ok(Done::Good)
 }

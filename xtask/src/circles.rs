@@ -9,7 +9,7 @@ use std::path::Path;
 
 use crate::step::{Done, Step};
 
-/// The step of `cargo xtask test`.
+/// The step of `cargo xtask test all`.
 pub(crate) const STEP: Step = Step { name: "no circles of files", run: circles };
 
 /// Crates that are scanned.

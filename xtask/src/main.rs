@@ -33,6 +33,8 @@ mod starts;
 mod state_hashes;
 mod step;
 mod test;
+#[cfg(test)]
+mod test_files;
 mod tools;
 mod virtual_environment;
 mod windows;

@@ -14,7 +14,7 @@ const PARSERS: [&str; 4] =
 /// Where they are installed, inside the build folder.
 const FOLDER: &str = "target/nautical-python";
 
-/// As a step of `cargo xtask test`, and alone.
+/// As a step of `cargo xtask test all`, and alone.
 pub(crate) const STEP: Step =
     Step { name: "sentences for chart programs, by two parsers each", run: parsers };
 

@@ -10,24 +10,27 @@ use crate::tools;
 
 const FOLDER: &str = "web";
 
-/// Format, types, lints, unit tests, the build and its size.
+/// Format, types, lints, unit tests, and the size of the pages in the program.
 pub(crate) const CHECKED: Step = Step { name: "the pages", run: check };
-/// All tests of `web/e2e`.
+/// The tests of `web/e2e`.
 pub(crate) const DRIVEN: Step = Step { name: "the pages in a browser", run: in_a_browser };
-/// Both.
-pub(crate) const STEPS: [Step; 2] = [CHECKED, DRIVEN];
+/// The tests of `web/e2e/speed.e2e.ts`.
+pub(crate) const FAST: Step = Step { name: "the speed of the pages", run: speed };
+/// All of them.
+pub(crate) const STEPS: [Step; 3] = [CHECKED, DRIVEN, FAST];
 
 fn check() -> Result<Done, String> {
     if let Err(missing) = tools::node() {
         return Ok(Done::NotRun(missing));
     }
-    run(&mut npm(&["ci", "--no-audit", "--no-fund"]))?;
+    // The build of the program has installed what the pages need and built them, where they were older than their sources.
+    built::program("release")?;
     run(&mut npm(&["run", "check"]))?;
-    run(&mut npm(&["run", "build"]))?;
+    run(&mut npm(&["run", "size"]))?;
     Ok(Done::Good)
 }
 
-/// Runs all tests of `web/e2e` against the program; in one, a pilot and a tug master bring a ship alongside on two
+/// Runs all tests of `web/e2e` but those of speed against the program; in one, a pilot and a tug master bring a ship alongside on two
 /// pages.
 fn in_a_browser() -> Result<Done, String> {
     for missing in [tools::node(), tools::chromium()] {
@@ -39,6 +42,17 @@ fn in_a_browser() -> Result<Done, String> {
     run(npm(&["run", "e2e"]).env("FENDERLINE_BIN", program))?;
     // The report, which the same browser prints.
     run(&mut built::tests(&["--ignored", "chromium"]))?;
+    Ok(Done::Good)
+}
+
+/// Runs the tests of the pages' speed and memory, for which a processor should be free.
+fn speed() -> Result<Done, String> {
+    for missing in [tools::node(), tools::chromium()] {
+        if let Err(missing) = missing {
+            return Ok(Done::NotRun(missing));
+        }
+    }
+    run(npm(&["run", "e2e:speed"]).env("FENDERLINE_BIN", built::program("release")?))?;
     Ok(Done::Good)
 }
 

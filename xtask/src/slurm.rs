@@ -12,7 +12,7 @@ use crate::program::program;
 use crate::step::{Done, Step, run_all};
 use crate::tools::Missing;
 
-/// The step of `cargo xtask test`.
+/// The step of `cargo xtask test all`.
 pub(crate) const STEP: Step = Step { name: "a campaign as an array of Slurm", run: slurm };
 
 /// `cargo xtask slurm`.

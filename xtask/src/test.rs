@@ -44,11 +44,12 @@ const OWN: [Gated; 7] = [
 ];
 
 /// The steps that also need other tools, or compile everything once more. The longest come first.
-const MORE: [Gated; 27] = [
+const MORE: [Gated; 28] = [
     gated("release", "the program as users build it", release_built, &[], RELEASE),
     gated("lints", "lints", lints, &["build"], DEBUG),
-    Gated { key: "pages", step: pages::CHECKED, after: &[], uses: Uses::Processor },
+    Gated { key: "pages", step: pages::CHECKED, after: &["release"], uses: Uses::Processor },
     Gated { key: "browser", step: pages::DRIVEN, after: &["release", "pages"], uses: Uses::Waits },
+    Gated { key: "speed", step: pages::FAST, after: &["browser"], uses: Uses::Processor },
     gated("python", "the Python package", python_package, &["release"], RELEASE),
     Gated { key: "npm", step: browser::PACKAGE_TESTED, after: &["release"], uses: RELEASE },
     Gated {
@@ -320,7 +321,11 @@ fn independent() -> Result<Done, String> {
 /// Tests the package in a clean virtual environment, with test tools from PyPI.
 fn python_package() -> Result<Done, String> {
     match tools::python_environments() {
-        Ok(python) => run(Command::new(python).args(["-B", "crates/python/test.py"])),
+        Ok(python) => {
+            let mut test = Command::new(python);
+            test.args(["-B", "crates/python/test.py"]);
+            run(test.env("FENDERLINE_PROGRAM", built::program("release")?))
+        }
         Err(missing) => return Ok(Done::NotRun(missing)),
     }
     .map(|()| Done::Good)

@@ -1,6 +1,6 @@
 //! The engine against `validation/independent/coupled`: an independent implementation of the coupled method, in another
 //! language, with other geometry, another integrator and another solver. Its results are in
-//! `validation/independent/berth/`; `cargo xtask test` computes some of them again.
+//! `validation/independent/berth/`; `cargo xtask test all` computes some of them again.
 //!
 //! Both run at steps much shorter than every period of the scenario. Tolerance: 0.5 % of each largest force, depth,
 //! speed and yaw rate; of final speeds and yaw rates 0.5 % of the largest that the body has in the run, as most end

@@ -1,6 +1,6 @@
 //! The engine and the simulation against `validation/independent/paper_method.py`: an independent implementation of the
 //! paper's method, by another author, in another language and with other geometry. Its rows are in
-//! `validation/independent/oblique_hit/`; `cargo xtask test` computes them again.
+//! `validation/independent/oblique_hit/`; `cargo xtask test all` computes them again.
 //!
 //! Tolerance: 1e-9 of the largest magnitude in each column. A run of 300 steps amplifies rounding errors of the first
 //! state about a thousand times (a relative change of one coordinate by 1e-13 moves the script's columns by up to
