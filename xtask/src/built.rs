@@ -12,6 +12,8 @@ use crate::virtual_environment::target_folder;
 /// to build.
 pub(crate) const TESTED: [&str; 5] =
     ["--workspace", "--exclude", "fenderline-bench", "--exclude", "xtask-bindgen"];
+/// What of them has tests.
+pub(crate) const TARGETS: [&str; 4] = ["--lib", "--bins", "--tests", "--examples"];
 /// The packages that users build, and an example that steps.
 const USED: [&str; 10] = [
     "--package",
@@ -26,15 +28,19 @@ const USED: [&str; 10] = [
     "fenderline-sim",
 ];
 
-/// A `cargo build` of `profile`, `dev` or `release`, to which the target is to be added: `--bin`, `--example` or `--lib`.
-pub(crate) fn build(profile: &str) -> Command {
-    let mut build = cargo(["build", "--quiet", "--profile", profile]);
+/// A build of `target` (`--lib`, or `--bin` or `--example` with a name) by `profile`, `dev` or `release`. By `dev` it is the
+/// build of all tests, which contains all targets: a plain build would leave out the features that tests ask of
+/// dependencies.
+pub(crate) fn build(profile: &str, target: &[&str]) -> Command {
     if profile == "dev" {
-        build.args(TESTED)
+        let mut build = cargo(["test", "--quiet", "--no-run"]);
+        build.args(TARGETS).args(TESTED);
+        build
     } else {
-        build.args(USED)
-    };
-    build
+        let mut build = cargo(["build", "--quiet", "--profile", profile]);
+        build.args(USED).args(target);
+        build
+    }
 }
 
 /// Builds the program; returns its path.
@@ -42,7 +48,7 @@ pub(crate) fn build(profile: &str) -> Command {
 /// # Errors
 /// A build that fails.
 pub(crate) fn program(profile: &str) -> Result<PathBuf, String> {
-    run(build(profile).args(["--bin", "fenderline"]))?;
+    run(&mut build(profile, &["--bin", "fenderline"]))?;
     Ok(folder(profile).join(format!("fenderline{}", std::env::consts::EXE_SUFFIX)))
 }
 
@@ -51,7 +57,7 @@ pub(crate) fn program(profile: &str) -> Result<PathBuf, String> {
 /// # Errors
 /// A build that fails.
 pub(crate) fn example(profile: &str, name: &str) -> Result<PathBuf, String> {
-    run(build(profile).args(["--example", name]))?;
+    run(&mut build(profile, &["--example", name]))?;
     let program = format!("{name}{}", std::env::consts::EXE_SUFFIX);
     Ok(folder(profile).join("examples").join(program))
 }
@@ -61,9 +67,9 @@ pub(crate) fn folder(profile: &str) -> PathBuf {
     target_folder().join(if profile == "dev" { "debug" } else { profile })
 }
 
-/// A run of tests with these names of the programs `tests/all.rs`; the arguments go to the tests.
+/// A run of the programs `tests/all.rs`; the arguments go to the tests.
 pub(crate) fn tests(arguments: &[&str]) -> Command {
-    let mut tests = cargo(["test", "--quiet"]);
-    tests.args(TESTED).args(["--test", "all", "--"]).args(arguments);
+    let mut tests = cargo(["test", "--quiet", "--test", "all"]);
+    tests.args(TESTED).arg("--").args(arguments);
     tests
 }

@@ -215,7 +215,7 @@ pub(crate) struct Build {
 impl Build {
     /// Builds the library, optimised.
     pub(crate) fn new(what: &str) -> Result<Build, String> {
-        run(built::build("release").arg("--lib"))?;
+        run(&mut built::build("release", &["--lib"]))?;
         let library = built::folder("release").join("libfenderline.a");
         let name = format!("fenderline-c-{what}-{}", std::process::id());
         let folder = std::env::temp_dir().join(name);

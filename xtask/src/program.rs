@@ -31,7 +31,7 @@ pub(crate) fn program_command(profile: &str) -> ExitCode {
 /// A build that fails, or one without pages.
 pub(crate) fn program(profile: &str) -> Result<PathBuf, String> {
     let target = target_folder();
-    run(built::build(profile).arg("--lib"))?;
+    run(&mut built::build(profile, &["--lib"]))?;
     let name =
         format!("{}fenderline_fmu{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
     let folder = target.join("program").join("fmu-libraries");
@@ -41,7 +41,7 @@ pub(crate) fn program(profile: &str) -> Result<PathBuf, String> {
     };
     let place = folder.join(format!("{}-{os}", std::env::consts::ARCH)).join(&name);
     copy_stripped("strip", &built::folder(profile).join(&name), &place)?;
-    run(built::build(profile).args(["--bin", "fenderline"]).env(LIBRARIES, &folder))?;
+    run(built::build(profile, &["--bin", "fenderline"]).env(LIBRARIES, &folder))?;
     let name = format!("fenderline{}", std::env::consts::EXE_SUFFIX);
     let program = target.join("program").join(&name);
     copy_stripped("strip", &built::folder(profile).join(&name), &program)?;

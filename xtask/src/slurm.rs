@@ -59,7 +59,7 @@ fn slurm() -> Result<Done, String> {
         println!("not run: Slurm's daemons start as root alone");
         return Ok(Done::Good);
     }
-    let program = program("dev")?;
+    let program = program("release")?;
     let place = Place::new()?;
     std::fs::write(place.path("study.toml"), CAMPAIGN).map_err(|e| format!("study.toml: {e}"))?;
     std::fs::copy("campaigns/quay.toml", place.path("quay.toml"))

@@ -26,7 +26,7 @@ pub(super) fn soname() -> Result<String, String> {
 
 /// Builds the library for this machine, with its SONAME. The next plain build, which has none, replaces it.
 pub(super) fn build_here() -> Result<(), String> {
-    run(built::build("release").arg("--lib").env("FENDERLINE_SONAME", soname()?))?;
+    run(built::build("release", &["--lib"]).env("FENDERLINE_SONAME", soname()?))?;
     Ok(())
 }
 
