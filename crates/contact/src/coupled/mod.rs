@@ -20,7 +20,6 @@ mod block_cholesky;
 mod constraint;
 pub(crate) mod contact_stage;
 mod direct;
-mod direct_joined;
 mod direct_system;
 pub(crate) mod dynamics;
 pub(crate) mod held;

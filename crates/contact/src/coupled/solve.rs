@@ -9,14 +9,14 @@
 //!   (eq. 4–8). See [`crate::law::friction`].
 //! - N_i gives the bodies no more energy than it has taken from them, and neither does T_i.
 //!
-//! If no bound is reached, the forces follow directly ([`super::direct`], [`super::direct_joined`]). Otherwise by projected
+//! If no bound is reached in an island with one floating body, the forces follow directly ([`super::direct`]). Otherwise by projected
 //! Gauss–Seidel on the bodies' velocities, warm-started with the last forces, in the fixed order of the contacts. Newton
 //! acceleration ([`super::newton`]) helps where sweeps converge slowly. The work is bounded: what has not settled after [`SWEEPS`]
 //! sweeps is reported.
 
 use crate::coupled::constraint::{Change, Constraint, Forces, Speeds};
+use crate::coupled::direct;
 use crate::coupled::newton::{Lines, NewtonBuffers, accelerate};
-use crate::coupled::{direct, direct_joined};
 use crate::mass::InverseMatrix;
 use crate::memory::PatchMemory;
 use crate::number::greater;
@@ -55,12 +55,10 @@ pub(crate) fn solve_island(
         return 0.0;
     }
     let equations = if is_joined(constraints) {
-        if !buffers.unknowns.set(inverses, constraints) {
-            Equations::None
-        } else if direct_joined::solve(bodies, inverses, constraints, buffers, h) {
-            return 0.0;
-        } else {
+        if buffers.unknowns.set(inverses, constraints) {
             Equations::Joined
+        } else {
+            Equations::None
         }
     } else {
         Equations::OfOne

@@ -30,22 +30,12 @@ pub(super) struct Corner {
     of_b: usize,
 }
 
-/// What the search found.
-pub(super) enum Found {
-    /// The axis of greatest separation.
-    Apart(BestAxis),
-    /// The polygons overlap: two corners of the difference, on the side of it that seems nearest to the origin.
-    Overlap([Corner; 2]),
-    /// Neither is certain.
-    Unsure,
-}
-
 /// Where the difference of two polygons is nearest to the origin.
 enum Nearest {
     /// A corner of the nearest edge.
     Outside(Corner),
-    /// The origin is in a triangle of these corners.
-    Within([Corner; 3]),
+    /// The origin is in a triangle of three corners: the polygons overlap.
+    Within,
     Unsure,
 }
 
@@ -59,15 +49,15 @@ impl Corner {
     }
 }
 
-/// The axis of greatest separation, if the polygons are apart by more than [`LEAST_GAP_M`].
-pub(super) fn find(a: &ConvexPolygon, b: &Placed<'_>) -> Found {
+/// The axis of greatest separation, if the polygons are apart by more than [`LEAST_GAP_M`]. `None` where they overlap, or
+/// the search is not certain.
+pub(super) fn find(a: &ConvexPolygon, b: &Placed<'_>) -> Option<BestAxis> {
     match nearest(a, b) {
         Nearest::Outside(corner) => {
             let best = best_beside(a, b, corner);
-            if best.gap_m > LEAST_GAP_M { Found::Apart(best) } else { Found::Unsure }
+            (best.gap_m > LEAST_GAP_M).then_some(best)
         }
-        Nearest::Within(corners) => Found::Overlap(nearest_side(corners)),
-        Nearest::Unsure => Found::Unsure,
+        Nearest::Within | Nearest::Unsure => None,
     }
 }
 
@@ -80,32 +70,6 @@ fn best_beside(a: &ConvexPolygon, b: &Placed<'_>, corner: Corner) -> BestAxis {
     [axis_of_a(a, b, two, corner), axis_of_b(a, b, three, corner), axis_of_b(a, b, four, corner)]
         .into_iter()
         .fold(axis_of_a(a, b, one, corner), greater)
-}
-
-/// Of each polygon the axis of greatest gap among its edges that meet one of two corners of the difference.
-pub(super) fn best_beside_both(
-    a: &ConvexPolygon,
-    b: &Placed<'_>,
-    [one, two]: [Corner; 2],
-) -> [BestAxis; 2] {
-    let (n, m) = (a.count(), b.count());
-    let edges = [before(one.of_a, n), one.of_a, before(two.of_a, n), two.of_a];
-    let of_a = of_edges(edges, |edge| axis_of_a(a, b, edge, one));
-    let edges = [before(one.of_b, m), one.of_b, before(two.of_b, m), two.of_b];
-    let of_b = of_edges(edges, |edge| axis_of_b(a, b, edge, one));
-    [of_a, of_b]
-}
-
-/// The axis of greatest gap among edges, of which the last two may be among the first two.
-#[inline(always)]
-fn of_edges([p, q, r, s]: [usize; 4], axis: impl Fn(usize) -> BestAxis) -> BestAxis {
-    let mut best = greater(axis(p), axis(q));
-    for edge in [r, s] {
-        if edge != p && edge != q {
-            best = greater(best, axis(edge));
-        }
-    }
-    best
 }
 
 #[inline]
@@ -141,17 +105,6 @@ fn gap(
     EdgeGap::new(edge, (start, along), (support, corner(support)))
 }
 
-/// The two corners on the side of a triangle about the origin that is nearest to it.
-fn nearest_side(corners: [Corner; 3]) -> [Corner; 2] {
-    let [p, q, r] = corners;
-    let distance_m = |[one, two]: [Corner; 2]| {
-        let along = two.at_m - one.at_m;
-        one.at_m.cross(two.at_m).abs() / along.length()
-    };
-    let nearer = |one, two| if distance_m(two) < distance_m(one) { two } else { one };
-    [[q, r], [r, p]].into_iter().fold([p, q], nearer)
-}
-
 fn in_order(i: usize, j: usize) -> [usize; 2] {
     if i < j { [i, j] } else { [j, i] }
 }
@@ -168,7 +121,7 @@ fn nearest(a: &ConvexPolygon, b: &Placed<'_>) -> Nearest {
             return if squared_m2 > 0.0 { Nearest::Outside(one) } else { Nearest::Unsure };
         }
         if is_within([one.at_m, two.at_m, new.at_m]) {
-            return Nearest::Within([one, two, new]);
+            return Nearest::Within;
         }
         let (share, at_m) = nearest_of_line(one.at_m, new.at_m);
         let (other_share, other_m) = nearest_of_line(two.at_m, new.at_m);
@@ -291,10 +244,10 @@ mod tests {
             let closed: Vec<Vec2> = (0..=b.count()).map(|k| placed.vertex(k)).collect();
             let all = best_axis(&a, &closed);
             match find(&a, &placed) {
-                Found::Overlap(_) | Found::Unsure => {
+                None => {
                     assert!(all.gap_m < 2.0 * LEAST_GAP_M, "missed {all:?} in round {round}")
                 }
-                Found::Apart(found) => {
+                Some(found) => {
                     let rounding_m = 1e-12 * (a.radius_m() + b.radius_m());
                     let short_m = all.gap_m - found.gap_m;
                     assert!(short_m.abs() <= rounding_m, "{found:?} is not {all:?}");
@@ -319,10 +272,10 @@ mod tests {
                 let closed: Vec<Vec2> = (0..=4).map(|k| placed.vertex(k)).collect();
                 let all = best_axis(&polygon, &closed);
                 match find(&polygon, &placed) {
-                    Found::Overlap(_) | Found::Unsure => {
+                    None => {
                         assert!(all.gap_m < 2.0 * LEAST_GAP_M, "missed {all:?} at {pose:?}")
                     }
-                    Found::Apart(found) => {
+                    Some(found) => {
                         assert!((all.gap_m - found.gap_m).abs() <= 1e-14, "{found:?}, {all:?}");
                     }
                 }

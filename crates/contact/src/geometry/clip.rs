@@ -5,7 +5,6 @@ use alloc::vec::Vec;
 use super::apart;
 use super::axis::{BestAxis, best_axis};
 use super::convex::{ConvexPolygon, Placed, signed_area};
-use super::guess;
 use super::halfplanes::{self, Buffers, Found};
 use super::lens::{Crossing, Lens, Located, Stretch, assemble, measure, per_chord_m, trace};
 use super::ring::climb;
@@ -247,21 +246,8 @@ fn cold(
     buffers: &mut Buffers,
     (corners, outline_m): (Corners, &mut Vec<Vec2>),
 ) -> (Option<Clip>, Hint) {
-    if let Some((stretch, through)) = guess::beyond_an_edge(a, b) {
-        let clip = through.clip(a, b.polygon, b.pose, (corners, outline_m));
-        return (Some(clip), Hint::Lens(stretch));
-    }
-    match apart::find(a, b) {
-        apart::Found::Apart(BestAxis { on_a, edge, support, .. }) => {
-            return (None, Hint::Apart { on_a, edge, support });
-        }
-        apart::Found::Overlap(nearest) => {
-            if let Some((stretch, through)) = guess::find(a, b, nearest) {
-                let clip = through.clip(a, b.polygon, b.pose, (corners, outline_m));
-                return (Some(clip), Hint::Lens(stretch));
-            }
-        }
-        apart::Found::Unsure => {}
+    if let Some(BestAxis { on_a, edge, support, .. }) = apart::find(a, b) {
+        return (None, Hint::Apart { on_a, edge, support });
     }
     place(b, &mut buffers.b_m);
     let mut hint = Hint::None;

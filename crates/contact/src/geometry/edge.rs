@@ -57,32 +57,14 @@ impl Edge {
         }
     }
 
-    /// Is the part of a convex polygon behind the edge, with these crossings and this depth, within the trapezoid, with this
-    /// margin? That part is between the lines through the crossings.
+    /// Is the part of a convex polygon behind the edge, with these crossings and this depth, within the trapezoid? That part is between the lines through the crossings.
     #[inline(always)]
-    pub(super) fn holds(
-        &self,
-        [first, last]: [&Crosses; 2],
-        deepest_m: f64,
-        margin_m: f64,
-    ) -> bool {
+    pub(super) fn holds(&self, [first, last]: [&Crosses; 2], deepest_m: f64) -> bool {
         let to_start = greater(self.from_start - last.slope, 0.0) * deepest_m;
         let to_end = greater(self.from_end + first.slope, 0.0) * deepest_m;
-        last.x_m - self.from_m - margin_m >= to_start
-            && self.to_m - first.x_m - margin_m >= to_end
-            && deepest_m <= self.height_m - margin_m
-    }
-
-    /// How far into the polygon a point is from the edge's line (m); negative outside.
-    #[inline(always)]
-    pub(super) fn depth_m(&self, at_m: Vec2) -> f64 {
-        self.inward().dot(at_m) + self.frame.origin_m.y
-    }
-
-    /// Unit vector into the polygon.
-    #[inline(always)]
-    pub(super) fn inward(&self) -> Vec2 {
-        vec2(self.frame.of_x.y, self.frame.of_y.y)
+        last.x_m - self.from_m >= to_start
+            && self.to_m - first.x_m >= to_end
+            && deepest_m <= self.height_m
     }
 }
 

@@ -11,7 +11,6 @@ pub(crate) mod convex;
 pub(crate) mod edge;
 pub(crate) mod extent;
 pub(crate) mod gap;
-mod guess;
 pub(crate) mod halfplanes;
 pub(crate) mod lens;
 pub(crate) mod ring;

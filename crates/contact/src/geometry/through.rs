@@ -28,11 +28,6 @@ pub(crate) struct Through {
 }
 
 impl Through {
-    /// How deep the deepest corner lies behind the edge (m).
-    pub(crate) fn depth_m(&self) -> f64 {
-        self.lens.spread_m2 * self.lens.per_chord_m
-    }
-
     /// The points where A's boundary enters and leaves the overlap, in A's frame.
     #[inline(always)]
     pub(crate) fn located(&self) -> Located {
@@ -50,29 +45,16 @@ pub(crate) fn find(
     b_in_a: Pose,
     hint: Stretch,
 ) -> Option<Through> {
-    find_within(a, b, b_in_a, hint, 0.0)
-}
-
-/// The same, if the overlap keeps this distance from the other edges of the edge's polygon, and the ends of the edges that
-/// cross keep it from the edge's line (m).
-#[inline(always)]
-pub(super) fn find_within(
-    a: &ConvexPolygon,
-    b: &ConvexPolygon,
-    b_in_a: Pose,
-    hint: Stretch,
-    margin_m: f64,
-) -> Option<Through> {
     let Stretch { enter, leave } = hint;
     if enter.a == leave.a {
         let edge = a.edges().get(enter.a as usize)?;
-        let behind = behind((edge, margin_m), edge.frame.seen_by(b_in_a), b, leave.b, enter.b)?;
+        let behind = behind(edge, edge.frame.seen_by(b_in_a), b, leave.b, enter.b)?;
         // A's boundary runs along the edge, and enters B where B's boundary leaves A.
         Some(behind.through(hint, edge.frame, [behind.last_m, 0.0]))
     } else if enter.b == leave.b {
         let edge = b.edges().get(enter.b as usize)?;
         let of_a = edge.frame.placed_at(b_in_a);
-        let behind = behind((edge, margin_m), of_a, a, enter.a, leave.a)?;
+        let behind = behind(edge, of_a, a, enter.a, leave.a)?;
         Some(behind.through(hint, of_a, [0.0, behind.last_m]))
     } else {
         None
@@ -91,10 +73,10 @@ struct Behind {
 }
 
 /// The part of `polygon` behind the edge, if its boundary enters by edge `first`, leaves by edge `last`, and is
-/// within the edge's polygon in between, with a margin.
+/// within the edge's polygon in between.
 #[inline(always)]
 fn behind(
-    (edge, margin_m): (&Edge, f64),
+    edge: &Edge,
     frame: Frame,
     polygon: &ConvexPolygon,
     first: u32,
@@ -119,10 +101,10 @@ fn behind(
     sums.add(before - origin);
     let last_m = last.x_m - first.x_m;
     let Sums { twice_m2, moment, .. } = sums.closed(last_m);
-    let crosses = greater(outside.y, beyond.y) < -margin_m
-        && lesser(inside.y, before.y) >= margin_m
+    let crosses = greater(outside.y, beyond.y) < 0.0
+        && lesser(inside.y, before.y) >= 0.0
         && greater(first.slope.abs(), last.slope.abs()) < 1.0 / FLAT;
-    let held = edge.holds([&first, &last], deepest_m, margin_m);
+    let held = edge.holds([&first, &last], deepest_m);
     if !(crosses && held && last_m < -SHORTEST_M && twice_m2 > 0.0) {
         return None;
     }
