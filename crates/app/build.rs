@@ -1,6 +1,11 @@
 //! Lists the libraries for FMUs that the program carries in itself: those of the folder that `FENDERLINE_FMU_LIBRARIES`
 //! names, in `x86_64-linux/libfenderline_fmu.so` and so on. Without the variable it carries none, and `fenderline fmu` takes
 //! the library that cargo puts beside it. `cargo xtask program` builds a program with its library.
+//!
+//! It also finds the example scenarios, and the commit that `fenderline --version` names, and the features that the program is built with.
+
+#[path = "build/commit.rs"]
+mod commit;
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -16,8 +21,13 @@ const PLACES: [(&str, &str); 5] = [
 ];
 
 fn main() {
-    println!("cargo::rerun-if-changed=build.rs");
+    for own in ["build.rs", "build"] {
+        println!("cargo::rerun-if-changed={own}");
+    }
     println!("cargo::rerun-if-env-changed={VARIABLE}");
+    println!("cargo::rustc-env=FENDERLINE_COMMIT_OF_BUILD={}", commit::commit());
+    println!("cargo::rustc-env=FENDERLINE_FEATURES_OF_BUILD={}", features().join(", "));
+    println!("cargo::rustc-env=FENDERLINE_SCENARIOS={}", scenarios().display());
     let out = PathBuf::from(std::env::var_os("OUT_DIR").expect("cargo sets OUT_DIR"));
     let mut list = String::from("pub(crate) static EMBEDDED: &[(&str, &[u8])] = &[\n");
     if let Some(folder) = std::env::var_os(VARIABLE).filter(|folder| !folder.is_empty()) {
@@ -37,4 +47,23 @@ fn main() {
     }
     list += "];\n";
     std::fs::write(out.join("fmu_libraries.rs"), list).expect("OUT_DIR can be written");
+}
+
+/// Cargo's features of the program that are on, in the order of their names.
+fn features() -> Vec<String> {
+    let on = std::env::vars().filter_map(|(name, _)| {
+        let feature = name.strip_prefix("CARGO_FEATURE_")?.to_lowercase().replace('_', "-");
+        (feature != "default").then_some(feature)
+    });
+    let mut on: Vec<String> = on.collect();
+    on.sort();
+    on
+}
+
+/// The folder of the example scenarios: the crate's own in a package, a link in a checkout; a checkout on Windows may have a text
+/// file in place of the link.
+fn scenarios() -> PathBuf {
+    let own = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let linked = own.join("scenarios");
+    if linked.is_dir() { linked } else { own.join("../../scenarios") }
 }

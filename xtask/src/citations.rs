@@ -32,6 +32,8 @@ const FOLDERS: [&str; 14] = [
 const MAP: &str = "ARCHITECTURE.md";
 /// Names in documents that belong to other projects.
 const OF_OTHERS: [&str; 3] = ["mjModel", "mjData", "fmi2Error"];
+/// Texts that name files and functions of the past.
+const OF_THE_PAST: [&str; 2] = ["CHANGELOG.md", "docs/before_0.1.0.md"];
 /// The most words of the map.
 const MAP_WORDS: usize = 2000;
 
@@ -84,10 +86,9 @@ fn read(name: &str) -> Result<String, String> {
     std::fs::read_to_string(name).map_err(|e| format!("{name}: {e}"))
 }
 
-/// Paths in code spans of a Markdown text that are not in the repository. The changelog is left out: it names files of
-/// the past.
+/// Paths in code spans of a Markdown text that are not in the repository. Texts of the past are left out.
 fn dead_in_document(name: &str, text: &str) -> Vec<String> {
-    if name == "CHANGELOG.md" {
+    if OF_THE_PAST.contains(&name) {
         return Vec::new();
     }
     let mut dead = Vec::new();
@@ -111,7 +112,7 @@ fn dead_in_document(name: &str, text: &str) -> Vec<String> {
 
 /// Code spans that are names, such as `advance_in_place` or `PatchMemory`, and occur in no source.
 fn unknown_names(name: &str, text: &str, words: &BTreeSet<&str>) -> Vec<String> {
-    if name == "CHANGELOG.md" {
+    if OF_THE_PAST.contains(&name) {
         return Vec::new();
     }
     let is_name = |span: &&str| {

@@ -39,6 +39,7 @@ mod tools;
 mod virtual_environment;
 mod windows;
 mod wine;
+mod workflows;
 mod wrappers;
 
 use std::process::ExitCode;
@@ -63,7 +64,10 @@ usage: cargo xtask test                   what a change must pass and Rust alone
        cargo xtask circles                fails where files of a crate use each other in a circle
        cargo xtask finite-elements        fenders by finite elements: studies, comparison, tables, data files
        cargo xtask dist [cheap]           everything that a release hands out, into target/dist; cheap: what the tests run
-       cargo xtask dist try               that, unpacked and used as a user does
+       cargo xtask dist here              program, C library and wheel for this machine, where it is no Linux on x86-64
+       cargo xtask dist try               what dist has made, unpacked and used as a user does
+       cargo xtask dist sums              check sums of what is in target/dist
+       cargo xtask dist tag TAG           whether all files have the version of a tag; the notes of the release
        cargo xtask dist c PREFIX          the C library for this machine, with headers, pkg-config and CMake files, into PREFIX
        cargo xtask hosts                  FMUs in FMPy, libcosim and ecos, which come from PyPI
        cargo xtask oldest-rust            what users build, with the oldest Rust that Cargo.toml names
@@ -79,6 +83,7 @@ usage: cargo xtask test                   what a change must pass and Rust alone
        cargo xtask starts                 the README's three ways to start, in a new clone with an empty home
        cargo xtask state-hashes [REVISION]
                                           a hash of all numbers that each scenario writes, compared with a revision
+       cargo xtask workflows              the workflows of .github, by actionlint and zizmor
        cargo xtask windows [PROFILE]      program, FMU and C library for Windows under Wine, compared with Linux's";
 
 fn main() -> ExitCode {
@@ -116,7 +121,10 @@ fn main() -> ExitCode {
         ["finite-elements"] => finite_elements::finite_elements_command(),
         ["dist"] => dist::dist_command(),
         ["dist", "cheap"] => dist::cheap_command(),
+        ["dist", "here"] => dist::here_command(),
         ["dist", "try"] => dist::try_command(),
+        ["dist", "sums"] => dist::sums_command(),
+        ["dist", "tag", name] => dist::tag_command(name),
         ["dist", "c", prefix] => dist::install_c_command(prefix),
         ["hosts"] => hosts::hosts_command(),
         ["pages"] => step::run_all(&pages::STEPS),
@@ -135,6 +143,7 @@ fn main() -> ExitCode {
         ["starts"] => starts::starts_command(),
         ["state-hashes"] => state_hashes::state_hashes_command(None),
         ["state-hashes", revision] => state_hashes::state_hashes_command(Some(revision)),
+        ["workflows"] => workflows::workflows_command(),
         ["windows"] => windows::windows_command("release"),
         ["windows", profile] => windows::windows_command(profile),
         ["bench", benches @ ..] => bench::bench(benches),

@@ -17,13 +17,14 @@ use fenderline_scenario::{
 };
 
 use crate::output::Format;
+use crate::version;
 
 /// Ship, fender, quay and tug contact: run, check and validate scenarios.
 ///
 /// Exit codes: 0 done, 1 the case failed (or its verdict is a failure: see `run --allow-failures`), 2 bad input, 130 the
 /// run was interrupted by Ctrl-C; its results up to then are written.
 #[derive(Debug, Parser)]
-#[command(name = "fenderline", version, propagate_version = true)]
+#[command(name = "fenderline", version, long_version = version::long(), propagate_version = true)]
 pub(crate) struct Cli {
     /// Print errors only: no summary, no notices, no progress; files, JSON and lists stay the same
     #[arg(short, long, global = true)]

@@ -14,7 +14,11 @@ impl Example {
     pub(crate) fn parts(self) -> [&'static str; 3] {
         macro_rules! example {
             ($name:literal, $file:literal, $what:literal) => {
-                [$name, $what, include_str!(concat!("../../../scenarios/", $file, ".toml"))]
+                [
+                    $name,
+                    $what,
+                    include_str!(concat!(env!("FENDERLINE_SCENARIOS"), "/", $file, ".toml")),
+                ]
             };
         }
         match self {

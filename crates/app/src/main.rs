@@ -1,7 +1,7 @@
 //! fenderline: contact of ships, fenders, quays and tugs from a scenario file.
 //!
 //! `cli` is the command line; `run`, `report`, `limit`, `campaign`, `statistics`, `check`, `validate`, `manoeuvre`, `vessels`, `fenders`, `fender`, `init` and `fmu` are the
-//! commands; `man` makes completions and manual pages; `load` reads a scenario; `interrupt` handles Ctrl-C;
+//! commands; `man` makes completions and manual pages; `version` says what this program was built of; `load` reads a scenario; `interrupt` handles Ctrl-C;
 //! `output` writes the result files, `documents` PDF and workbook; `provider` exchanges data with other programs that apply forces to bodies.
 
 mod branches;
@@ -34,6 +34,7 @@ mod session;
 mod statistics;
 mod terminal;
 mod validate;
+mod version;
 mod vessels;
 
 use std::borrow::Cow;

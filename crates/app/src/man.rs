@@ -16,7 +16,8 @@ use crate::terminal::{answer, say};
 /// # Errors
 /// A command that does not exist; files that cannot be written.
 pub(crate) fn man(args: &ManArgs) -> Result<(), Failure> {
-    let mut program = Cli::command();
+    // Pages are those of a version: the same from every build of it.
+    let mut program = Cli::command().long_version(None::<&str>);
     // Gives the subcommands their full names and the options that they inherit.
     program.build();
     if let Some(folder) = &args.out {

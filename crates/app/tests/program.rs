@@ -53,6 +53,27 @@ fn exit_codes_tell_bad_input_from_a_failed_case() {
 }
 
 #[test]
+fn the_version_names_commit_and_features_in_its_long_form_alone() {
+    let place = Workplace::new("version");
+    let version = format!("fenderline {}", env!("CARGO_PKG_VERSION"));
+    assert_eq!(place.run(&["-V"]).stdout, format!("{version}\n"));
+    let long = place.run(&["--version"]).stdout;
+    let lines: Vec<&str> = long.lines().collect();
+    assert_eq!(lines.len(), 3, "{long}");
+    assert_eq!(lines[0], version);
+    let commit = lines[1].strip_prefix("commit: ").expect("the second line names the commit");
+    let number = commit.strip_suffix(", modified").unwrap_or(commit);
+    let is_number = number.len() >= 8 && number.bytes().all(|byte| byte.is_ascii_hexdigit());
+    assert!(is_number || commit == "not known", "{long}");
+    assert!(lines[2].starts_with("features: "), "{long}");
+    // What a run writes names the version alone.
+    assert_eq!(place.run(&["run", "tug.toml"]).code, 0);
+    let summary = String::from_utf8(place.read("out/tug/summary.json")).expect("text");
+    let named = format!("\"fenderline_version\": \"{}\"", env!("CARGO_PKG_VERSION"));
+    assert!(summary.contains(&named), "{summary}");
+}
+
+#[test]
 fn a_refused_scenario_leaves_an_earlier_result_alone() {
     let place = Workplace::new("refused");
     assert_eq!(place.run(&["run", "tug.toml"]).code, 0);

@@ -73,6 +73,7 @@ use self::known_hosts::KnownHosts;
 pub use self::log::Notify;
 pub use self::opening::MakeReport;
 use self::page::Page;
+pub use self::page::has_pages;
 use self::role_words::role_words;
 use self::saved::{Progress, ReplayFailure};
 

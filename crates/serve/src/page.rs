@@ -18,6 +18,11 @@ const GET_PAGES: &str = "Programs of a release have them. To build one: install 
 /// Largest size of all files of a page together (bytes).
 const LARGEST: u64 = 64 << 20;
 
+/// Whether this program carries the pages.
+pub fn has_pages() -> bool {
+    NO_PAGES.is_none()
+}
+
 /// A file as it is sent.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct PageFile {

@@ -12,7 +12,8 @@ use super::computed::estimates::{MEASURES, ROUTES, ReferenceShip, compute_route}
 use super::published::{Number, Origin, Source};
 
 /// The file.
-const ESTIMATED_SHIPS: &str = include_str!("../../../validation/estimated_ships.toml");
+const ESTIMATED_SHIPS: &str =
+    include_str!(concat!(env!("FENDERLINE_DATA"), "/validation/estimated_ships.toml"));
 
 /// Measures in words, in the order of [`MEASURES`].
 const NAMES: [&str; 4] = [

@@ -26,7 +26,7 @@ use row::{Row, Runs, evaluate};
 /// A file under `validation/`: name and text.
 macro_rules! published {
     ($($name:literal),* $(,)?) => {
-        [$(($name, include_str!(concat!("../../../validation/", $name)))),*]
+        [$(($name, include_str!(concat!(env!("FENDERLINE_DATA"), "/validation/", $name)))),*]
     };
 }
 

@@ -10,7 +10,7 @@ use fenderline_sim::{PairSummary, Setup, Simulation, StepRecord};
 /// Name under `scenarios/` and text of a scenario.
 macro_rules! embedded {
     ($($name:literal),* $(,)?) => {
-        [$(($name, include_str!(concat!("../../../scenarios/", $name, ".toml")))),*]
+        [$(($name, include_str!(concat!(env!("FENDERLINE_DATA"), "/scenarios/", $name, ".toml")))),*]
     };
 }
 

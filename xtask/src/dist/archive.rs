@@ -18,22 +18,30 @@ with zipfile.ZipFile(out, 'w', zipfile.ZIP_DEFLATED) as archive:
         archive.writestr(info, file.read_bytes())
 ";
 
+/// Writes a tar file with times of 1970 and no owner. Links stay links.
+const TAR: &str = "\
+import gzip, sys, tarfile
+from pathlib import Path
+folder, out = Path(sys.argv[1]), sys.argv[2]
+def plain(info):
+    info.uid = info.gid = info.mtime = 0
+    info.uname = info.gname = ''
+    return info
+with open(out, 'wb') as file, gzip.GzipFile('', 'wb', 9, file, 0) as packed:
+    with tarfile.open(fileobj=packed, mode='w', format=tarfile.GNU_FORMAT) as archive:
+        archive.add(folder, folder.name, filter=plain)
+";
+
 /// Packs a folder beside itself, for Windows into `FOLDER.zip`, otherwise into `FOLDER.tar.gz`. Returns the archive.
 ///
 /// # Errors
-/// A failure of `tar` or Python.
+/// A failure of Python.
 pub(super) fn pack(folder: &Path, as_zip: bool) -> Result<PathBuf, String> {
     let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let within = folder.parent().unwrap_or(Path::new(""));
     let archive = within.join(format!("{name}.{}", if as_zip { "zip" } else { "tar.gz" }));
-    if as_zip {
-        let python = tools::python().map_err(|missing| format!("{} is missing", missing.tool))?;
-        run_quietly(Command::new(python).args(["-c", ZIP]).arg(folder).arg(&archive))?;
-    } else {
-        let mut tar = Command::new("tar");
-        tar.args(["--sort=name", "--owner=0", "--group=0", "--numeric-owner", "--mtime=@0"]);
-        tar.args(["--use-compress-program", "gzip -n9", "-cf"]).arg(&archive);
-        run_quietly(tar.arg("-C").arg(within).arg(&name))?;
-    }
+    let python = tools::python().map_err(|missing| format!("{} is missing", missing.tool))?;
+    let script = if as_zip { ZIP } else { TAR };
+    run_quietly(Command::new(python).args(["-c", script]).arg(folder).arg(&archive))?;
     Ok(archive)
 }

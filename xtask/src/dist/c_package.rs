@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::Command;
 
 use super::platforms::Platform;
-use super::{copy, version};
+use super::{PROFILE, copy, version};
 use crate::built;
 use crate::command::{run, run_quietly};
 use crate::program::copy_stripped;
@@ -13,33 +13,33 @@ use crate::virtual_environment::target_folder;
 /// A scenario for the example, and its steps.
 const SCENARIO: [&str; 2] = ["scenarios/paper/experiment_2_4kn.toml", "200"];
 
-/// The SONAME: it changes with the version of the interface, which the header gives.
-pub(super) fn soname() -> Result<String, String> {
+/// The SONAME, on macOS the install name: it changes with the version of the interface, which the header gives.
+pub(super) fn soname(platform: &Platform) -> Result<String, String> {
     let header = std::fs::read_to_string("include/fenderline.h")
         .map_err(|e| format!("include/fenderline.h: {e}"))?;
     let version = header
         .lines()
         .find_map(|line| line.strip_prefix("#define FL_ABI_VERSION "))
         .ok_or("include/fenderline.h does not define FL_ABI_VERSION")?;
-    Ok(format!("libfenderline.so.{}", version.trim()))
+    Ok(platform.shared_library(version.trim()))
 }
 
 /// Builds the library for this machine, with its SONAME. The next plain build, which has none, replaces it.
 pub(super) fn build_here() -> Result<(), String> {
-    run(built::build("release", &["--lib"]).env("FENDERLINE_SONAME", soname()?))?;
-    Ok(())
+    run(built::build(PROFILE, &["--lib"]).env("FENDERLINE_SONAME", soname(&Platform::own())?))
 }
 
 /// Makes the folder from the libraries that were built.
 pub(super) fn make(platform: &Platform, folder: &Path) -> Result<(), String> {
     let built = |file: &str| {
         if platform.triple.is_empty() {
-            target_folder().join("release").join(file)
+            target_folder().join(PROFILE).join(file)
         } else {
             platform.built(file)
         }
     };
-    let (version, soname) = (version()?, soname()?);
+    let (version, soname) = (version()?, soname(platform)?);
+    let real = platform.shared_library(&version);
     let lib = folder.join("lib");
     for header in ["include/fenderline.h", "include/fenderline.hpp"] {
         copy(Path::new(header), &folder.join("include"))?;
@@ -51,12 +51,12 @@ pub(super) fn make(platform: &Platform, folder: &Path) -> Result<(), String> {
             &built("fenderline.dll"),
             &folder.join("bin/fenderline.dll"),
         )?;
-        copy(&built("libfenderline.dll.a"), &lib)?;
+        copy(&built(platform.import_library()), &lib)?;
     } else {
-        let real = format!("libfenderline.so.{version}");
-        copy_stripped(platform.strip, &built("libfenderline.so"), &lib.join(&real))?;
+        let plain = platform.library("fenderline");
+        copy_stripped(platform.strip, &built(&plain), &lib.join(&real))?;
         link(&real, &lib.join(&soname))?;
-        link(&soname, &lib.join("libfenderline.so"))?;
+        link(&soname, &lib.join(&plain))?;
         // Debug information of the static library alone is five times the rest.
         let archive = lib.join("libfenderline.a");
         copy(&built("libfenderline.a"), &lib)?;
@@ -80,6 +80,8 @@ pub(super) fn make(platform: &Platform, folder: &Path) -> Result<(), String> {
         let text = text
             .replace("@VERSION@", &version)
             .replace("@SONAME@", &soname)
+            .replace("@LIBRARY@", &real)
+            .replace("@IMPORT_LIBRARY@", platform.import_library())
             .replace("@MAJOR@", major)
             .replace("@MINOR@", minor);
         let place = folder.join(place);
@@ -104,8 +106,8 @@ fn link(_: &str, place: &Path) -> Result<(), String> {
     Err(format!("{}: packages are made on Linux", place.display()))
 }
 
-/// Moves the folder, finds it by pkg-config and by CMake, and runs the example with the shared and the static library: all
-/// print the same.
+/// Moves the folder, finds it by pkg-config (on Linux) and by CMake, and runs the example with the shared and the static library:
+/// all print the same.
 pub(super) fn find(folder: &Path) -> Result<(), String> {
     let place = std::env::temp_dir().join(format!("fenderline-c-{}", std::process::id()));
     let found = find_in(folder, &place);
@@ -117,29 +119,10 @@ fn find_in(folder: &Path, place: &Path) -> Result<(), String> {
     std::fs::create_dir_all(place).map_err(|e| format!("{}: {e}", place.display()))?;
     let prefix = place.join("prefix");
     run_quietly(Command::new("cp").arg("-a").arg(folder).arg(&prefix))?;
-    let lib = prefix.join("lib");
-    let dynamic = run_quietly(Command::new("readelf").arg("-d").arg(lib.join(soname()?)))?;
-    if !dynamic.contains(&format!("soname: [{}]", soname()?)) {
-        return Err(format!("the library has no SONAME {}:\n{dynamic}", soname()?));
-    }
-    let example = Path::new("examples/c/ship.c");
     let mut outputs = Vec::new();
-
-    let mut flags = Command::new("pkg-config");
-    flags.args(["--cflags", "--libs", "fenderline"]);
-    let flags = run_quietly(flags.env("PKG_CONFIG_PATH", lib.join("pkgconfig")))?;
-    let by_pkg_config = place.join("ship");
-    let mut cc = Command::new("cc");
-    cc.arg("-std=c99").arg(example).args(flags.split_whitespace()).arg("-o").arg(&by_pkg_config);
-    run_quietly(&mut cc)?;
-    let mut ship = Command::new(&by_pkg_config);
-    outputs.push(run_quietly(ship.args(SCENARIO).env("LD_LIBRARY_PATH", &lib))?);
-    let by_pkg_config = place.join("game_loop");
-    let mut cpp = Command::new("c++");
-    cpp.arg("-std=c++17").arg("examples/cpp/game_loop.cpp").args(flags.split_whitespace());
-    run_quietly(cpp.arg("-o").arg(&by_pkg_config))?;
-    run_quietly(Command::new(&by_pkg_config).env("LD_LIBRARY_PATH", &lib))?;
-
+    if cfg!(target_os = "linux") {
+        outputs.push(by_pkg_config(&prefix, place)?);
+    }
     let build = place.join("build");
     let examples = std::path::absolute("examples").map_err(|e| format!("examples: {e}"))?;
     let mut configure = Command::new("cmake");
@@ -158,4 +141,30 @@ fn find_in(folder: &Path, place: &Path) -> Result<(), String> {
         "pkg-config and CMake find the C package; the example prints the same with each library; the C++ example runs"
     );
     Ok(())
+}
+
+/// The SONAME, and the examples with what pkg-config says. Returns what the example in C has printed.
+fn by_pkg_config(prefix: &Path, place: &Path) -> Result<String, String> {
+    let lib = prefix.join("lib");
+    let dynamic =
+        run_quietly(Command::new("readelf").arg("-d").arg(lib.join(soname(&Platform::own())?)))?;
+    if !dynamic.contains(&format!("soname: [{}]", soname(&Platform::own())?)) {
+        return Err(format!("the library has no SONAME {}:\n{dynamic}", soname(&Platform::own())?));
+    }
+    let example = Path::new("examples/c/ship.c");
+    let mut flags = Command::new("pkg-config");
+    flags.args(["--cflags", "--libs", "fenderline"]);
+    let flags = run_quietly(flags.env("PKG_CONFIG_PATH", lib.join("pkgconfig")))?;
+    let by_pkg_config = place.join("ship");
+    let mut cc = Command::new("cc");
+    cc.arg("-std=c99").arg(example).args(flags.split_whitespace()).arg("-o").arg(&by_pkg_config);
+    run_quietly(&mut cc)?;
+    let mut ship = Command::new(&by_pkg_config);
+    let said = run_quietly(ship.args(SCENARIO).env("LD_LIBRARY_PATH", &lib))?;
+    let by_pkg_config = place.join("game_loop");
+    let mut cpp = Command::new("c++");
+    cpp.arg("-std=c++17").arg("examples/cpp/game_loop.cpp").args(flags.split_whitespace());
+    run_quietly(cpp.arg("-o").arg(&by_pkg_config))?;
+    run_quietly(Command::new(&by_pkg_config).env("LD_LIBRARY_PATH", &lib))?;
+    Ok(said)
 }

@@ -1,16 +1,19 @@
 //! `cargo xtask dist`: everything that a release hands out, into `target/dist`: programs, C libraries and Python wheels for
 //! Linux on x86-64 and 64-bit Arm and for Windows, FMU libraries within the programs, the source distribution, licences,
-//! bills of materials and check sums. `cargo xtask dist cheap` is the part that continuous integration runs.
+//! bills of materials and check sums. `cargo xtask dist cheap` is the part that continuous integration runs, `cargo xtask dist
+//! here` makes program, C library and wheel for a machine of another kind, such as a Mac, on that machine.
 //!
 //! Zig links for an old glibc (2.17, of 2012), so that programs and libraries run on Linux systems that are older than this
 //! one. Zig, cargo-zigbuild, maturin and twine come from PyPI, in the versions of `xtask/dist-requirements.txt`.
 
 mod archive;
 mod c_package;
+mod here;
 mod platforms;
 mod publish;
 mod python;
 mod shell_files;
+mod tag;
 mod tried;
 
 use std::path::{Path, PathBuf};
@@ -27,6 +30,9 @@ use crate::virtual_environment::target_folder;
 /// The part for continuous integration.
 pub(crate) const CHEAP: Step = Step { name: "packages for release, the cheap half", run: cheap };
 
+/// The profile of what is handed out.
+const PROFILE: &str = "release";
+
 /// The whole, in order.
 const STEPS: [Step; 9] = [
     Step { name: "tools", run: || platforms::tools().map(|_| Done::Good) },
@@ -39,15 +45,27 @@ const STEPS: [Step; 9] = [
     },
     Step { name: "npm package", run: npm },
     Step { name: "crates and Python packages could be published", run: published },
-    Step { name: "check sums", run: sums },
+    SUMS,
     TRIED,
 ];
+
+const SUMS: Step = Step { name: "check sums", run: sums };
 
 /// What was made, unpacked and used.
 const TRIED: Step = Step { name: "the archives as a user finds them", run: tried::tried };
 
 /// `cargo xtask dist`.
 pub(crate) fn dist_command() -> ExitCode {
+    anew(&STEPS)
+}
+
+/// `cargo xtask dist here`.
+pub(crate) fn here_command() -> ExitCode {
+    anew(&here::STEPS)
+}
+
+/// Runs `steps` over an empty folder.
+fn anew(steps: &[Step]) -> ExitCode {
     let folder = folder();
     if folder.exists()
         && let Err(e) = std::fs::remove_dir_all(&folder)
@@ -55,7 +73,26 @@ pub(crate) fn dist_command() -> ExitCode {
         eprintln!("{}: {e}", folder.display());
         return ExitCode::FAILURE;
     }
-    run_all(&STEPS)
+    run_all(steps)
+}
+
+/// `cargo xtask dist sums`: check sums of what is in `target/dist`, also of files that other machines have made.
+pub(crate) fn sums_command() -> ExitCode {
+    run_all(&[SUMS])
+}
+
+/// `cargo xtask dist tag TAG`: whether a tag may be released, and the notes of the release.
+pub(crate) fn tag_command(name: &str) -> ExitCode {
+    match tag::checked(name) {
+        Ok(notes) => {
+            println!("{name}: all files have this version; notes in {}", notes.display());
+            ExitCode::SUCCESS
+        }
+        Err(why) => {
+            eprintln!("{why}");
+            ExitCode::FAILURE
+        }
+    }
 }
 
 /// `cargo xtask dist cheap`.
@@ -86,6 +123,16 @@ pub(crate) fn install_c_command(prefix: &str) -> ExitCode {
     }
 }
 
+/// The commit that programs name, with what differs from it: the build itself would name that of an earlier build, if only the
+/// commit is new. Nothing outside a checkout.
+fn commit() -> Option<(&'static str, String)> {
+    let git = |arguments: &[&str]| run_quietly(Command::new("git").args(arguments)).ok();
+    let commit = git(&["rev-parse", "--short=8", "HEAD"])?.trim().to_owned();
+    let is_clean = git(&["status", "--porcelain", "--untracked-files=no"])?.trim().is_empty();
+    let commit = if is_clean { commit } else { format!("{commit}, modified") };
+    Some(("FENDERLINE_COMMIT", commit))
+}
+
 /// Where the packages go.
 fn folder() -> PathBuf {
     target_folder().join("dist")
@@ -110,9 +157,16 @@ fn version() -> Result<String, String> {
 
 fn libraries() -> Result<Done, String> {
     for platform in Platform::ALL {
-        let soname = c_package::soname()?;
+        let soname = c_package::soname(&platform)?;
         let mut build = platform.cargo("build")?;
-        build.args(["--release", "--package", "fenderline-fmu", "--package", "fenderline-capi"]);
+        build.args([
+            "--profile",
+            PROFILE,
+            "--package",
+            "fenderline-fmu",
+            "--package",
+            "fenderline-capi",
+        ]);
         run(build.args(["--target", &platform.target()]).env("FENDERLINE_SONAME", soname))?;
         let library = platform.library("fenderline_fmu");
         let place = fmu_libraries().join(platform.tuple).join(&library);
@@ -130,7 +184,14 @@ fn fmu_libraries() -> PathBuf {
 fn programs() -> Result<Done, String> {
     for platform in Platform::ALL {
         let mut build = platform.cargo("build")?;
-        build.args(["--release", "--package", "fenderline", "--target", &platform.target()]);
+        build.args([
+            "--profile",
+            PROFILE,
+            "--package",
+            "fenderline",
+            "--target",
+            &platform.target(),
+        ]);
         run(build.env(crate::program::LIBRARIES, fmu_libraries()))?;
         let name = format!("fenderline-{}-{}", version()?, platform.name);
         let folder = folder().join(&name);
@@ -169,9 +230,7 @@ fn npm() -> Result<Done, String> {
         Done::Good => {}
         missing => return Ok(missing),
     }
-    let mut pack = Command::new("npm");
-    pack.args(["pack", "--pack-destination"]).arg(folder()).current_dir(browser::PACKAGE);
-    run(&mut pack)?;
+    publish::npm(Path::new(browser::PACKAGE), &folder())?;
     Ok(Done::Good)
 }
 
@@ -189,6 +248,8 @@ fn sums() -> Result<Done, String> {
     for entry in entries.flatten().filter(|entry| entry.path().is_file()) {
         names.push(entry.file_name().to_string_lossy().into_owned());
     }
+    // Those of an earlier call.
+    names.retain(|name| name != "SHA256SUMS");
     names.sort();
     let sums = run_quietly(Command::new("sha256sum").args(&names).current_dir(&folder))?;
     let file = folder.join("SHA256SUMS");

@@ -1,7 +1,9 @@
 //! The platforms of a release, and the tools that build for them.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
+
+use super::{PROFILE, commit};
 
 use crate::command::cargo;
 use crate::same_bits::add_target;
@@ -11,11 +13,26 @@ use crate::virtual_environment::{environment, target_folder};
 /// The oldest glibc that programs and libraries run with. It is that of the wheels' tag `manylinux2014`.
 pub(super) const GLIBC: &str = "2.17";
 
+/// The tools' versions.
+const REQUIREMENTS: &str = "xtask/dist-requirements.txt";
+
 /// The Python of the environment with maturin, Zig, cargo-zigbuild and twine.
 pub(super) fn tools() -> Result<PathBuf, String> {
     let python = tools::python().map_err(|missing| format!("{} is missing", missing.tool))?;
-    let requirements = std::path::Path::new("xtask/dist-requirements.txt");
-    environment(python, &target_folder().join("dist-python"), requirements)
+    environment(python, &target_folder().join("dist-python"), Path::new(REQUIREMENTS))
+}
+
+/// The Python of an environment with maturin alone, in the same version, for a machine that builds for itself.
+pub(super) fn maturin() -> Result<PathBuf, String> {
+    let python = tools::python().map_err(|missing| format!("{} is missing", missing.tool))?;
+    let all = std::fs::read_to_string(REQUIREMENTS).map_err(|e| format!("{REQUIREMENTS}: {e}"))?;
+    let one = all.lines().find(|line| line.starts_with("maturin=="));
+    let one = one.ok_or(format!("{REQUIREMENTS} has no maturin"))?;
+    let folder = target_folder();
+    std::fs::create_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+    let list = folder.join("maturin-requirements.txt");
+    std::fs::write(&list, format!("{one}\n")).map_err(|e| format!("{}: {e}", list.display()))?;
+    environment(python, &folder.join("maturin-python"), &list)
 }
 
 /// One platform.
@@ -53,13 +70,26 @@ impl Platform {
         },
     ];
 
-    /// The platform of this machine, built by cargo alone for the cheap half.
+    /// The platform of this machine, built by cargo alone.
     pub(super) fn own() -> Platform {
-        Platform { name: "here", triple: "", tuple: "", strip: "strip" }
+        let name = match (std::env::consts::OS, std::env::consts::ARCH) {
+            ("linux", "x86_64") => "linux-x86_64",
+            ("linux", "aarch64") => "linux-aarch64",
+            ("macos", "x86_64") => "macos-x86_64",
+            ("macos", "aarch64") => "macos-aarch64",
+            ("windows", "x86_64") => "windows-x86_64",
+            ("windows", "aarch64") => "windows-aarch64",
+            _ => "here",
+        };
+        Platform { name, triple: "", tuple: "", strip: "strip" }
     }
 
     pub(super) fn is_windows(&self) -> bool {
-        self.triple.contains("windows")
+        self.triple.contains("windows") || (self.triple.is_empty() && cfg!(windows))
+    }
+
+    fn is_macos(&self) -> bool {
+        self.triple.contains("apple") || (self.triple.is_empty() && cfg!(target_os = "macos"))
     }
 
     /// Whether programs for it run here without an emulator.
@@ -71,13 +101,16 @@ impl Platform {
     pub(super) fn cargo(&self, what: &str) -> Result<Command, String> {
         add_target(self.triple)?;
         if self.is_windows() {
-            return Ok(cargo([what]));
+            let mut command = cargo([what]);
+            command.envs(commit());
+            return Ok(command);
         }
         let bin = tools()?.parent().map(PathBuf::from).unwrap_or_default();
         let mut command = Command::new(bin.join("cargo-zigbuild"));
         command.arg(if what == "build" { "zigbuild" } else { what });
         // It asks this Python for Zig.
         command.env("CARGO_ZIGBUILD_PYTHON_PATH", bin.join("python3"));
+        command.envs(commit());
         Ok(command)
     }
 
@@ -87,7 +120,23 @@ impl Platform {
     }
 
     pub(super) fn library(&self, name: &str) -> String {
-        if self.is_windows() { format!("{name}.dll") } else { format!("lib{name}.so") }
+        if self.is_windows() {
+            return format!("{name}.dll");
+        }
+        format!("lib{name}.{}", if self.is_macos() { "dylib" } else { "so" })
+    }
+
+    /// The C library's file with a version in its name, not for Windows.
+    pub(super) fn shared_library(&self, version: &str) -> String {
+        match self.is_macos() {
+            true => format!("libfenderline.{version}.dylib"),
+            false => format!("libfenderline.so.{version}"),
+        }
+    }
+
+    /// The C library's import library for Windows, from the compiler of the platform: mingw's or Microsoft's.
+    pub(super) fn import_library(&self) -> &'static str {
+        if self.triple.is_empty() { "fenderline.dll.lib" } else { "libfenderline.dll.a" }
     }
 
     pub(super) fn program(&self, name: &str) -> String {
@@ -96,6 +145,6 @@ impl Platform {
 
     /// A file that the release build has made.
     pub(super) fn built(&self, file: &str) -> PathBuf {
-        target_folder().join(self.triple).join("release").join(file)
+        target_folder().join(self.triple).join(PROFILE).join(file)
     }
 }

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 use std::process::Command;
 
-use super::folder;
 use super::platforms::{GLIBC, Platform, tools};
+use super::{PROFILE, folder};
 use crate::command::{run, run_quietly};
 use crate::virtual_environment::target_folder;
 
@@ -27,7 +27,7 @@ pub(super) fn all() -> Result<(), String> {
     maturin(&["sdist"])?;
     for platform in Platform::ALL {
         let tag = format!("manylinux_{}", GLIBC.replace('.', "_"));
-        let target = ["build", "--release", "--locked", "--target", platform.triple];
+        let target = ["build", "--profile", PROFILE, "--locked", "--target", platform.triple];
         if platform.is_windows() {
             maturin(&target)?;
         } else {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use super::platforms::Platform;
-use super::{c_package, folder, shell_files, version};
+use super::{c_package, commit, folder, shell_files, version};
 use crate::command::run_quietly;
 use crate::step::Done;
 use crate::tools;
@@ -44,9 +44,14 @@ console.log(version(), run.verdict().text);
 
 /// The last step of `cargo xtask dist`, and `cargo xtask dist try`.
 pub(super) fn tried() -> Result<Done, String> {
+    somewhere(tried_in)
+}
+
+/// Tries something in an empty folder, which is removed.
+pub(super) fn somewhere(try_in: impl FnOnce(&Path) -> Result<(), String>) -> Result<Done, String> {
     let place = std::env::temp_dir().join(format!("fenderline-dist-{}", std::process::id()));
     std::fs::create_dir(&place).map_err(|e| format!("{}: {e}", place.display()))?;
-    let tried = tried_in(&place);
+    let tried = try_in(&place);
     let removed = std::fs::remove_dir_all(&place);
     tried?;
     removed.map_err(|e| format!("{}: {e}", place.display()))?;
@@ -58,13 +63,13 @@ fn tried_in(place: &Path) -> Result<(), String> {
     let sums = run_quietly(sums.args(["--check", "SHA256SUMS"]).current_dir(folder()))?;
     println!("{} files as SHA256SUMS says", sums.lines().count());
     for platform in Platform::ALL {
-        program(&platform, place)?;
+        program(&platform, place, &Platform::ALL)?;
         let folder = unpacked("fenderline-c", &platform, place)?;
         if platform.is_own() {
             c_package::find(&folder)?;
         }
     }
-    wheel(place)?;
+    wheel(place, |name| name.contains("linux") && name.contains("x86_64"))?;
     npm_package(place)
 }
 
@@ -88,8 +93,14 @@ fn unpacked(name: &str, platform: &Platform, place: &Path) -> Result<PathBuf, St
     Ok(folder)
 }
 
-/// The program says its version, runs an example and packs an FMU for all platforms, where it can run here.
-fn program(platform: &Platform, place: &Path) -> Result<(), String> {
+/// The program of `cargo xtask dist here`, which has the library of FMUs for this machine alone.
+pub(super) fn program_of_one(place: &Path) -> Result<(), String> {
+    program(&Platform::own(), place, &[])
+}
+
+/// The program says its version and commit, runs an example and packs an FMU for all platforms of `libraries`, where it can run
+/// here.
+fn program(platform: &Platform, place: &Path, libraries: &[Platform]) -> Result<(), String> {
     let folder = unpacked("fenderline", platform, place)?;
     let completions = shell_files::COMPLETIONS.map(|(_, name)| name);
     for file in completions.iter().chain([&shell_files::PAGE]) {
@@ -104,8 +115,12 @@ fn program(platform: &Platform, place: &Path) -> Result<(), String> {
         println!("{}: no emulator is here, not run", platform.name);
         return Ok(());
     };
-    if said.trim() != format!("fenderline {}", version()?) {
-        return Err(format!("{} says it is {said}", program.display()));
+    let mut lines = said.lines();
+    let commit = commit().map_or("commit: not known".into(), |(_, name)| format!("commit: {name}"));
+    if [lines.next(), lines.next()]
+        != [Some(&*format!("fenderline {}", version()?)), Some(&*commit)]
+    {
+        return Err(format!("{} says it is {said}, and should say {commit}", program.display()));
     }
     call(&["init", "-o", "berth.toml"])?;
     call(&["run", "berth.toml", "--allow-failures"])?;
@@ -113,19 +128,20 @@ fn program(platform: &Platform, place: &Path) -> Result<(), String> {
     // FMI 3.0 names the folders of libraries by platform tuples.
     call(&["fmu", "berth.toml", "--kind", "engine", "--fmi", "3", "-o", "engine.fmu"])?;
     let fmu = std::fs::read(folder.join("engine.fmu")).map_err(|e| format!("engine.fmu: {e}"))?;
-    for Platform { tuple, .. } in Platform::ALL {
+    for Platform { tuple, .. } in libraries {
         let name = format!("binaries/{tuple}/");
         if !fmu.windows(name.len()).any(|bytes| bytes == name.as_bytes()) {
             return Err(format!("engine.fmu has no {name}"));
         }
     }
-    println!("{}: {}, runs an example, packs FMUs for all platforms", platform.name, said.trim());
+    let said = said.trim().replace('\n', ", ");
+    println!("{}: {said}; runs an example, packs FMUs", platform.name);
     Ok(())
 }
 
 /// The command that runs a program of a platform, with an emulator if it is needed; `None` if that is not installed.
 fn emulated(platform: &Platform, program: &Path) -> Result<Option<Command>, String> {
-    if platform.is_own() {
+    if platform.is_own() || platform.triple.is_empty() {
         return Ok(Some(Command::new(program)));
     }
     if platform.is_windows() {
@@ -142,12 +158,13 @@ fn emulated(platform: &Platform, program: &Path) -> Result<Option<Command>, Stri
     }))
 }
 
-/// The wheel for this machine, in a new virtual environment, with nothing of the checkout.
-fn wheel(place: &Path) -> Result<(), String> {
+/// The wheel for this machine, which its name shows, in a new virtual environment, with nothing of the checkout.
+pub(super) fn wheel(place: &Path, is_for_this: impl Fn(&str) -> bool) -> Result<(), String> {
     let python = tools::python().map_err(|missing| format!("{} is missing", missing.tool))?;
     let environment = place.join("python");
     run_quietly(Command::new(python).args(["-m", "venv"]).arg(&environment))?;
-    let own = environment.join("bin").join("python");
+    let bin = if cfg!(windows) { "Scripts" } else { "bin" };
+    let own = environment.join(bin).join(format!("python{}", std::env::consts::EXE_SUFFIX));
     let entries =
         std::fs::read_dir(folder()).map_err(|e| format!("{}: {e}", folder().display()))?;
     let wheel = entries
@@ -155,9 +172,9 @@ fn wheel(place: &Path) -> Result<(), String> {
         .map(|entry| entry.path())
         .find(|path| {
             let name = path.to_string_lossy();
-            name.ends_with(".whl") && name.contains("linux") && name.contains("x86_64")
+            name.ends_with(".whl") && is_for_this(&name)
         })
-        .ok_or("there is no wheel for Linux on x86-64")?;
+        .ok_or("there is no wheel for this machine")?;
     let mut pip = Command::new(&own);
     pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"]).arg(&wheel);
     run_quietly(&mut pip)?;

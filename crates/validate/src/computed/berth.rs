@@ -12,7 +12,7 @@ use super::Values;
 /// Name and text of a scenario.
 macro_rules! berth {
     ($($name:literal),* $(,)?) => {
-        [$(($name, include_str!(concat!("../../../../scenarios/berth/", $name, ".toml")))),*]
+        [$(($name, include_str!(concat!(env!("FENDERLINE_DATA"), "/scenarios/berth/", $name, ".toml")))),*]
     };
 }
 

@@ -5,8 +5,10 @@ use fenderline_sim::Simulation;
 
 use super::Values;
 
-const SCENARIO: &str =
-    include_str!("../../../../scenarios/closed_form/fender_and_dolphin_in_series.toml");
+const SCENARIO: &str = include_str!(concat!(
+    env!("FENDERLINE_DATA"),
+    "/scenarios/closed_form/fender_and_dolphin_in_series.toml"
+));
 
 /// # Panics
 /// A scenario that cannot be read or stepped, or in which the dolphin does not swing: a bug.

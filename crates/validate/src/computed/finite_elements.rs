@@ -9,14 +9,16 @@ use super::Values;
 /// The fender files: what rows call them, and their texts.
 macro_rules! fenders {
     ($($name:literal),* $(,)?) => {
-        [$(($name, include_str!(concat!(
-            "../../../../validation/finite_elements/fenders/", $name, ".toml"
+        [$(($name, include_str!(concat!(env!("FENDERLINE_DATA"), "/validation/finite_elements/fenders/", $name, ".toml"
         )))),*]
     };
 }
 
 /// Shape, fineness, elements, deflection, reaction and energy of every step on every mesh.
-const PRESSED: &str = include_str!("../../../../validation/finite_elements/results/pressed.csv");
+const PRESSED: &str = include_str!(concat!(
+    env!("FENDERLINE_DATA"),
+    "/validation/finite_elements/results/pressed.csv"
+));
 
 /// Shapes that were analysed on more than one mesh.
 const HALVED: [&str; 3] = ["cylinder", "solid_d", "hollow_d"];

@@ -9,7 +9,7 @@ use fenderline_sim::seakeeping::{MOTIONS, Motion, Seakeeping, matrix};
 
 use super::Values;
 
-const DATA: &str = include_str!("../../../../hydrodynamics/barge_20m.hydro");
+const DATA: &str = include_str!(concat!(env!("FENDERLINE_DATA"), "/hydrodynamics/barge_20m.hydro"));
 const BARGE: &str = r#"
 [time]
 step = "0.2 s"

@@ -10,7 +10,7 @@ use super::Values;
 /// Name and text of a scenario.
 macro_rules! worked {
     ($($name:literal),* $(,)?) => {
-        [$(($name, include_str!(concat!("../../../../scenarios/worked/", $name, ".toml")))),*]
+        [$(($name, include_str!(concat!(env!("FENDERLINE_DATA"), "/scenarios/worked/", $name, ".toml")))),*]
     };
 }
 

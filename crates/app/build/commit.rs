@@ -1,0 +1,70 @@
+//! The commit that `fenderline --version` names.
+//!
+//! A new commit alone does not build the program again. This script runs when a source of the program has changed, which builds
+//! the program anyway, and asks git then. So the program names the commit that was checked out when it was built, with
+//! `modified` where the files differed from that commit.
+
+use std::path::Path;
+use std::process::Command;
+
+/// Names the commit in place of git: for packages of distributions, and for `cargo xtask dist`, which knows that nothing is
+/// modified.
+const VARIABLE: &str = "FENDERLINE_COMMIT";
+/// Crates that are no part of the program.
+const OTHERS: [&str; 3] = ["capi", "python", "wasm"];
+/// What the program is made of, beside the crates' sources. The few scenarios and published cases that are in it are left out: a
+/// user edits scenarios, and should not wait for a build.
+const PARTS: [&str; 5] = ["fenders", "vessels", "web/src", "Cargo.toml", "Cargo.lock"];
+
+/// The commit, such as `1a2b3c4d` or `1a2b3c4d, modified`; empty where it is not known.
+pub(crate) fn commit() -> String {
+    println!("cargo::rerun-if-env-changed={VARIABLE}");
+    let own = Path::new(env!("CARGO_MANIFEST_DIR"));
+    watch_sources(&own.join("../.."));
+    if let Ok(commit) = std::env::var(VARIABLE) {
+        return commit;
+    }
+    of_package(own).or_else(|| of_checkout(own)).unwrap_or_default()
+}
+
+/// Has cargo run this script again when a source of the program has changed.
+fn watch_sources(root: &Path) {
+    let Ok(crates) = std::fs::read_dir(root.join("crates")) else { return };
+    let crates =
+        crates.flatten().filter(|one| !OTHERS.iter().any(|other| one.file_name() == *other));
+    let sources = crates.map(|one| one.path().join("src"));
+    for path in sources.chain(PARTS.map(|part| root.join(part))).filter(|path| path.exists()) {
+        println!("cargo::rerun-if-changed={}", path.display());
+    }
+}
+
+/// What `cargo package` has written into the crate: the commit that was packaged.
+fn of_package(own: &Path) -> Option<String> {
+    let told = std::fs::read_to_string(own.join(".cargo_vcs_info.json")).ok()?;
+    let (_, after) = told.split_once("\"sha1\"")?;
+    let commit = after.split('"').nth(1)?;
+    let short = commit.get(..8)?;
+    let is_modified = told.contains("\"dirty\": true");
+    Some(if is_modified { format!("{short}, modified") } else { short.to_owned() })
+}
+
+/// That of the checkout. Sources that were unpacked into another project's checkout have none.
+fn of_checkout(own: &Path) -> Option<String> {
+    git(own, &["ls-files", "--error-unmatch", "build.rs"])?;
+    let commit = git(own, &["rev-parse", "--short=8", "HEAD"])?;
+    let changes = git(own, &["status", "--porcelain", "--untracked-files=no"])?;
+    Some(if changes.is_empty() { commit } else { format!("{commit}, modified") })
+}
+
+/// What git answers; nothing where it is not installed or fails.
+fn git(own: &Path, arguments: &[&str]) -> Option<String> {
+    // Without locks: git may write its index anew when it is asked for the status.
+    let output = Command::new("git")
+        .arg("--no-optional-locks")
+        .args(arguments)
+        .current_dir(own)
+        .output()
+        .ok()?;
+    let text = output.status.success().then(|| String::from_utf8(output.stdout).ok())??;
+    Some(text.trim().to_owned())
+}
