@@ -20,19 +20,22 @@ const PARTS: [&str; 5] = ["fenders", "vessels", "web/src", "Cargo.toml", "Cargo.
 pub(crate) fn commit() -> String {
     println!("cargo::rerun-if-env-changed={VARIABLE}");
     let own = Path::new(env!("CARGO_MANIFEST_DIR"));
-    watch_sources(&own.join("../.."));
+    watch_sources();
     if let Ok(commit) = std::env::var(VARIABLE) {
         return commit;
     }
     of_package(own).or_else(|| of_checkout(own)).unwrap_or_default()
 }
 
-/// Has cargo run this script again when a source of the program has changed.
-fn watch_sources(root: &Path) {
+/// Has cargo run this script again when a source of the program has changed. Paths are relative to the crate's folder.
+fn watch_sources() {
+    let root = Path::new("../..");
     let Ok(crates) = std::fs::read_dir(root.join("crates")) else { return };
-    let crates =
-        crates.flatten().filter(|one| !OTHERS.iter().any(|other| one.file_name() == *other));
-    let sources = crates.map(|one| one.path().join("src"));
+    let names = crates.flatten().map(|entry| entry.file_name());
+    let mut names: Vec<_> =
+        names.filter(|name| !OTHERS.iter().any(|other| name == other)).collect();
+    names.sort();
+    let sources = names.iter().map(|name| root.join("crates").join(name).join("src"));
     for path in sources.chain(PARTS.map(|part| root.join(part))).filter(|path| path.exists()) {
         println!("cargo::rerun-if-changed={}", path.display());
     }
