@@ -17,9 +17,12 @@ pub(super) fn compute(values: &mut Values) {
         let mut put = |what: &str, value: f64| {
             values.put(format!("current/tanker_250/{what}/{angle_deg}"), value, "");
         };
-        put("sway", sway);
-        put("yaw", yaw);
         put("surge", surge);
+        // From ahead and astern both are zero.
+        if angle_deg % 180 != 0 {
+            put("sway", sway);
+            put("yaw", yaw);
+        }
     }
 }
 
