@@ -45,6 +45,7 @@ mod plausible;
 mod rows;
 mod schema;
 mod seakeeping;
+mod tanker_in_a_current;
 mod tide;
 mod tugs;
 mod unloading;

@@ -11,6 +11,7 @@ use crate::ships;
 
 use std::f64::consts::{PI, TAU};
 
+use fenderline_scenario::VesselLibrary;
 use fenderline_sim::hydro::vessels::Vessel;
 use fenderline_sim::hydro::{
     Controls, Force, Mmg, Particulars, Parts, Propeller, Series, Squat, TunnelThruster, Velocity,
@@ -39,8 +40,13 @@ fn difference(a: &Force, b: &Force, length_m: f64) -> f64 {
 
 #[track_caller]
 fn no_jump(what: &str, scale_n: f64, length_m: f64, at: &dyn Fn(f64) -> Force) {
-    let coarse = largest_step(SPACING, scale_n, length_m, at);
-    let fine = largest_step(4 * SPACING, scale_n, length_m, at);
+    no_jump_by(SPACING, what, scale_n, length_m, at);
+}
+
+#[track_caller]
+fn no_jump_by(spacing: usize, what: &str, scale_n: f64, length_m: f64, at: &dyn Fn(f64) -> Force) {
+    let coarse = largest_step(spacing, scale_n, length_m, at);
+    let fine = largest_step(4 * spacing, scale_n, length_m, at);
     assert!(coarse.is_finite(), "{what}: not finite");
     // A quarter for a smooth function; a line that turns sharply needs some room; a jump gives 1.
     assert!(fine <= 0.4 * coarse + 1e-12, "{what}: a step of {coarse} only falls to {fine}");
@@ -193,6 +199,113 @@ fn no_jump_through_the_four_quadrants_of_a_propeller() {
     }
 }
 
+/// Every ship of the library, by name.
+fn all_ships() -> Vec<(String, Mmg)> {
+    let library = VesselLibrary::built_in();
+    library.vessels().iter().map(|vessel| (vessel.name.clone(), vessel.ship)).collect()
+}
+
+/// The hull's force alone.
+fn hull_force(ship: &Mmg, velocity: &Velocity) -> Force {
+    ship.hull.force(velocity, &ship.particulars, &ship.added_mass, Water::SEA)
+}
+
+/// Drifting at 1 m/s at an angle off the bow, turning so that rL is a number of metres per second.
+fn drifting(ship: &Mmg, angle_rad: f64, tip_mps: f64) -> Velocity {
+    let (sway_mps, surge_mps) = libm::sincos(angle_rad);
+    Velocity { surge_mps, sway_mps, yaw_radps: tip_mps / ship.particulars.length_m }
+}
+
+/// Depths in draughts, from a hand's breadth under the keel to deep water.
+const DEPTH_RATIOS: [f64; 8] = [1.05, 1.1, 1.15, 1.2, 1.5, 2.0, 3.0, f64::INFINITY];
+
+/// The polynomial, far outside the angles of its tests, once pushed ships 2.5 times as hard at 50° off the bow as abeam.
+#[test]
+fn no_ship_is_pushed_harder_at_any_angle_than_abeam() {
+    for (name, deep) in all_ships() {
+        for ratio in DEPTH_RATIOS {
+            let ship = deep.at_depth(ratio * deep.particulars.draught_m);
+            let at = |angle_rad: f64| {
+                let velocity = drifting(&ship, angle_rad, 0.0);
+                (velocity, hull_force(&ship, &velocity))
+            };
+            let abeam_n = -at(0.5 * PI).1.sway_n;
+            let mut greatest = 0.0_f64;
+            for degrees in 0..=180 {
+                let what = format!("{name}, {ratio} draughts, {degrees}°");
+                let (velocity, force) = at(f64::from(degrees).to_radians());
+                greatest = greatest.max(-force.sway_n / abeam_n);
+                let against = velocity.sway_mps.abs() < 1e-9 || force.sway_n < 0.0;
+                assert!(against, "{what}: {force:?} pushes across with the drift");
+                let power_w = force.surge_n * velocity.surge_mps + force.sway_n * velocity.sway_mps;
+                assert!(power_w < 0.0, "{what}: {force:?} drives the ship");
+            }
+            assert!(greatest <= 1.15, "{name}, {ratio} draughts: {greatest}");
+        }
+    }
+}
+
+#[test]
+fn hull_forces_of_mirrored_motions_are_mirrored() {
+    for (name, deep) in all_ships() {
+        for ratio in DEPTH_RATIOS {
+            let ship = deep.at_depth(ratio * deep.particulars.draught_m);
+            for degrees in (0..=180).step_by(3) {
+                for tip_mps in [-4.0, -1.7, -0.6, 0.0, 0.9, 2.2] {
+                    let velocity = drifting(&ship, f64::from(degrees).to_radians(), tip_mps);
+                    let Velocity { surge_mps, sway_mps, yaw_radps } = velocity;
+                    let there = hull_force(&ship, &velocity);
+                    let mirrored =
+                        Velocity { surge_mps, sway_mps: -sway_mps, yaw_radps: -yaw_radps };
+                    let here = hull_force(&ship, &mirrored);
+                    let mirror =
+                        Force { surge_n: here.surge_n, sway_n: -here.sway_n, yaw_nm: -here.yaw_nm };
+                    let apart = difference(&there, &mirror, ship.particulars.length_m);
+                    assert!(
+                        apart <= 1e-12 * scale_n(&ship),
+                        "{name}, {ratio} draughts, {velocity:?}: {there:?} {mirror:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// The hull of every ship of the library along drift angle, yaw rate and depth, each at values of the others that lie where one
+/// form hands over to the other.
+#[test]
+fn no_jump_of_any_hull_in_angle_yaw_and_depth() {
+    let no_jump = |what: &str, ship: &Mmg, at: &dyn Fn(f64) -> Force| {
+        no_jump_by(256, what, scale_n(ship), ship.particulars.length_m, at);
+    };
+    for (name, deep) in all_ships() {
+        let draught_m = deep.particulars.draught_m;
+        for ratio in [1.05, 1.2, 2.0, f64::INFINITY] {
+            let ship = deep.at_depth(ratio * draught_m);
+            for tip_mps in [0.0, 0.8, -2.0] {
+                let at = |t: f64| hull_force(&ship, &drifting(&ship, TAU * t, tip_mps));
+                no_jump(&format!("{name}, {ratio} draughts, angle, {tip_mps}"), &ship, &at);
+            }
+            for degrees in [0.0_f64, 19.0, 32.0, 150.0] {
+                let at = |t: f64| {
+                    let tip_mps = -5.0 + 10.0 * t;
+                    hull_force(&ship, &drifting(&ship, degrees.to_radians(), tip_mps))
+                };
+                no_jump(&format!("{name}, {ratio} draughts, yaw, {degrees}°"), &ship, &at);
+            }
+        }
+        for degrees in [10.0_f64, 19.0, 24.0, 32.0, 45.0, 90.0, 150.0] {
+            for tip_mps in [0.0, -0.8, 2.0] {
+                let at = |t: f64| {
+                    let ship = deep.at_depth((4.0 - 3.5 * t) * draught_m);
+                    hull_force(&ship, &drifting(&ship, degrees.to_radians(), tip_mps))
+                };
+                no_jump(&format!("{name}, depth, {degrees}°, {tip_mps}"), &deep, &at);
+            }
+        }
+    }
+}
+
 /// From ten draughts of water to half of one, where she is hard aground: hull, propeller and rudder each by itself at
 /// every way of moving, a hard turn among them; added mass and squat. The factors are held from 1.1 draughts on, where
 /// they turn sharply and do not jump.
@@ -263,16 +376,24 @@ fn a_jump_is_found() {
 
 #[test]
 fn the_polynomial_alone_counts_in_a_hard_turn_and_not_at_all_when_crabbing() {
-    let of = |surge_mps, sway_mps, tip_mps: f64| {
-        polynomial_weight(&Velocity { surge_mps, sway_mps, yaw_radps: tip_mps / 100.0 }, 100.0)
+    let of = |surge_mps, sway_mps, tip_mps: f64, draught_over_depth| {
+        let velocity = Velocity { surge_mps, sway_mps, yaw_radps: tip_mps / 100.0 };
+        polynomial_weight(&velocity, 100.0, draught_over_depth)
     };
-    // KVLCC2 at 35°: β 20°, r' 0.9.
+    // KVLCC2 at 35°: β 20°, r' 0.9; at 1.2 draughts half of the drift.
     let (sin, cos) = libm::sincos(20_f64.to_radians());
-    assert_eq!(of(cos, -sin, 0.9), 1.0);
-    assert_eq!(of(0.05, 0.5, 0.0), 0.0);
-    assert_eq!(of(0.05, 0.0, 0.5), 0.0);
-    assert_eq!(of(-3.0, 0.0, 0.0), 0.0);
-    assert_eq!(of(0.0, 0.0, 0.0), 0.0);
+    assert_eq!(of(cos, -sin, 0.9, 0.0), 1.0);
+    assert_eq!(of(1.0, -0.5 * sin, 0.6, 1.0 / 1.2), 1.0);
+    for depth in [0.0, 1.0 / 1.2, 1.0 / 1.1] {
+        assert_eq!(of(0.05, 0.5, 0.0, depth), 0.0);
+        assert_eq!(of(0.05, 0.0, 0.5, depth), 0.0);
+        assert_eq!(of(-3.0, 0.0, 0.0, depth), 0.0);
+        assert_eq!(of(0.0, 0.0, 0.0, depth), 0.0);
+    }
+    // At rest in a stream from 38° off the bow: not in shallow water.
+    let (sin, cos) = libm::sincos(38_f64.to_radians());
+    assert_eq!(of(cos, sin, 0.0, 1.0 / 1.2), 0.0);
+    assert!((0.1..0.9).contains(&of(cos, sin, 0.0, 0.0)));
 }
 
 proptest! {

@@ -31,7 +31,7 @@ macro_rules! published {
 }
 
 /// The published numbers, in the order of the table.
-const PUBLISHED: [(&str, &str); 21] = published![
+const PUBLISHED: [(&str, &str); 22] = published![
     "moreno2023.toml",
     "closed_form.toml",
     "coupled_independent.toml",
@@ -44,6 +44,7 @@ const PUBLISHED: [(&str, &str); 21] = published![
     "shallow_water.toml",
     "propeller.toml",
     "wind.toml",
+    "current.toml",
     "current_and_waves.toml",
     "wave_drift.toml",
     "lines_and_tugs.toml",

@@ -196,7 +196,8 @@ impl Assembly<'_, '_> {
             if least < SHALLOWEST_RATIO {
                 notify(format!(
                     "{name} in water of {least:.2} draughts: no shallow-water formula covers less than \
-                     {SHALLOWEST_RATIO}; below it added mass, hull forces and squat keep their values there"
+                     {SHALLOWEST_RATIO}; below it added mass, hull forces and squat keep their values there, \
+                     all but the drag of a flow across her"
                 ));
             } else if least < PUBLISHED_RATIO {
                 notify(format!(

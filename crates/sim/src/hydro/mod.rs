@@ -7,7 +7,8 @@
 //! | added mass from particulars | [`zhou_added_mass`], [`clarke_added_mass`] |
 //! | hull under way: MMG polynomials in v', r' or in β, r' | [`Polynomial`] |
 //! | hull at low speed, astern, crabbing: cross-flow drag | [`LowSpeedHull`], [`CrossFlow`] |
-//! | continuous hull force from both | [`Hull`] |
+//! | lift that a drifting hull loses | [`Stall`] |
+//! | continuous hull force from all | [`Hull`] |
 //! | propeller in four quadrants | [`Propeller`] |
 //! | rudder behind a propeller, in all conditions | [`Rudder`] |
 //! | tunnel and azimuth thrusters | [`TunnelThruster`], [`AzimuthThruster`] |
@@ -39,6 +40,7 @@ pub mod actuator;
 pub mod manoeuvres;
 pub mod shallow;
 mod squat;
+mod stall;
 pub mod vessels;
 
 mod added_mass;
@@ -74,4 +76,5 @@ pub use propeller::{Propeller, Series};
 pub use quantities::{Controls, Force, Velocity, Water};
 pub use rudder::{Race, Rudder};
 pub use squat::Squat;
+pub use stall::Stall;
 pub use thruster::{AzimuthThruster, TunnelThruster, tunnel_effect};

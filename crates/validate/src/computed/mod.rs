@@ -4,6 +4,7 @@
 
 mod banks;
 mod berth;
+mod current;
 mod dolphin;
 pub(crate) mod estimates;
 mod finite_elements;
@@ -33,10 +34,11 @@ pub(crate) struct Value {
 pub(crate) struct Values(BTreeMap<String, Value>);
 
 /// What computes them, a subject each.
-pub(crate) const SUBJECTS: [fn(&mut Values); 15] = [
+pub(crate) const SUBJECTS: [fn(&mut Values); 16] = [
     manoeuvres::compute,
     estimates::compute,
     hull::compute,
+    current::compute,
     shallow::compute,
     propeller::compute,
     wind::compute,

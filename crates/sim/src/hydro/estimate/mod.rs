@@ -113,7 +113,7 @@ fn hull(
     all: &mut Vec<Source>,
 ) -> Hull {
     let hull = match (known.polynomial, known.low_speed) {
-        (under_way, Some(low_speed)) => return Hull { under_way, low_speed },
+        (under_way, Some(low_speed)) => return Hull::deep(under_way, low_speed),
         (Some(polynomial), None) => Hull::from_polynomial(polynomial, ship, added),
         (None, None) => estimated_hull(method, ship, added, all),
     };
@@ -169,7 +169,7 @@ fn estimated_hull(
                 "Clarke, Gedling & Hine (1983), as in public implementations",
                 Standing::Found,
             ));
-            Hull { under_way: None, low_speed }
+            Hull::deep(None, low_speed)
         }
     };
     hull.low_speed.astern = resistance::astern(ship);

@@ -15,15 +15,13 @@ pub use wake::Wake;
 
 pub(crate) use polynomial::coriolis;
 
-use fenderline_contact::number::greater;
-
 use super::added_mass::AddedMass;
 use super::blend::Hull;
 use super::particulars::Particulars;
 use super::propeller::Propeller;
 use super::quantities::{Controls, Force, Velocity, Water};
 use super::rudder::{Race, Rudder};
-use super::shallow::{CorrectionSet, Corrections, SHALLOWEST_RATIO};
+use super::shallow::{CorrectionSet, Corrections};
 
 /// A ship's manoeuvring model.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,8 +91,8 @@ impl Mmg {
     }
 
     /// The model in water of a given depth, by the corrections of [`CorrectionSet::default`] to added mass, hull, propeller
-    /// and rudder. Below [`SHALLOWEST_RATIO`] draughts, also aground, the corrections are those at that depth, so every force
-    /// is a continuous function of depth.
+    /// and rudder. Below [`super::shallow::SHALLOWEST_RATIO`] draughts, also aground, the corrections are those at that depth;
+    /// the cross-flow drag alone goes on to increase until she touches the bottom. So every force is a continuous function of depth.
     ///
     /// # Panics
     /// If the depth is NaN.
@@ -109,8 +107,7 @@ impl Mmg {
     /// See [`Mmg::at_depth`].
     #[must_use]
     pub fn at_depth_by(&self, set: CorrectionSet, depth_m: f64) -> Mmg {
-        let corrections = Corrections::of(set, &self.particulars, depth_m);
-        corrections.on(self, greater(depth_m, SHALLOWEST_RATIO * self.particulars.draught_m))
+        Corrections::of(set, &self.particulars, depth_m).on(self, depth_m)
     }
 }
 

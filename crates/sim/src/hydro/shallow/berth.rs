@@ -1,5 +1,7 @@
 //! Drag of a ship at low speed across the flow: at her berth, crabbing, adrift.
 
+use fenderline_contact::number::greater;
+
 use super::draught_over_depth;
 use crate::hydro::error::{HydroError, within};
 use crate::hydro::particulars::Particulars;
@@ -43,6 +45,14 @@ pub fn shallow_cross_flow_drag(
     deep: f64,
     depth_m: f64,
 ) -> Result<f64, HydroError> {
-    let ratio = draught_over_depth(ship, depth_m)?;
-    Ok(deep + (BLOCKED_DRAG - deep) * ratio * ratio)
+    Ok(grown(deep, draught_over_depth(ship, depth_m)?))
+}
+
+/// [`shallow_cross_flow_drag`] for any depth: aground it is that of a ship that just touches the bottom, 3.2.
+pub(super) fn drag_to_the_bottom(ship: &Particulars, deep: f64, depth_m: f64) -> f64 {
+    grown(deep, ship.draught_m / greater(depth_m, ship.draught_m))
+}
+
+fn grown(deep: f64, draught_over_depth: f64) -> f64 {
+    deep + (BLOCKED_DRAG - deep) * draught_over_depth * draught_over_depth
 }

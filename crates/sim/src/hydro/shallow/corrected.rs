@@ -1,19 +1,24 @@
 //! Applies corrections for shallow water to a ship.
 
-use super::{Corrections, HullFactors, MassFactors, SternFactors, shallow_cross_flow_drag};
+use fenderline_contact::number::greater;
+
+use super::berth::drag_to_the_bottom;
+use super::{Corrections, HullFactors, MassFactors, SHALLOWEST_RATIO, SternFactors};
 use crate::hydro::added_mass::AddedMass;
 use crate::hydro::blend::Hull;
 use crate::hydro::low_speed::{CrossFlow, LowSpeedHull};
 use crate::hydro::mmg::{Mmg, Polynomial, Propulsion, Wake};
 use crate::hydro::particulars::Particulars;
 use crate::hydro::rudder::Rudder;
+use crate::hydro::stall::Stall;
 
 impl Corrections {
-    /// The ship in water of a depth (m), from the ship in deep water. The depth must be greater than her draught.
+    /// The ship in water of a depth (m), from the ship in deep water.
     ///
-    /// The cross-flow drag increases by [`shallow_cross_flow_drag`] where she crabs, drifts or lies at her berth, but not under
-    /// way. The blend of both is that of [`crate::hydro::polynomial_weight`]: a ship without a polynomial uses her low-speed
-    /// form for both.
+    /// The cross-flow drag increases by [`super::shallow_cross_flow_drag`] where she crabs, drifts or lies at her berth, but not
+    /// under way, and goes on to increase until she touches the bottom. Everything else is held below [`SHALLOWEST_RATIO`]
+    /// draughts. The blend of both is that of [`crate::hydro::polynomial_weight`]: a ship without a polynomial uses her
+    /// low-speed form for both.
     pub(crate) fn on(&self, deep: &Mmg, depth_m: f64) -> Mmg {
         let ship = &deep.particulars;
         let MassFactors { surge, sway, yaw } = self.mass;
@@ -22,9 +27,10 @@ impl Corrections {
         let deep_hull = &deep.hull;
         let slow = low_speed(&deep_hull.low_speed, &self.hull, ship, masses);
         let flow = deep_hull.low_speed.cross_flow;
-        let drag_coefficient = shallow_cross_flow_drag(ship, flow.drag_coefficient, depth_m)
-            .unwrap_or_else(|error| unreachable!("the depth is limited: {error}"));
+        let drag_coefficient = drag_to_the_bottom(ship, flow.drag_coefficient, depth_m);
         let berthed = LowSpeedHull { cross_flow: CrossFlow { drag_coefficient, ..flow }, ..slow };
+        let share = ship.draught_m / greater(depth_m, SHALLOWEST_RATIO * ship.draught_m);
+        let stall = Stall::of(&deep_hull.low_speed, &berthed, share);
         let under_way = match &deep_hull.under_way {
             Some(polynomial) => polynomial_in(polynomial, &self.hull, ship, masses),
             None => Polynomial::CrossFlow(slow),
@@ -32,7 +38,7 @@ impl Corrections {
         Mmg {
             particulars: *ship,
             added_mass,
-            hull: Hull { under_way: Some(under_way), low_speed: berthed },
+            hull: Hull { under_way: Some(under_way), low_speed: berthed, stall },
             propulsion: deep.propulsion.as_ref().map(|propulsion| stern(propulsion, &self.stern)),
         }
     }
