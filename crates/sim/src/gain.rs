@@ -1,4 +1,4 @@
-//! Energy that contacts created in a run with the paper's method.
+//! Energy that contacts created in a run.
 
 use core::fmt;
 
@@ -19,8 +19,8 @@ impl fmt::Display for EnergyGain {
         let percent = 100.0 * self.gained_j / self.taken_j;
         write!(
             f,
-            "contacts returned {:.1} kJ more than they absorbed, {percent:.0} % of the absorbed energy: the paper's \
-             method creates energy at this time step; use a shorter `step` or `method = \"coupled\"`",
+            "contacts returned {:.1} kJ more than they absorbed, {percent:.0} % of the absorbed energy: the method creates energy at \
+             this time step; use a shorter `step` or `method = \"coupled\"`",
             self.gained_j / 1e3
         )
     }
