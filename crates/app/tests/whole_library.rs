@@ -1,14 +1,12 @@
 //! Everything that the program ships, through each command: every vessel, every size of every family of fenders, every rope, every example
 //! of `init` and every scenario. The list is generated, so that what is added later is tried too.
 
-mod support;
-
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
+use crate::support::{Run, Workplace, contains_all};
 use fenderline_scenario::{FenderLibrary, VesselLibrary, schema};
-use support::{Run, Workplace, contains_all};
 
 /// Something to try: a scenario with its name.
 struct Tried {

@@ -93,7 +93,7 @@ impl Law {
         row(
             Law::PlacedInOverlap,
             "placed_in_overlap",
-            Verdict::OutsideForceLaw,
+            Verdict::StartInside,
             "a body is placed so deep in another that the contact would eject it",
             "it is pushed out slowly",
         ),

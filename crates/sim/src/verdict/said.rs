@@ -55,7 +55,7 @@ impl Departure {
                 length(end)
             ),
             Law::PlacedInOverlap => format!(
-                "{} or {} was placed inside the other and is pushed out slowly: forces and motions are not valid",
+                "{} or {} was placed inside the other and is pushed out slowly: forces of the first contact have no meaning",
                 names[0], names[1]
             ),
             Law::NotConverged => {
