@@ -13,8 +13,8 @@ struct Tried {
     name: String,
     /// The file, within the place or as a whole path.
     file: String,
-    /// Seconds to run it for; `None`: as the file says.
-    for_s: Option<f64>,
+    /// Overrides that make the run short, as `KEY=VALUE`.
+    set: Vec<&'static str>,
 }
 
 /// Forces of other programs need them at the master's machine: an FMU refuses such a scenario.
@@ -32,8 +32,9 @@ fn bare_vessel(vessel: &str, has_outline: bool, [length_m, beam_m]: [f64; 2]) ->
     )
 }
 
-/// A barge that comes onto a fender.
-fn bare_fender(fender: &str) -> String {
+/// A barge that comes onto a fender of a height (m), 0.2 m off it at the start.
+fn bare_fender(fender: &str, height_m: f64) -> String {
+    let off_m = 10.2 + height_m;
     format!(
         r#"[time]
 step = "0.1 s"
@@ -53,8 +54,8 @@ outline = [[-50, 0], [50, 0], [50, 10], [-50, 10]]
 outline = [[-40, -10], [40, -10], [40, 10], [-40, 10]]
 mass = "2000 t"
 gyradius = "20 m"
-position = [0, -15.5]
-velocity = {{ sway = "2.5 m/s" }}
+position = [0, -{off_m}]
+velocity = {{ sway = "0.4 m/s" }}
 
 [fender.one]
 on = "quay"
@@ -91,12 +92,15 @@ fn of_library(place: &Workplace) -> Vec<Tried> {
     for family in FenderLibrary::built_in().families() {
         for size in &family.sizes {
             let of = format!("type = \"{}\"\nsize = \"{}\"", family.name, size.designation);
-            texts.insert(format!("fender {} {}", family.name, size.designation), bare_fender(&of));
+            texts.insert(
+                format!("fender {} {}", family.name, size.designation),
+                bare_fender(&of, 1.2),
+            );
         }
         // Where there is no size of that family, its curve with a rating.
         let of =
             format!("type = \"{}\"\nheight = \"1.2 m\"\nrated_reaction = \"900 kN\"", family.name);
-        texts.insert(format!("fender {} by rating", family.name), bare_fender(&of));
+        texts.insert(format!("fender {} by rating", family.name), bare_fender(&of, 1.2));
     }
     let schema = schema();
     let ropes = schema["properties"]["line"]["additionalProperties"]["properties"]["rope"]["oneOf"]
@@ -110,9 +114,22 @@ fn of_library(place: &Workplace) -> Vec<Tried> {
     let tried = texts.into_iter().map(|(name, text)| {
         let file = format!("{}.toml", name.replace([' ', '/'], "_"));
         place.write(&file, text.as_bytes());
-        Tried { name, file, for_s: None }
+        Tried { name, file, set: Vec::new() }
     });
     tried.collect()
+}
+
+/// Overrides that let a scenario run for 2 s alone.
+fn shorter(text: &str) -> Vec<&'static str> {
+    let has = |line: &str| text.lines().any(|own| own.starts_with(line));
+    let mut set = vec!["time.duration=2 s"];
+    if has("[statistics]") {
+        set.push("statistics.from=0 s");
+    }
+    if has("interval = ") {
+        set.push("output.interval=0");
+    }
+    set
 }
 
 /// The examples of `init`, written by it.
@@ -125,7 +142,8 @@ fn of_examples(place: &Workplace) -> Vec<Tried> {
         let file = format!("example_{name}.toml");
         let run = place.run(&["init", name, "-o", &file]);
         assert_eq!(run.code, 0, "{name}: {}", run.stderr);
-        Tried { name: format!("example {name}"), file, for_s: Some(2.0) }
+        let set = shorter(&place.text(&file));
+        Tried { name: format!("example {name}"), file, set }
     };
     names.map(write).collect()
 }
@@ -148,7 +166,8 @@ fn of_scenarios() -> Vec<Tried> {
     let tried = files.into_iter().map(|path| {
         let file = path.to_str().expect("UTF-8").to_owned();
         let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
-        Tried { name, file, for_s: Some(2.0) }
+        let set = shorter(&std::fs::read_to_string(&path).expect("a scenario"));
+        Tried { name, file, set }
     });
     tried.collect()
 }
@@ -156,8 +175,7 @@ fn of_scenarios() -> Vec<Tried> {
 impl Tried {
     /// The command on this scenario.
     fn run(&self, place: &Workplace, command: &str, more: &[&str]) -> Run {
-        let set = self.for_s.map(|for_s| format!("time.duration={for_s} s"));
-        let set: Vec<&str> = set.iter().flat_map(|set| ["--set", set.as_str()]).collect();
+        let set: Vec<&str> = self.set.iter().flat_map(|set| ["--set", set]).collect();
         place.run(&[&[command, &self.file], &set[..], more].concat())
     }
 
