@@ -94,7 +94,7 @@ fn of_library(place: &Workplace) -> Vec<Tried> {
             let of = format!("type = \"{}\"\nsize = \"{}\"", family.name, size.designation);
             texts.insert(
                 format!("fender {} {}", family.name, size.designation),
-                bare_fender(&of, 1.2),
+                bare_fender(&of, size.height_m),
             );
         }
         // Where there is no size of that family, its curve with a rating.
