@@ -45,11 +45,11 @@ fn line_json(line: &LogLine) -> Json {
         object.put("until_s", until_s);
     }
     if !who.is_empty() {
-        object.put("who", &who);
+        object.put("who", who);
     }
     if let Some((at_s, by)) = acknowledged {
         object.put("acknowledged_s", at_s);
-        object.put("acknowledged_by", &by);
+        object.put("acknowledged_by", by);
     }
     object
 }

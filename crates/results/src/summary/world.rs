@@ -218,7 +218,7 @@ fn provider_json(t_s: f64, provider: usize, event: &ProviderEvent, setup: &Setup
     told.put("kind", provider_event_key(event));
     told.put("body", &setup.bodies[of.body].name);
     if let ProviderEvent::Died(why) = event {
-        told.put("why", &why);
+        told.put("why", why);
     }
     told
 }

@@ -2,6 +2,7 @@
 
 use super::finding::{called, duration, length};
 use super::law::{Departure, Law, Subject};
+use crate::gain::EnergyGain;
 use crate::setup::Setup;
 
 impl Subject {
@@ -61,12 +62,7 @@ impl Departure {
             Law::NotConverged => {
                 "The contact solve did not converge: contact forces are not valid".to_owned()
             }
-            Law::EnergyGained => format!(
-                "Contacts returned {:.1} kJ more than they absorbed, {:.0} % of the absorbed energy: take a shorter `step`, or \
-                 `method = \"coupled\"`",
-                value / 1e3,
-                100.0 * value / end
-            ),
+            Law::EnergyGained => EnergyGain { gained_j: value, taken_j: end }.sentence(),
             Law::CurrentHeld => format!(
                 "{} was off the grid or the times of the current: the current at the edge acted on her",
                 names[0]
