@@ -222,7 +222,7 @@ fn the_verdict_on_a_known_case_is_the_same_everywhere() {
         if case.law.is_some() {
             let duration_s = summary["duration_s"].as_f64().expect("a duration");
             place.write("study.toml", case.campaign(duration_s).as_bytes());
-            let run = place.run(&["campaign", "study.toml", "--out", "study"]);
+            let run = place.run(&["campaign", "study.toml", "--out", "study", "--replace"]);
             let table = place.text("study/cases.csv");
             assert_eq!(run.code, 0, "{told}{}{}", run.stdout, run.stderr);
             let key = verdict["key"].as_str().expect("a key");
