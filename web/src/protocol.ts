@@ -621,7 +621,7 @@ export interface LimitNow {
   why: string | null;
 }
 
-/** How grave a verdict or a finding is; `failed`: something broke or was struck. */
+/** How grave a verdict or a finding is; `failed`: something broke or was struck, or the results are not valid. */
 export type Gravity = "ok" | "note" | "attention" | "failed";
 
 /** The worst that was found in the run, in the words of the terminal and the report. */

@@ -301,10 +301,11 @@ pub(crate) struct RunArgs {
     /// Format of the tables of bodies, contacts, fenders and energy
     #[arg(long, value_enum, default_value_t = Format::Csv)]
     pub(crate) format: Format,
-    /// Exit code 0 even where a structure was struck, a fender failed or a line parted
+    /// Exit code 0 even where a structure was struck, a fender failed, a line parted or the results are not valid
     #[arg(long)]
     pub(crate) allow_failures: bool,
-    /// Refuse a scenario with notices, such as one of a ship that starts inside a fender: exit code 2, and no run
+    /// Refuse a scenario with notices, such as one of a ship that starts inside a fender: exit code 2, and no run. Exit code 1 where the run
+    /// left the range of its data, such as that of a wind that ends before the run
     #[arg(long)]
     pub(crate) strict: bool,
     /// Print summary.json instead of the summary in words

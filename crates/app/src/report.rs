@@ -33,7 +33,7 @@ pub(crate) fn report(args: &ReportArgs) -> Result<(), Failure> {
     say(&interrupted_line(&played))?;
     say(&verdict_lines(&played))?;
     say(&exercise_lines(&played))?;
-    end(&played, args.allow_failures)
+    end(&played, args.allow_failures, false)
 }
 
 /// In the current folder, with the name of the scenario.

@@ -25,7 +25,7 @@ use crate::terminal::{say, say_json};
 /// Runs the scenario that `args` name. Nothing is written before the scenario is accepted.
 ///
 /// A run in which something broke or was struck is complete and its files are right; its exit code is 1, unless
-/// `--allow-failures` is given.
+/// `--allow-failures` is given. Likewise one whose results are not valid, and with `--strict` one that left the range of its data.
 ///
 /// # Errors
 /// Bad input. A simulation or a file that failed: no result file is left. A run that was interrupted: its files are complete
@@ -68,18 +68,19 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         say(&printed::summary(&outcome, &folder_path, &files))?;
     }
     documents.write(&played, &report, sheets)?;
-    end(&played, args.allow_failures)
+    end(&played, args.allow_failures, args.strict)
 }
 
 /// The end of a command that has written all its files.
 ///
 /// # Errors
-/// A run that was interrupted; one in which something broke or was struck, unless failures are allowed.
-pub(crate) fn end(played: &Played, allow_failures: bool) -> Result<(), Failure> {
+/// A run that was interrupted; one in which something broke or was struck or whose results are not valid, unless failures are allowed; if
+/// `is_strict`, one that left the range of its data.
+pub(crate) fn end(played: &Played, allow_failures: bool, is_strict: bool) -> Result<(), Failure> {
     if played.interrupted.is_some() {
         return Err(Failure::Interrupted);
     }
-    verdict::exit(&played.findings, allow_failures)
+    verdict::exit(&played.findings, allow_failures, is_strict)
 }
 
 /// That the run was interrupted, and where; empty if it was not.

@@ -254,7 +254,19 @@ fn vessel_json(vessel: &VesselData) -> Value {
         "beam_m": hull.beam_m,
         "draught_m": hull.draught_m,
         "block_coefficient": hull.block_coefficient(),
-        "sources": vessel.origin.sources.iter().map(source_json).collect::<Vec<_>>(),
-        "estimate": accuracy_json(&vessel.origin, errors_of(&vessel.origin)),
+        "sources": sources_json(&vessel.origin),
+        "estimate": estimate_json(&vessel.origin),
     })
+}
+
+/// The sources of a vessel's data as JSON.
+pub(crate) fn sources_json(origin: &Origin) -> Vec<Value> {
+    let known = origin.sources.iter().map(|source| source_json(source).checked());
+    known.map(|source| source.expect("a source holds texts")).collect()
+}
+
+/// How far the estimates of a vessel are to be relied on, as JSON; null where nothing is estimated.
+pub(crate) fn estimate_json(origin: &Origin) -> Value {
+    let known = accuracy_json(origin, errors_of(origin)).checked();
+    known.expect("ratios of particulars and errors of published cases are finite")
 }

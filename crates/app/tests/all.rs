@@ -40,3 +40,4 @@ mod support;
 mod validate;
 mod verdict;
 mod vessels;
+mod whole_library;

@@ -229,9 +229,20 @@ fn the_workbook_has_both_ships_of_a_ship_to_ship_berthing() {
     assert!(told("Cm ") && told("It differs from the formula's: "), "{rows:?}");
 }
 
-/// A run with vessels and tugs, in which nothing is found.
 #[test]
-fn vessels_and_tugs_are_in_the_workbook_and_no_finding_is_a_line() {
+fn a_run_in_which_nothing_is_found_has_a_line_that_says_so() {
+    let place = Workplace::new("workbook_all_well");
+    place.write("well.toml", include_bytes!("verdict/one_fender.toml"));
+    let run = place.run(&["run", "well.toml", "--xlsx", "w.xlsx"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert_eq!(place.json("out/well/summary.json")["verdict"]["key"], "all_well");
+    let findings = cells(&mut book(&place, "w.xlsx"), "Findings");
+    assert_eq!(findings[2][3], Data::String("Nothing was found: no limit was exceeded.".into()));
+}
+
+/// A run with vessels and tugs. The ship is broader for her draught than those that her estimate was held against.
+#[test]
+fn vessels_and_tugs_are_in_the_workbook() {
     let place = Workplace::new("workbook_tugs");
     let text = include_str!("../../../scenarios/berth/alongside_with_two_tugs.toml");
     place.write("tugs.toml", text.as_bytes());
@@ -254,9 +265,10 @@ fn vessels_and_tugs_are_in_the_workbook_and_no_finding_is_a_line() {
         assert_eq!(row[column(&tugs, "Peak force")], Data::Float(force_n / 1e3));
     }
     assert_eq!(tugs.len(), 4);
-    assert_eq!(summary["verdict"]["key"], "all_well");
+    assert_eq!(summary["verdict"]["key"], "extrapolated");
     let findings = cells(&mut book, "Findings");
-    assert_eq!(findings[2][3], Data::String("Nothing was found: no limit was exceeded.".into()));
+    let Data::String(text) = &findings[2][3] else { panic!("{:?}", findings[2]) };
+    assert!(text.starts_with("ship: beam over draught is 5.111"), "{text}");
 }
 
 #[test]

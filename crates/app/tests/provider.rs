@@ -122,6 +122,12 @@ fn the_force_of_a_provider_that_dies_is_held_then_dropped_and_reported() {
     let place = with_provider("provider_dies", &dies, "hold = \"2 s\"");
     let (summary, printed) = outcome(&place);
     let counts = &summary["events"]["counts"];
+    let verdict = &summary["verdict"];
+    assert_eq!(verdict["key"], "outside_data");
+    let finding = &verdict["findings"][0];
+    assert_eq!(finding["law"], "provider_silent");
+    let text = finding["text"].as_str().expect("a text");
+    assert!(text.contains(" did not reply: ") && text.ends_with(" of the run)"), "{text}");
     for kind in ["provider_died", "provider_held", "provider_dropped"] {
         assert_eq!(counts[kind], 1, "{summary}");
     }

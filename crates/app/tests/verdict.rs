@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use fenderline_live::message::RunState;
 use fenderline_live::{Session, Source};
+use fenderline_sim::Law;
 use serde_json::Value;
 use support::{Workplace, contains_all};
 
@@ -18,6 +19,8 @@ struct Case {
     set: Vec<String>,
     /// The verdict is that of the finding.
     is_worst: bool,
+    /// The law that the run leaves, where the finding is of one.
+    law: Option<String>,
     key: String,
     gravity: String,
     text: String,
@@ -41,6 +44,7 @@ fn cases() -> Vec<Case> {
             scenario: folder().join(field("scenario")),
             set: set.map(|(key, value)| format!("{key}={}", value.as_str().expect(key))).collect(),
             is_worst: case.get("is_worst").is_none_or(|is| is == true),
+            law: case.get("law").map(|_| field("law")),
             key: field("key"),
             gravity: field("gravity"),
             text: field("text"),
@@ -61,9 +65,11 @@ impl Case {
     /// The verdict in the frame that live pages get after `ticks` steps.
     fn on_pages(&self, ticks: u64) -> Value {
         let text = std::fs::read_to_string(&self.scenario).expect("a scenario");
-        let none = |name: &str| Err(format!("{name} is not expected"));
+        let beside = |name: &str| {
+            std::fs::read_to_string(folder().join(name)).map_err(|error| error.to_string())
+        };
         let (source, _) =
-            Source::collect("case.toml", text, self.set.clone(), none).expect("a good scenario");
+            Source::collect("case.toml", text, self.set.clone(), beside).expect("a good scenario");
         let mut session = Session::open(source).expect("a session");
         while session.tick() < ticks {
             session.step().expect("a step");
@@ -71,12 +77,89 @@ impl Case {
         let frame = session.frame(0, RunState::default());
         serde_json::to_value(frame.verdict).expect("JSON")
     }
+
+    /// A campaign of one case, this one; `duration_s` is that of its scenario.
+    fn campaign(&self, duration_s: f64) -> String {
+        let scenario = self.scenario.to_str().expect("a path in UTF-8");
+        format!(
+            "title = \"One case\"\nscenario = {scenario:?}\nset = {:?}\n\n[variable.duration]\nkey = \"time.duration\"\nvalues = [\"{duration_s} s\"]\n",
+            self.set
+        )
+    }
 }
 
 /// The sentences of a list of findings.
 fn sentences(findings: &Value) -> Vec<&str> {
     let all = findings.as_array().expect("findings").iter();
     all.map(|finding| finding["text"].as_str().expect("a text")).collect()
+}
+
+fn found_of(verdict: &Value) -> impl Iterator<Item = &Value> {
+    verdict["findings"].as_array().expect("findings").iter()
+}
+
+/// Files of long waves must reach to the end of the run, but a live session can go on after it; only the commands of the program start
+/// providers (`provider.rs`).
+const NOT_IN_THE_TABLE: [Law; 2] = [Law::LongWavesHeld, Law::ProviderSilent];
+
+#[test]
+fn every_law_that_a_run_can_leave_has_a_case() {
+    let cases = cases();
+    for row in Law::TABLE {
+        let has_case = cases.iter().any(|case| case.law.as_deref() == Some(row.key));
+        assert_eq!(has_case, !NOT_IN_THE_TABLE.contains(&row.law), "{}", row.key);
+    }
+}
+
+#[test]
+fn the_guide_has_the_table_of_laws() {
+    let guide = include_str!("../../../docs/start/engineer.md");
+    for row in Law::TABLE {
+        let verdict = row.verdict.text();
+        let line = format!("  | `{}` | {} | {} | {verdict} |\n", row.key, row.when, row.then);
+        assert!(guide.contains(&line), "not in the guide: {line}");
+    }
+}
+
+#[test]
+fn a_session_that_goes_on_after_its_long_waves_says_so() {
+    let case = Case {
+        name: "long waves end".to_owned(),
+        scenario: folder().join("drifting.toml"),
+        set: vec![
+            "environment.depth=30 m".to_owned(),
+            "environment.long_waves={ file = \"long_waves.csv\" }".to_owned(),
+        ],
+        is_worst: true,
+        law: None,
+        key: String::new(),
+        gravity: String::new(),
+        text: String::new(),
+        sentence: String::new(),
+    };
+    assert_eq!(case.on_pages(20)["key"], "all_well");
+    let after = case.on_pages(40);
+    assert_eq!(after["key"], "outside_data");
+    contains_all(
+        sentences(&after["findings"])[0],
+        &["long waves", "from 10.5 s for 9.5 s (48 % of the run)"],
+    );
+}
+
+#[test]
+fn strict_refuses_a_result_outside_its_data() {
+    let place = Workplace::new("verdict_strict");
+    let all = cases();
+    let of = |law: &str| all.iter().find(|case| case.law.as_deref() == Some(law)).expect(law);
+    let run = |law: &str, more: &[&str]| {
+        let case = of(law);
+        place.run(&[&case.command("run")[..], &["--out", "case"], more].concat())
+    };
+    assert_eq!(run("wind_held", &[]).code, 0);
+    let refused = run("wind_held", &["--strict"]);
+    assert_eq!(refused.code, 1, "{}", refused.stderr);
+    contains_all(&refused.stderr, &["outside the range of its data", "the results are complete"]);
+    assert_eq!(run("wind_held", &["--strict", "--allow-failures"]).code, 0);
 }
 
 #[test]
@@ -89,13 +172,21 @@ fn the_verdict_on_a_known_case_is_the_same_everywhere() {
         let verdict = &summary["verdict"];
         let findings = sentences(&verdict["findings"]);
 
-        let found = verdict["findings"].as_array().expect("findings").iter();
-        let has_finding = found.into_iter().any(|finding| finding["key"] == *case.key);
+        let has_finding = found_of(verdict).any(|finding| finding["key"] == *case.key);
         assert_eq!(has_finding, case.key != "all_well", "{told}");
         assert!(
             findings.is_empty() || findings.iter().any(|f| f.contains(&case.sentence)),
             "{told}"
         );
+        if let Some(law) = &case.law {
+            let mut of_law = found_of(verdict).filter(|finding| finding["law"] == **law);
+            let finding = of_law.next().unwrap_or_else(|| panic!("{told}{summary:#}"));
+            assert_eq!(finding["key"], *case.key, "{told}");
+            let share = finding["share_of_run"].as_f64().expect("a share");
+            assert!(share > 0.0 && share <= 1.0, "{told}");
+            let text = finding["text"].as_str().expect("a text");
+            assert!(text.ends_with(" of the run)") || text.ends_with(" whole run"), "{told}");
+        }
         if case.is_worst {
             let ours = [&verdict["key"], &verdict["gravity"], &verdict["text"]];
             assert_eq!(ours, [&case.key, &case.gravity, &case.text], "{told}");
@@ -126,6 +217,17 @@ fn the_verdict_on_a_known_case_is_the_same_everywhere() {
         let checked = place.run(&case.command("check"));
         let is_reported = checked.stderr.contains(" starts ");
         assert_eq!(is_reported, case.name.starts_with("start inside"), "{told}{}", checked.stderr);
+
+        // Campaigns.
+        if case.law.is_some() {
+            let duration_s = summary["duration_s"].as_f64().expect("a duration");
+            place.write("study.toml", case.campaign(duration_s).as_bytes());
+            let run = place.run(&["campaign", "study.toml", "--out", "study", "--replace"]);
+            let table = place.text("study/cases.csv");
+            assert_eq!(run.code, 0, "{told}{}{}", run.stdout, run.stderr);
+            let key = verdict["key"].as_str().expect("a key");
+            contains_all(&table, &[&format!(",{key},"), &findings[0].replace('"', "\"\"")]);
+        }
 
         let allowed = [&case.command("run")[..], &["--out", "case", "--allow-failures"]].concat();
         assert_eq!(place.run(&allowed).code, 0, "{told}");

@@ -87,11 +87,16 @@ impl ReactionFactors {
         held(&self.by_angle, angle_rad)
     }
 
+    /// The compression time (s), by which factors by speed are tabulated, of a contact that begins at a speed (m/s) with a fender of a rated
+    /// deflection (m): that to the rated deflection at 0.74 of the speed at first touch. 0.74 is from a public calculator for cone fenders.
+    #[must_use]
+    pub fn compression_time_s(speed_mps: f64, rated_deflection_m: f64) -> f64 {
+        rated_deflection_m / (0.74 * greater(speed_mps, 1e-9))
+    }
+
     /// The factor of a contact that begins at a speed (m/s) and an angle (rad).
     pub(crate) fn at(&self, speed_mps: f64, angle_rad: f64, rated_deflection_m: f64) -> f64 {
-        // Velocity factors are tabulated by the compression time at 0.74 of the speed at first touch; 0.74 is from a
-        // public calculator for cone fenders.
-        let time_s = rated_deflection_m / (0.74 * greater(speed_mps, 1e-9));
+        let time_s = ReactionFactors::compression_time_s(speed_mps, rated_deflection_m);
         self.constant * held(&self.by_compression_time, time_s) * self.of_angle(angle_rad)
     }
 

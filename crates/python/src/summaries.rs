@@ -249,6 +249,22 @@ fn findings_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
             rows.iter().map(|(_, f)| f.names(setup).join(", ")),
         ),
         texts("text", "the finding in one sentence", rows.iter().map(|(_, f)| f.sentence(setup))),
+        texts(
+            "law",
+            "the law or data that the run left, as in summary.json; empty for other findings",
+            rows.iter().map(|(_, f)| f.departure().map_or("", |d| d.law.row().key).to_owned()),
+        ),
+        column(&rows, ("from_s", "s", "when it left that first; NaN for other findings"), |f| {
+            f.departure().map_or(f64::NAN, |d| d.first_s)
+        }),
+        column(&rows, ("lasting_s", "s", "how long it did in all; NaN for other findings"), |f| {
+            f.departure().map_or(f64::NAN, |d| d.lasting_s)
+        }),
+        column(
+            &rows,
+            ("share_of_run", "1", "that over the time of the run; NaN for other findings"),
+            |f| f.departure().map_or(f64::NAN, |d| d.share_of_run),
+        ),
     ];
     KeptTable { name: "findings", columns }
 }

@@ -21,5 +21,12 @@ def test_the_verdict_on_a_known_case(case: dict[str, Any]) -> None:
     else:
         assert case["key"] in findings["finding"].tolist()
         assert any(case["sentence"] in text for text in findings["text"].tolist())
+    if "law" in case:
+        row = findings["law"].tolist().index(case["law"])
+        assert findings["finding"].tolist()[row] == case["key"]
+        assert 0 < findings["share_of_run"][row] <= 1
+        assert findings["from_s"][row] >= 0
+        told = simulation.summary_tree()["verdict"]["findings"]
+        assert case["law"] in [finding.get("law") for finding in told]
     if case.get("is_worst", True):
         assert simulation.verdict == case["key"]

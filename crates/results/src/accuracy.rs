@@ -2,7 +2,8 @@
 
 use fenderline_sim::hydro::EstimateMethod;
 use fenderline_sim::hydro::vessels::{Origin, Source};
-use serde_json::{Map, Value, json};
+
+use crate::json::{Json, object};
 
 /// The errors of an estimation method in one measure: computed value over reference, minus 1.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,13 +66,13 @@ fn signed_percent(share: f64) -> String {
 }
 
 /// [`accuracy`] as JSON; null if nothing of hull, propeller and rudder is estimated.
-pub fn accuracy_json(origin: &Origin, errors: &[EstimateError]) -> Value {
-    let Some(route) = origin.estimate_method else { return Value::Null };
-    let outside: Vec<Value> = origin
+pub fn accuracy_json(origin: &Origin, errors: &[EstimateError]) -> Json {
+    let Some(route) = origin.estimate_method else { return Json::Null };
+    let outside: Vec<Json> = origin
         .outside
         .iter()
         .map(|outside| {
-            json!({
+            object!({
                 "ratio": outside.ratio.name(),
                 "value": outside.value,
                 "low": outside.range[0],
@@ -83,7 +84,7 @@ pub fn accuracy_json(origin: &Origin, errors: &[EstimateError]) -> Value {
         EstimateMethod::Clarke => ("Clarke, Gedling & Hine (1983)", Vec::new()),
         EstimateMethod::YoshimuraMasumoto => ("Yoshimura & Masumoto (2012)", {
             let object = |error: &EstimateError| {
-                json!({
+                object!({
                     "measure": error.measure,
                     "mean_size": error.size,
                     "bias": error.bias,
@@ -95,14 +96,14 @@ pub fn accuracy_json(origin: &Origin, errors: &[EstimateError]) -> Value {
             errors.iter().map(object).collect()
         }),
     };
-    json!({ "formulas": formulas, "outside": outside, "errors": errors })
+    object!({ "formulas": formulas, "outside": outside, "errors": errors })
 }
 
 /// A source as JSON.
-pub fn source_json(source: &Source) -> Value {
-    let figures: Map<String, Value> =
-        source.figures.iter().map(|figure| (figure.name.clone(), json!(figure.text))).collect();
-    json!({
+pub fn source_json(source: &Source) -> Json {
+    let figures: Json =
+        source.figures.iter().map(|figure| (figure.name.clone(), &figure.text)).collect();
+    object!({
         "group": source.group,
         "figures": figures,
         "source": source.source,

@@ -67,6 +67,13 @@ pub struct FenderSetup {
 }
 
 impl FenderSetup {
+    /// The compression time of a contact that begins at a speed (m/s), by which factors by speed are tabulated (s); `None` without a rating.
+    #[must_use]
+    pub fn compression_time_s(&self, speed_mps: f64) -> Option<f64> {
+        let rated = self.rated.as_ref()?;
+        Some(ReactionFactors::compression_time_s(speed_mps, rated.deflection_m))
+    }
+
     /// Number of equal fenders behind a panel; 1 without one.
     #[must_use]
     pub fn cones(&self) -> f64 {

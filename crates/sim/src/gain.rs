@@ -1,4 +1,4 @@
-//! Energy that contacts created in a run with the paper's method.
+//! Energy that contacts created in a run.
 
 use core::fmt;
 
@@ -14,14 +14,29 @@ pub struct EnergyGain {
     pub taken_j: f64,
 }
 
+impl EnergyGain {
+    /// The gain in one sentence, with a capital letter.
+    pub(crate) fn sentence(&self) -> String {
+        let words = self.to_string();
+        let mut letters = words.chars();
+        letters
+            .next()
+            .map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    }
+}
+
 impl fmt::Display for EnergyGain {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let percent = 100.0 * self.gained_j / self.taken_j;
-        write!(
-            f,
-            "contacts returned {:.1} kJ more than they absorbed, {percent:.0} % of the absorbed energy: the paper's \
-             method creates energy at this time step; use a shorter `step` or `method = \"coupled\"`",
-            self.gained_j / 1e3
+        write!(f, "contacts returned {:.1} kJ more than they absorbed, ", self.gained_j / 1e3)?;
+        // A contact that absorbs hardly anything may return any multiple of it.
+        match self.gained_j < 10.0 * self.taken_j {
+            true => {
+                write!(f, "{:.0} % of the absorbed energy", 100.0 * self.gained_j / self.taken_j)?
+            }
+            false => write!(f, "over ten times the absorbed energy")?,
+        }
+        f.write_str(
+            ": the method creates energy at this time step; use a shorter `step` or `method = \"coupled\"`",
         )
     }
 }

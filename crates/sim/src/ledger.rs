@@ -45,6 +45,11 @@ impl Ledger {
         Energy { kinetic_j, load_work_j, residual_j, ..self.sums }
     }
 
+    /// The energy that contacts absorbed, and that which they returned beyond it (J).
+    pub(crate) fn contacts_j(&self) -> [f64; 2] {
+        [self.sums.contact_taken_j, self.sums.contact_gained_j]
+    }
+
     /// Adds one step: the works of the loads and of the contacts in it.
     pub(crate) fn add(
         &mut self,

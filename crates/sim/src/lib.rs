@@ -238,7 +238,7 @@ pub use setup::{
 pub use simulation::Simulation;
 pub use start::{BodyStart, Start};
 pub use summary::PairSummary;
-pub use verdict::{Finding, Gravity, Verdict, called};
+pub use verdict::{Departure, Finding, Gravity, Law, LawRow, Subject, Verdict, called};
 pub use world::{
     AnchorAtWork, AnchorSetup, AnchorStart, Assist, AssistPilot, AzimuthOrder, AzimuthSetup,
     AzimuthState, BollardSetup, Environment, Fault, Faults, Float, Job, LineEnd, LineHandling,

@@ -296,7 +296,7 @@ impl Simulation {
         });
         let Ok(record) = &mut result else { unreachable!("it was made here") };
         self.summaries.add(record);
-        self.watch.add(&self.setup, record);
+        self.watch.add(&self.setup, record, self.ledger.contacts_j());
         if let Some(statistics) = &mut self.statistics {
             statistics.add(&self.setup, record);
         }

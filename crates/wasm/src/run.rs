@@ -355,3 +355,32 @@ fn table_json(table: &KeptTable) -> Value {
         .collect();
     json!({ "name": table.name, "rows": table.rows(), "columns": columns })
 }
+
+#[cfg(test)]
+mod tests {
+    use fenderline_scenario::VesselLibrary;
+
+    use super::*;
+
+    /// What the page without a server shows of a run: the frame, the verdict, summary and report.
+    #[test]
+    fn each_vessel_of_the_library_runs_by_herself_on_the_page() {
+        for vessel in VesselLibrary::built_in().vessels() {
+            let name = &vessel.name;
+            let outline = match vessel.outline_m {
+                Some(_) => "",
+                None => "outline = [[-50, -8], [50, -8], [50, 8], [-50, 8]]",
+            };
+            let text = format!(
+                "[time]\nstep = \"0.5 s\"\nduration = \"2 s\"\n[body.ship]\nvessel = \"{name}\"\nposition = [0, 0]\n{outline}\n"
+            );
+            let source = Source { text: &text, file: "bare.toml", ..Source::default() };
+            let mut run = Run::new(&source, Wanted { frames: true, tables: true }).expect(name);
+            assert_eq!(run.advance(4), Ok(4), "{name}");
+            let summary = run.summary().expect(name);
+            assert!(summary.contains("\"verdict\""), "{name}");
+            assert!(run.frame().expect(name).contains("\"verdict\""), "{name}");
+            assert!(run.report().contains("</html>") && run.tables().is_ok(), "{name}");
+        }
+    }
+}

@@ -6,8 +6,7 @@ use serde_json::{Map, Value, json};
 
 use super::conditions::{Conditions, Sea};
 use super::section::{Row, Section};
-use fenderline_results::{accuracy_json, source_json};
-use fenderline_validate::errors_of;
+use crate::vessels::{estimate_json, sources_json};
 
 /// The whole document, with a final line feed.
 pub(super) fn text(
@@ -31,8 +30,8 @@ pub(super) fn text(
         "depth_m": conditions.shallow.map(|shallow| shallow.depth_m),
         "notices": conditions.shallow.map_or_else(Vec::new, |shallow| shallow.notices(vessel, conditions.speed_mps)),
         "manoeuvres": sections.iter().map(section).collect::<Vec<_>>(),
-        "sources": vessel.origin.sources.iter().map(source_json).collect::<Vec<_>>(),
-        "estimate": accuracy_json(&vessel.origin, errors_of(&vessel.origin)),
+        "sources": sources_json(&vessel.origin),
+        "estimate": estimate_json(&vessel.origin),
     });
     format!("{document:#}\n")
 }

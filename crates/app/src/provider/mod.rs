@@ -63,6 +63,9 @@ impl Providers {
             let question = ForceRequest { t_s, step_s, state: simulation.states()[body] };
             let wrench =
                 provider.provided.wrench(&mut provider.process, &question, &mut self.events);
+            if provider.provided.is_silent() {
+                simulation.note_silent_provider(index);
+            }
             self.wrenches[body].force_n += wrench.force_n;
             self.wrenches[body].moment_nm += wrench.moment_nm;
             for event in self.events.drain(..) {

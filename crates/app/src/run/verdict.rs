@@ -29,12 +29,19 @@ pub(super) fn lines(outcome: &Outcome<'_>) -> String {
 /// The end of the command.
 ///
 /// # Errors
-/// A failed case where something broke or was struck and failures are not allowed.
-pub(super) fn exit(findings: &[Finding], allow_failures: bool) -> Result<(), Failure> {
-    let verdict = Verdict::of(findings);
-    if verdict.gravity() < Gravity::Failed || allow_failures {
-        return Ok(());
-    }
+/// A failed case, unless failures are allowed: something broke or was struck, or the results are not valid. With `is_strict` also where the run
+/// left the range of its data.
+pub(super) fn exit(
+    findings: &[Finding],
+    allow_failures: bool,
+    is_strict: bool,
+) -> Result<(), Failure> {
+    let in_doubt = |verdict: &Verdict| {
+        is_strict && verdict.is_of_law() && verdict.gravity() >= Gravity::Attention
+    };
+    let is_failure = |verdict: &Verdict| verdict.gravity() == Gravity::Failed || in_doubt(verdict);
+    let failures = findings.iter().map(Finding::verdict).filter(is_failure);
+    let Some(verdict) = failures.max().filter(|_| !allow_failures) else { return Ok(()) };
     Err(Failure::case(format_args!(
         "error: {}; the results are complete (--allow-failures: exit code 0)",
         verdict.text().to_lowercase()

@@ -105,10 +105,12 @@ impl Numbers {
     }
 }
 
-/// Why she cannot stay: limits by their names, that which is exceeded most first, after graver findings by their verdicts.
+/// Why she cannot stay: limits by their names, that which is exceeded most first, after graver findings by their verdicts. A run that left the
+/// range of its data is in doubt, which its verdict says; that alone is no reason to leave.
 fn lost_by(setup: &Setup, findings: &[Finding]) -> String {
     let limits = &setup.world.statistics.limits;
-    let grave = findings.iter().filter(|own| own.verdict().gravity() >= Gravity::Attention);
+    let is_reason = |of: Verdict| of.gravity() >= Gravity::Attention && of != Verdict::OutsideData;
+    let grave = findings.iter().filter(|own| is_reason(own.verdict()));
     let mut reasons: Vec<(Verdict, f64, &str)> = grave
         .map(|own| match own {
             Finding::LimitExceeded { limit, value } => {

@@ -1,12 +1,13 @@
 //! Approaches in `summary.json`.
 
 use fenderline_sim::{Approach, Setup};
-use serde_json::{Value, json};
+
+use crate::json::{Json, object};
 
 /// The approaches of a set-up.
-pub(super) fn approaches_json(setup: &Setup) -> Value {
+pub(super) fn approaches_json(setup: &Setup) -> Json {
     let one = |approach: &Approach| {
-        json!({
+        object!({
             "body": setup.bodies[approach.body].name,
             "fender": setup.fenders[approach.fender].name,
             "side": approach.side.to_string(),

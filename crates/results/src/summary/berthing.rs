@@ -2,25 +2,26 @@
 
 use fenderline_sim::Setup;
 use fenderline_sim::berthing::{AddedMass, AddedMassFormula, BerthingError, BerthingOutcome};
-use serde_json::{Value, json};
+
+use crate::json::{Json, object};
 
 /// The factors and energies, or why there are none.
 pub(super) fn berthing_json(
     berthing: Result<&BerthingOutcome, &BerthingError>,
     setup: &Setup,
-) -> Value {
+) -> Json {
     let outcome = match berthing {
         Ok(outcome) => outcome,
-        Err(error) => return json!({ "error": error.to_string() }),
+        Err(error) => return object!({ "error": error.to_string() }),
     };
     let by_formula = |values: [Option<f64>; 4]| {
         let known = AddedMassFormula::ALL.iter().zip(values);
-        let known =
-            known.filter_map(|(formula, value)| Some((formula.key().to_owned(), json!(value?))));
-        Value::Object(known.collect())
+        known
+            .filter_map(|(formula, value)| Some((formula.key().to_owned(), value?)))
+            .collect::<Json>()
     };
     let fenders = outcome.fenders.iter().map(|&index| setup.fenders[index].name.as_str());
-    let mut object = json!({
+    let mut object = object!({
         "first_touch_s": outcome.first_touch_s,
         "fenders": fenders.collect::<Vec<_>>(),
         "speed_mps": outcome.speed_mps,
@@ -54,18 +55,18 @@ pub(super) fn berthing_json(
     });
     // Only flexible dolphins have piles.
     if outcome.pile_energy_j > 0.0 {
-        object["pile_energy_j"] = json!(outcome.pile_energy_j);
+        object.put("pile_energy_j", outcome.pile_energy_j);
     }
     if let Some(later) = outcome.later {
-        object["later_at_s"] = json!(later.at_s);
-        object["later_hit"] = json!(later.number);
+        object.put("later_at_s", later.at_s);
+        object.put("later_hit", later.number);
     }
     if let Some(other) = outcome.other {
-        object["other_displacement_kg"] = json!(other.displacement_kg);
-        object["other_added_mass"] = json!(other.added_mass);
+        object.put("other_displacement_kg", other.displacement_kg);
+        object.put("other_added_mass", other.added_mass);
     }
     if let Some(abnormal_j) = outcome.abnormal_energy_j {
-        object["abnormal_energy_j"] = json!(abnormal_j);
+        object.put("abnormal_energy_j", abnormal_j);
     }
     object
 }

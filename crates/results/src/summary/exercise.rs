@@ -2,20 +2,21 @@
 
 use fenderline_sim::Setup;
 use fenderline_sim::exercise::{Assessment, Deduction, Limit, Mark};
-use serde_json::{Value, json};
 
-pub(super) fn exercise_json(exercise: &Assessment, setup: &Setup) -> Value {
+use crate::json::{Json, object};
+
+pub(super) fn exercise_json(exercise: &Assessment, setup: &Setup) -> Json {
     let of = exercise.setup();
-    let goal: Vec<Value> = of
+    let goal: Vec<Json> = of
         .goal
         .iter()
         .zip(exercise.conditions())
         .map(|(condition, now)| {
-            json!({ "text": condition.words(), "met": now.is_met, "now": now.now })
+            object!({ "text": condition.words(), "met": now.is_met, "now": now.now })
         })
         .collect();
     let deductions: Vec<Deduction<'_>> = exercise.deductions().collect();
-    let limits: Vec<Value> = of
+    let limits: Vec<Json> = of
         .limits
         .iter()
         .zip(exercise.marks())
@@ -24,7 +25,7 @@ pub(super) fn exercise_json(exercise: &Assessment, setup: &Setup) -> Value {
             limit_json(limit, mark, deduction, setup)
         })
         .collect();
-    let mut object = json!({
+    let mut object = object!({
         "task": of.task,
         "goal": goal,
         "state": exercise.state().word(),
@@ -33,10 +34,10 @@ pub(super) fn exercise_json(exercise: &Assessment, setup: &Setup) -> Value {
         "limits": limits,
     });
     if let Some(ended_s) = exercise.state().ended_s() {
-        object["ended_s"] = json!(ended_s);
+        object.put("ended_s", ended_s);
     }
     if let Some(passed) = exercise.is_passed() {
-        object["passed"] = json!(passed);
+        object.put("passed", passed);
     }
     object
 }
@@ -46,9 +47,9 @@ fn limit_json(
     mark: &Mark,
     deduction: Option<&Deduction<'_>>,
     setup: &Setup,
-) -> Value {
+) -> Json {
     let bound = if limit.measure.is_least() { "least" } else { "most" };
-    let mut object = json!({
+    let mut object = object!({
         "of": limit.measure.key(),
         "unit": limit.measure.unit(),
         bound: limit.bound,
@@ -59,17 +60,17 @@ fn limit_json(
         "deducted": deduction.map_or(0.0, |of| of.points),
     });
     if limit.within_m.is_finite() {
-        object["within_m"] = json!(limit.within_m);
+        object.put("within_m", limit.within_m);
     }
     if let Some((value, subject, at_s)) = mark.worst {
-        object["value"] = json!(value);
-        object["at_s"] = json!(at_s);
-        object["by"] = json!(subject.name(setup));
+        object.put("value", value);
+        object.put("at_s", at_s);
+        object.put("by", subject.name(setup));
     }
     if let (Some(first_s), Some(deduction)) = (mark.first_s, deduction) {
-        object["first_exceeded_s"] = json!(first_s);
-        object["exceeded_for_s"] = json!(mark.lasting_s);
-        object["text"] = json!(deduction.sentence(setup));
+        object.put("first_exceeded_s", first_s);
+        object.put("exceeded_for_s", mark.lasting_s);
+        object.put("text", deduction.sentence(setup));
     }
     object
 }

@@ -4,14 +4,14 @@ use fenderline_sim::{
     ChainKind, ChainSetup, ChainSummary, ConeSummary, ConeUse, FenderSetup, FenderSource,
     FenderSummary, PanelSummary,
 };
-use serde_json::{Map, Value, json};
 
+use crate::json::{Json, object};
 use crate::outcome::Outcome;
 use crate::verdict::FenderVerdict;
 
 /// One object per touched fender, in the order of the scenario. Missing data (rating, permissible hull pressure, source)
 /// have no key.
-pub(super) fn fenders_json(outcome: &Outcome<'_>) -> Vec<Value> {
+pub(super) fn fenders_json(outcome: &Outcome<'_>) -> Vec<Json> {
     let setup = outcome.setup;
     let objects = outcome.fenders.iter().map(|summary| {
         let fender = &setup.fenders[summary.fender];
@@ -20,8 +20,8 @@ pub(super) fn fenders_json(outcome: &Outcome<'_>) -> Vec<Value> {
     objects.collect()
 }
 
-fn fender_json(fender: &FenderSetup, body: &str, summary: &FenderSummary) -> Value {
-    let mut object = json!({
+fn fender_json(fender: &FenderSetup, body: &str, summary: &FenderSummary) -> Json {
+    let mut object = object!({
         "name": fender.name,
         "body": body,
         "verdict": FenderVerdict::of(fender, summary).key(),
@@ -39,62 +39,60 @@ fn fender_json(fender: &FenderSetup, body: &str, summary: &FenderSummary) -> Val
         "last_deflection_m": summary.last_deflection_m,
         "last_reaction_n": summary.last_reaction_n,
     });
-    let known = object.as_object_mut().expect("an object");
     let rated = fender.rated.as_ref();
-    put(known, "peak_hull_pressure_npm2", summary.peak_hull_pressure_npm2);
-    put(known, "capacity_j", summary.capacity_j);
-    put(known, "share_of_rated_energy", summary.share_of_rated_energy);
-    put(known, "share_of_rated_reaction", summary.share_of_rated_reaction);
-    put(known, "share_of_rated_deflection", summary.share_of_rated_deflection);
-    put(known, "share_of_catalogue_energy", summary.share_of_catalogue_energy(fender));
-    put(known, "share_of_catalogue_reaction", summary.share_of_catalogue_reaction());
+    object.put_if_any("peak_hull_pressure_npm2", summary.peak_hull_pressure_npm2);
+    object.put_if_any("capacity_j", summary.capacity_j);
+    object.put_if_any("share_of_rated_energy", summary.share_of_rated_energy);
+    object.put_if_any("share_of_rated_reaction", summary.share_of_rated_reaction);
+    object.put_if_any("share_of_rated_deflection", summary.share_of_rated_deflection);
+    object.put_if_any("share_of_catalogue_energy", summary.share_of_catalogue_energy(fender));
+    object.put_if_any("share_of_catalogue_reaction", summary.share_of_catalogue_reaction());
     if let Some((quantity, share)) = summary.governing() {
-        known.insert("governing".to_owned(), json!(quantity));
-        known.insert("governing_share".to_owned(), json!(share));
+        object.put("governing", quantity);
+        object.put("governing_share", share);
     }
-    put(known, "share_of_hull_pressure", summary.share_of_hull_pressure);
-    put(known, "rated_deflection_m", rated.map(|r| r.deflection_m));
-    put(known, "rated_reaction_n", rated.map(|r| r.reaction_n));
-    put(known, "rated_energy_j", rated.map(|r| r.energy_j));
-    put(known, "hull_pressure_limit_npm2", fender.hull_pressure_limit_npm2);
-    put(known, "height_on_hull_m", summary.hull.map(|hull| hull.height_m));
-    put(known, "vertical_angle_rad", summary.hull.map(|hull| hull.vertical_angle_rad));
-    put(known, "peak_vertical_force_n", summary.hull.map(|hull| hull.peak_vertical_force_n));
+    object.put_if_any("share_of_hull_pressure", summary.share_of_hull_pressure);
+    object.put_if_any("rated_deflection_m", rated.map(|r| r.deflection_m));
+    object.put_if_any("rated_reaction_n", rated.map(|r| r.reaction_n));
+    object.put_if_any("rated_energy_j", rated.map(|r| r.energy_j));
+    object.put_if_any("hull_pressure_limit_npm2", fender.hull_pressure_limit_npm2);
+    object.put_if_any("height_on_hull_m", summary.hull.map(|hull| hull.height_m));
+    object.put_if_any("vertical_angle_rad", summary.hull.map(|hull| hull.vertical_angle_rad));
+    object.put_if_any("peak_vertical_force_n", summary.hull.map(|hull| hull.peak_vertical_force_n));
     if let Some(panel) = &summary.panel {
-        known.insert("panel".to_owned(), panel_json(fender, summary, panel));
+        object.put("panel", panel_json(fender, summary, panel));
     }
     if !summary.chains.is_empty() {
         let chains = fender.chains.iter().zip(&summary.chains);
-        let chains: Vec<Value> = chains.map(|(setup, chain)| chain_json(setup, chain)).collect();
-        known.insert("chains".to_owned(), json!(chains));
+        let chains: Json = chains.map(|(setup, chain)| chain_json(setup, chain)).collect();
+        object.put("chains", chains);
     }
     if let Some(FenderSource { designation, source, standing }) = &fender.source {
-        known.insert("designation".to_owned(), json!(designation));
-        known.insert("source".to_owned(), json!(source));
-        known.insert("standing".to_owned(), json!(standing));
+        object.put("designation", designation);
+        object.put("source", source);
+        object.put("standing", standing);
     }
     object
 }
 
 /// The turn, the moment and the cones of a panel.
-fn panel_json(fender: &FenderSetup, summary: &FenderSummary, panel: &PanelSummary) -> Value {
+fn panel_json(fender: &FenderSetup, summary: &FenderSummary, panel: &PanelSummary) -> Json {
     let cone = |cone: &ConeSummary| {
-        let mut object = json!({
+        let mut object = object!({
             "at_m": cone.at_m,
             "peak_deflection_m": cone.peak_deflection_m,
             "peak_stretch_m": cone.peak_stretch_m,
         });
         if let Some(of) = ConeUse::of(fender, summary, cone.peak_deflection_m) {
-            let known = object.as_object_mut().expect("an object");
-            put(known, "peak_reaction_n", Some(of.peak_reaction_n));
-            put(known, "peak_energy_j", Some(of.peak_energy_j));
-            put(known, "share_of_rated_deflection", of.share_of_rated_deflection);
-            put(known, "share_of_rated_reaction", of.share_of_rated_reaction);
-            put(known, "share_of_rated_energy", of.share_of_rated_energy);
+            object.put("peak_reaction_n", of.peak_reaction_n);
+            object.put("peak_energy_j", of.peak_energy_j);
+            object.put_if_any("share_of_rated_deflection", of.share_of_rated_deflection);
+            object.put_if_any("share_of_rated_reaction", of.share_of_rated_reaction);
+            object.put_if_any("share_of_rated_energy", of.share_of_rated_energy);
         }
         object
     };
-    json!({
+    object!({
         "peak_tilt_rad": panel.peak_tilt_rad,
         "peak_tilt_at_s": panel.peak_tilt_at_s,
         "peak_moment_nm": panel.peak_moment_nm,
@@ -104,23 +102,16 @@ fn panel_json(fender: &FenderSetup, summary: &FenderSummary, panel: &PanelSummar
 }
 
 /// The peak tension of a chain; the time at which it parted has no key if it has not.
-fn chain_json(setup: &ChainSetup, chain: &ChainSummary) -> Value {
-    let mut object = json!({
+fn chain_json(setup: &ChainSetup, chain: &ChainSummary) -> Json {
+    let mut object = object!({
         "kind": chain.kind.word(),
         "break_load_n": setup.break_load_n,
         "peak_tension_n": chain.peak_tension_n,
         "peak_tension_at_s": chain.peak_tension_at_s,
         "share_of_break_load": chain.share_of_break_load,
     });
-    let known = object.as_object_mut().expect("an object");
     let is_tension = chain.kind == ChainKind::Tension;
-    put(known, "at_m", is_tension.then_some(setup.at_m));
-    put(known, "parted_at_s", chain.parted_at_s);
+    object.put_if_any("at_m", is_tension.then_some(setup.at_m));
+    object.put_if_any("parted_at_s", chain.parted_at_s);
     object
-}
-
-fn put(object: &mut Map<String, Value>, key: &str, value: Option<f64>) {
-    if let Some(value) = value {
-        object.insert(key.to_owned(), json!(value));
-    }
 }

@@ -11,12 +11,10 @@ mod statistics;
 mod verdict;
 mod world;
 
-use core::fmt;
-
 use fenderline_contact::{BodyState, Rotation};
 use fenderline_sim::{Energy, Integrator, Method, PairSummary};
-use serde_json::{Map, Value, json};
 
+use crate::json::{Json, NumberNotFinite, object};
 use crate::outcome::{Outcome, WrittenFile};
 
 use approach::approaches_json;
@@ -47,39 +45,24 @@ pub fn integrator_text(integrator: Integrator) -> &'static str {
     }
 }
 
-/// A value of the summary that is not finite: the run failed.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SummaryNotFinite {
-    /// Its key, with dots between the levels.
-    pub key: String,
-}
-
-impl fmt::Display for SummaryNotFinite {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the simulation gave a value that is not finite for `{}`", self.key)
-    }
-}
-
-impl core::error::Error for SummaryNotFinite {}
-
 /// The text of `summary.json`.
 ///
 /// # Errors
 /// A value that is not finite: JSON cannot hold it, and a summary without it would mislead.
-pub fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<String, SummaryNotFinite> {
+pub fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<String, NumberNotFinite> {
     let setup = outcome.setup;
     let name = |body: usize| setup.bodies[body].name.as_str();
-    let bodies: Vec<Value> =
+    let bodies: Vec<Json> =
         outcome.states.iter().enumerate().map(|(i, state)| body_json(name(i), state)).collect();
-    let pairs: Vec<Value> = outcome.pairs.iter().map(|pair| pair_json(pair, &name)).collect();
-    let files: Vec<Value> = files
+    let pairs: Vec<Json> = outcome.pairs.iter().map(|pair| pair_json(pair, &name)).collect();
+    let files: Vec<Json> = files
         .iter()
         .map(|file| match file.rows {
-            Some(rows) => json!({ "name": file.name, "rows": rows }),
-            None => json!({ "name": file.name }),
+            Some(rows) => object!({ "name": file.name, "rows": rows }),
+            None => object!({ "name": file.name }),
         })
         .collect();
-    let mut whole = json!({
+    let mut whole = object!({
         "title": outcome.title,
         "report": report_json(outcome.report),
         "fenderline_version": env!("CARGO_PKG_VERSION"),
@@ -100,64 +83,48 @@ pub fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<String, S
         "files": files,
     });
     if let Some(exercise) = outcome.exercise {
-        whole["exercise"] = exercise_json(exercise, setup);
+        whole.put("exercise", exercise_json(exercise, setup));
     }
     if let Some(session) = outcome.session {
-        whole["session"] = session_json(session);
+        whole.put("session", session_json(session));
     }
     if !setup.approaches.is_empty() {
-        whole["approaches"] = approaches_json(setup);
+        whole.put("approaches", approaches_json(setup));
     }
     if !outcome.dolphins.is_empty() {
-        whole["dolphins"] = dolphins_json(outcome.dolphins, setup).into();
+        whole.put("dolphins", dolphins_json(outcome.dolphins, setup));
     }
     if let Some(berthing) = outcome.berthing {
-        whole["berthing"] = berthing_json(berthing, setup);
+        whole.put("berthing", berthing_json(berthing, setup));
     }
     put_world(&mut whole, outcome);
     put_statistics(&mut whole, outcome);
-    match first_null(&whole) {
-        None => Ok(format!("{whole:#}\n")),
-        Some(key) => Err(SummaryNotFinite { key }),
-    }
+    let checked = whole.checked()?;
+    Ok(format!("{checked:#}\n"))
 }
 
 /// The lines of the report's title page.
-fn report_json(lines: &[(&str, String)]) -> Value {
-    lines.iter().map(|(key, text)| ((*key).to_owned(), Value::from(text.as_str()))).collect()
+fn report_json(lines: &[(&str, String)]) -> Json {
+    lines.iter().map(|(key, text)| ((*key).to_owned(), text)).collect()
 }
 
-/// The key of the first null, which is what a number that is not finite turns into; the summary
-/// holds no other.
-fn first_null(value: &Value) -> Option<String> {
-    match value {
-        Value::Null => Some(String::new()),
-        Value::Array(items) => items.iter().find_map(first_null),
-        Value::Object(map) => map.iter().find_map(|(key, value)| {
-            let below = first_null(value)?;
-            Some(if below.is_empty() { key.clone() } else { format!("{key}.{below}") })
-        }),
-        _ => None,
-    }
-}
-
-fn body_json(name: &str, state: &BodyState) -> Value {
+fn body_json(name: &str, state: &BodyState) -> Json {
     let velocity = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps);
-    json!({
+    object!({
         "name": name,
-        "final": {
+        "final": object!({
             "x_m": state.position_m.x,
             "y_m": state.position_m.y,
             "heading_rad": state.heading_rad,
             "u_mps": velocity.x,
             "v_mps": velocity.y,
             "r_radps": state.yaw_rate_radps,
-        },
+        }),
     })
 }
 
-fn pair_json<'a>(pair: &PairSummary, name: &impl Fn(usize) -> &'a str) -> Value {
-    json!({
+fn pair_json<'a>(pair: &PairSummary, name: &impl Fn(usize) -> &'a str) -> Json {
+    object!({
         "bodies": pair.bodies.map(name),
         "first_touch_s": pair.first_touch_s,
         "last_touch_s": pair.last_touch_s,
@@ -174,14 +141,10 @@ fn pair_json<'a>(pair: &PairSummary, name: &impl Fn(usize) -> &'a str) -> Value 
     })
 }
 
-fn energy_json(energy: Energy) -> Value {
-    let loads: Map<String, Value> = energy
-        .loads
-        .parts()
-        .iter()
-        .map(|(name, work_j)| ((*name).to_owned(), json!(work_j)))
-        .collect();
-    let mut object = json!({
+fn energy_json(energy: Energy) -> Json {
+    let loads: Json =
+        energy.loads.parts().iter().map(|(name, work_j)| ((*name).to_owned(), *work_j)).collect();
+    let mut object = object!({
         "kinetic_j": energy.kinetic_j,
         "load_work_j": energy.load_work_j,
         "load_works_j": loads,
@@ -199,13 +162,13 @@ fn energy_json(energy: Energy) -> Value {
     });
     // Only hulls by height take part in it.
     if energy.height_work_j != 0.0 {
-        object["height_work_j"] = json!(energy.height_work_j);
+        object.put("height_work_j", energy.height_work_j);
     }
     // Only flexible dolphins do.
     if energy.loads.piles_j != 0.0 {
-        object["pile_stored_j"] = json!(energy.pile_stored_j);
-        object["pile_damping_j"] = json!(energy.pile_damping_j);
-        object["pile_yield_j"] = json!(energy.pile_yield_j);
+        object.put("pile_stored_j", energy.pile_stored_j);
+        object.put("pile_damping_j", energy.pile_damping_j);
+        object.put("pile_yield_j", energy.pile_yield_j);
     }
     object
 }

@@ -1,27 +1,26 @@
 //! The recorded session in `summary.json`.
 
-use serde_json::{Value, json};
-
 use crate::branch::BranchOutcome;
+use crate::json::{Json, object};
 use crate::recorded_session::{LogLine, RecordedSession};
 
-pub(super) fn session_json(session: &RecordedSession) -> Value {
+pub(super) fn session_json(session: &RecordedSession) -> Json {
     let RecordedSession { file, branch, branches, missing_at_end, log, beside } = session;
-    json!({
+    object!({
         "file": file,
         "branch": branch,
         "branches": branches,
         "is_complete": missing_at_end.is_none(),
-        "log": log.iter().map(line_json).collect::<Vec<Value>>(),
-        "beside": beside.iter().map(branch_json).collect::<Vec<Value>>(),
+        "log": log.iter().map(line_json).collect::<Json>(),
+        "beside": beside.iter().map(branch_json).collect::<Json>(),
     })
 }
 
 /// A branch beside the others, without its way.
-fn branch_json(branch: &BranchOutcome) -> Value {
+fn branch_json(branch: &BranchOutcome) -> Json {
     let BranchOutcome { id, parent, from_s, ends_s, verdict, findings, score, .. } = branch;
     let BranchOutcome { fender_share, line_share, approach_mps, commands, alarms, .. } = branch;
-    let mut object = json!({
+    let mut object = object!({
         "branch": id,
         "from_s": from_s,
         "ends_s": ends_s,
@@ -31,33 +30,26 @@ fn branch_json(branch: &BranchOutcome) -> Value {
         "commands": commands,
         "alarms": alarms,
     });
-    // What there is not is left out: the writer takes a null for a number that is not finite.
-    for (key, value) in [
-        ("parent", parent.map(|parent| json!(parent))),
-        ("score", score.map(|(score, _)| json!(score))),
-        ("passed", score.and_then(|(_, passed)| passed).map(|passed| json!(passed))),
-        ("largest_share_of_rated_energy", fender_share.map(|share| json!(share))),
-        ("fastest_approach_mps", approach_mps.map(|speed_mps| json!(speed_mps))),
-    ] {
-        if let Some(value) = value {
-            object[key] = value;
-        }
-    }
+    object.put_if_any("parent", *parent);
+    object.put_if_any("score", score.map(|(score, _)| score));
+    object.put_if_any("passed", score.and_then(|(_, passed)| passed));
+    object.put_if_any("largest_share_of_rated_energy", *fender_share);
+    object.put_if_any("fastest_approach_mps", *approach_mps);
     object
 }
 
-fn line_json(line: &LogLine) -> Value {
+fn line_json(line: &LogLine) -> Json {
     let LogLine { t_s, until_s, kind, who, text, acknowledged, .. } = line;
-    let mut object = json!({ "t_s": t_s, "kind": kind.word(), "text": text });
+    let mut object = object!({ "t_s": t_s, "kind": kind.word(), "text": text });
     if let Some(until_s) = until_s {
-        object["until_s"] = json!(until_s);
+        object.put("until_s", until_s);
     }
     if !who.is_empty() {
-        object["who"] = json!(who);
+        object.put("who", who);
     }
     if let Some((at_s, by)) = acknowledged {
-        object["acknowledged_s"] = json!(at_s);
-        object["acknowledged_by"] = json!(by);
+        object.put("acknowledged_s", at_s);
+        object.put("acknowledged_by", by);
     }
     object
 }

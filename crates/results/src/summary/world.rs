@@ -4,50 +4,62 @@ use crate::events::world_event_key;
 use fenderline_sim::Setup;
 use fenderline_sim::external::ProviderEvent;
 use fenderline_sim::passing::PassingSetup;
-use serde_json::{Map, Value, json};
 
 use crate::accuracy::{accuracy_json, source_json};
+use crate::json::{Json, object};
 use crate::outcome::Outcome;
 use crate::provider_notices::provider_event_key;
 use crate::world_totals::{AnchorTotals, LineTotals, PassingTotals, TugTotals, VesselTotals, Who};
 
 /// Adds a section each for vessels, tugs and lines, if the set-up has any.
-pub(super) fn put_world(whole: &mut Value, outcome: &Outcome<'_>) {
+pub(super) fn put_world(whole: &mut Json, outcome: &Outcome<'_>) {
     let (setup, world) = (outcome.setup, outcome.world);
     if !world.vessels.is_empty() {
         let vessels = setup.world.vessels.iter().zip(&world.vessels);
         let vessels = vessels.map(|(vessel, totals)| {
             let mut object = vessel_json(&setup.bodies[vessel.body].name, totals);
-            object["vessel"] = json!(vessel.origin.title);
-            object["estimated"] = vessel.origin.estimates().map(source_json).collect();
-            object["estimate"] = accuracy_json(&vessel.origin, outcome.estimate_errors);
+            object.put("vessel", &vessel.origin.title);
+            object.put("estimated", vessel.origin.estimates().map(source_json).collect::<Json>());
+            object.put("estimate", accuracy_json(&vessel.origin, outcome.estimate_errors));
             object
         });
-        whole["vessels"] = vessels.collect();
+        whole.put("vessels", vessels.collect::<Json>());
     }
     if !world.tugs.is_empty() {
         let tugs = setup.world.tugs.iter().zip(&world.tugs);
-        whole["tugs"] = tugs
-            .map(|(tug, totals)| tug_json(&tug.tug.name, tug.tug.envelope.bollard_pull_n, totals))
-            .collect();
+        whole.put(
+            "tugs",
+            tugs.map(|(tug, totals)| {
+                tug_json(&tug.tug.name, tug.tug.envelope.bollard_pull_n, totals)
+            })
+            .collect::<Json>(),
+        );
     }
     if !world.lines.is_empty() {
         let lines = setup.world.lines.iter().zip(&world.lines);
-        whole["lines"] = lines.map(|(line, totals)| line_json(&line.line.name, totals)).collect();
+        whole.put(
+            "lines",
+            lines.map(|(line, totals)| line_json(&line.line.name, totals)).collect::<Json>(),
+        );
     }
     if !world.anchors.is_empty() {
         let anchors = setup.world.anchors.iter().zip(&world.anchors);
-        whole["anchors"] =
-            anchors.map(|(anchor, totals)| anchor_json(&anchor.gear.name, totals)).collect();
+        whole.put(
+            "anchors",
+            anchors
+                .map(|(anchor, totals)| anchor_json(&anchor.gear.name, totals))
+                .collect::<Json>(),
+        );
     }
     if !world.passing.is_empty() {
         let ships = setup.world.flow.passing.iter().zip(&world.passing);
-        whole["passing"] = ships.map(|(ship, totals)| passing_json(ship, totals, setup)).collect();
+        whole.put(
+            "passing",
+            ships.map(|(ship, totals)| passing_json(ship, totals, setup)).collect::<Json>(),
+        );
     }
     if !setup.world.flow.hulls.is_empty() {
-        for (object, totals) in
-            whole["vessels"].as_array_mut().into_iter().flatten().zip(&world.vessels)
-        {
+        for (object, totals) in whole["vessels"].items_mut().iter_mut().zip(&world.vessels) {
             put_peaks(object, totals);
         }
     }
@@ -55,19 +67,19 @@ pub(super) fn put_world(whole: &mut Value, outcome: &Outcome<'_>) {
 }
 
 /// Peaks of the flow of passing ships and of other vessels.
-fn put_peaks(vessel: &mut Value, totals: &VesselTotals) {
+fn put_peaks(vessel: &mut Json, totals: &VesselTotals) {
     for (name, unit, peak) in [
         ("surge", "n", totals.passing[0]),
         ("sway", "n", totals.passing[1]),
         ("yaw", "nm", totals.passing[2]),
     ] {
-        vessel[format!("peak_passing_{name}_{unit}")] = json!(peak.value);
-        vessel[format!("peak_passing_{name}_at_s")] = json!(peak.at_s);
+        vessel.put(&format!("peak_passing_{name}_{unit}"), peak.value);
+        vessel.put(&format!("peak_passing_{name}_at_s"), peak.at_s);
     }
 }
 
-fn passing_json(ship: &PassingSetup, totals: &PassingTotals, setup: &Setup) -> Value {
-    let mut object = json!({
+fn passing_json(ship: &PassingSetup, totals: &PassingTotals, setup: &Setup) -> Json {
+    let mut object = object!({
         "name": ship.name,
         "length_m": ship.hull.length_m,
         "beam_m": ship.hull.beam_m,
@@ -75,17 +87,17 @@ fn passing_json(ship: &PassingSetup, totals: &PassingTotals, setup: &Setup) -> V
         "fastest_mps": ship.track.pace.fastest_mps(),
     });
     if let Some((vessel, nearest)) = totals.nearest {
-        object["nearest_vessel"] = json!(setup.bodies[setup.world.vessels[vessel].body].name);
-        object["least_gap_m"] = json!(nearest.distance_m);
-        object["least_gap_at_s"] = json!(nearest.t_s);
-        object["speed_there_mps"] = json!(totals.speed_mps);
+        object.put("nearest_vessel", &setup.bodies[setup.world.vessels[vessel].body].name);
+        object.put("least_gap_m", nearest.distance_m);
+        object.put("least_gap_at_s", nearest.t_s);
+        object.put("speed_there_mps", totals.speed_mps);
     }
     object
 }
 
 /// In deep water there is no key for the under-keel clearance.
-fn vessel_json(name: &str, totals: &VesselTotals) -> Value {
-    let mut object = json!({
+fn vessel_json(name: &str, totals: &VesselTotals) -> Json {
+    let mut object = object!({
         "name": name,
         "peak_speed_over_ground_mps": totals.over_ground_mps.value,
         "peak_speed_over_ground_at_s": totals.over_ground_mps.at_s,
@@ -105,14 +117,14 @@ fn vessel_json(name: &str, totals: &VesselTotals) -> Value {
         "aground_s": totals.aground.s(),
     });
     if let Some(least) = totals.under_keel_m {
-        object["min_under_keel_clearance_m"] = json!(least.value);
-        object["min_under_keel_clearance_at_s"] = json!(least.at_s);
+        object.put("min_under_keel_clearance_m", least.value);
+        object.put("min_under_keel_clearance_at_s", least.at_s);
     }
     object
 }
 
-fn tug_json(name: &str, bollard_pull_n: f64, totals: &TugTotals) -> Value {
-    json!({
+fn tug_json(name: &str, bollard_pull_n: f64, totals: &TugTotals) -> Json {
+    object!({
         "name": name,
         "bollard_pull_n": bollard_pull_n,
         "peak_force_n": totals.force_n.value,
@@ -123,8 +135,8 @@ fn tug_json(name: &str, bollard_pull_n: f64, totals: &TugTotals) -> Value {
 }
 
 /// Missing values (the break load before the line is fast, the time at which it parted) have no key.
-fn line_json(name: &str, totals: &LineTotals) -> Value {
-    let mut object = json!({
+fn line_json(name: &str, totals: &LineTotals) -> Json {
+    let mut object = object!({
         "name": name,
         "verdict": totals.verdict().key(),
         "peak_tension_n": totals.tension_n.value,
@@ -135,23 +147,17 @@ fn line_json(name: &str, totals: &LineTotals) -> Value {
         "fast_at_end": totals.is_fast,
         "last_tension_n": totals.last_tension_n,
     });
-    for (key, value) in [
-        ("made_fast_s", totals.made_fast_s),
-        ("break_load_n", totals.break_load_n),
-        ("working_load_n", totals.working_load_n),
-        ("share_of_break_load", totals.share_of_break_load()),
-        ("parted_at_s", totals.parted_s),
-    ] {
-        if let Some(value) = value {
-            object[key] = json!(value);
-        }
-    }
+    object.put_if_any("made_fast_s", totals.made_fast_s);
+    object.put_if_any("break_load_n", totals.break_load_n);
+    object.put_if_any("working_load_n", totals.working_load_n);
+    object.put_if_any("share_of_break_load", totals.share_of_break_load());
+    object.put_if_any("parted_at_s", totals.parted_s);
     object
 }
 
 /// Missing values (where it lies, when it was lost) have no key.
-fn anchor_json(name: &str, totals: &AnchorTotals) -> Value {
-    let mut object = json!({
+fn anchor_json(name: &str, totals: &AnchorTotals) -> Json {
+    let mut object = object!({
         "name": name,
         "verdict": totals.verdict().key(),
         "break_load_n": totals.break_load_n,
@@ -168,49 +174,51 @@ fn anchor_json(name: &str, totals: &AnchorTotals) -> Value {
         "last_tension_n": totals.last_tension_n,
     });
     if let Some(at_m) = totals.place_m() {
-        object["last_place_m"] = json!([at_m.x, at_m.y]);
+        object.put("last_place_m", [at_m.x, at_m.y]);
     }
     if let Some((at_s, by)) = totals.lost {
-        object["lost_at_s"] = json!(at_s);
-        object["lost_by"] = json!(by.word());
+        object.put("lost_at_s", at_s);
+        object.put("lost_by", by.word());
     }
     object
 }
 
 /// Adds the counts to those of contact events, and the first events by name.
-fn put_events(whole: &mut Value, outcome: &Outcome<'_>) {
+fn put_events(whole: &mut Json, outcome: &Outcome<'_>) {
     let (setup, world) = (outcome.setup, outcome.world);
     let of_world = world.events.counts().iter().map(|&(kind, n)| (world_event_key(kind), n));
     let of_providers = outcome.providers.counts().iter().copied();
-    let counts = whole["events"]["counts"].as_object_mut().expect("the events have counts");
-    counts.extend(of_world.chain(of_providers).map(|(key, n)| (key.to_owned(), json!(n))));
+    for (key, n) in of_world.chain(of_providers) {
+        whole["events"]["counts"].put(key, n);
+    }
     if !world.events.first().is_empty() {
-        whole["events"]["world"] = world
+        let first = world
             .events
             .first()
             .iter()
             .map(|(t_s, event)| {
                 let who = Who::of(event, setup);
-                json!({ "t_s": t_s, "kind": world_event_key(event.kind), who.kind: who.name })
+                object!({ "t_s": t_s, "kind": world_event_key(event.kind), (who.kind): who.name })
             })
-            .collect();
+            .collect::<Json>();
+        whole["events"].put("world", first);
     }
     if !outcome.providers.first().is_empty() {
         let told = outcome.providers.first().iter();
-        whole["events"]["providers"] = told
-            .map(|notice| provider_json(notice.t_s, notice.provider, &notice.event, setup))
-            .collect();
+        let told =
+            told.map(|notice| provider_json(notice.t_s, notice.provider, &notice.event, setup));
+        whole["events"].put("providers", told.collect::<Json>());
     }
 }
 
-fn provider_json(t_s: f64, provider: usize, event: &ProviderEvent, setup: &Setup) -> Value {
+fn provider_json(t_s: f64, provider: usize, event: &ProviderEvent, setup: &Setup) -> Json {
     let of = &setup.world.providers[provider];
-    let mut told = Map::new();
-    told.insert("t_s".to_owned(), json!(t_s));
-    told.insert("kind".to_owned(), json!(provider_event_key(event)));
-    told.insert("body".to_owned(), json!(setup.bodies[of.body].name));
+    let mut told = object!({});
+    told.put("t_s", t_s);
+    told.put("kind", provider_event_key(event));
+    told.put("body", &setup.bodies[of.body].name);
     if let ProviderEvent::Died(why) = event {
-        told.insert("why".to_owned(), json!(why));
+        told.put("why", why);
     }
-    Value::Object(told)
+    told
 }

@@ -2,9 +2,11 @@
 
 use fenderline_contact::number::bounded;
 use fenderline_contact::{Outline, Pose, Vec2, vec2};
-use fenderline_sim::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_sim::environment::{Bank, BankMethod};
-use fenderline_sim::passing::{Berth, DepthFactors, FlowHull, FlowSetup, PassingSetup};
+use fenderline_sim::hydro::critical_mps;
+use fenderline_sim::passing::{
+    Berth, DepthFactors, FlowHull, FlowSetup, HARDLY_SLENDER, NEARLY_CRITICAL, PassingSetup,
+};
 use fenderline_sim::track::{Pace, Path, Track};
 use fenderline_sim::{BodySetup, Environment, Setup, VesselSetup};
 
@@ -16,10 +18,6 @@ use crate::keys::passing::SectionsBy;
 use crate::sources::quoted;
 use crate::vessels::{VesselData, VesselLibrary};
 
-/// Length over beam below which a passing ship is named as hardly slender; our choice.
-const HARDLY_SLENDER: f64 = 4.0;
-/// Speed over that of long waves in the depth from which forces are named as too small; our choice.
-const NEARLY_CRITICAL: f64 = 0.6;
 /// Clear distance at the start over the mean length within which the force begins suddenly; our choice.
 const SUDDEN: f64 = 1.0;
 /// Angle between a track and a vessel from which factors of parallel passing are named as doubtful (rad); our choice.
@@ -336,7 +334,7 @@ impl Assembly<'_, '_> {
             );
             return Err(self.sources.error(&table.span, &table.path, message));
         }
-        let critical_mps = libm::sqrt(STANDARD_GRAVITY_MPS2 * shallowest_m);
+        let critical_mps = critical_mps(shallowest_m);
         let share = fastest_mps / critical_mps;
         if share >= 1.0 {
             let message = format!(

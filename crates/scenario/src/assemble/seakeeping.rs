@@ -17,12 +17,8 @@ use crate::printable::printable_number;
 const ROLL_DAMPING: f64 = 0.05;
 /// How far the mass of the data may be from the displacement of the vessel.
 const MASS: f64 = 0.03;
-/// How far the depth of the data may be from that of the run before a notice.
-const DEPTH: f64 = 0.1;
 /// The shortest period over the step that a step can follow: 2π/√6.
 const SHORTEST_PERIOD: f64 = 2.565;
-/// From which depth water counts as deep, in draughts.
-const DEEP: f64 = 10.0;
 
 impl Assembly<'_, '_> {
     /// The hydrodynamic data that a kind of vessel names, with her centre of gravity, if any.
@@ -64,11 +60,12 @@ impl Assembly<'_, '_> {
             );
             return Err(self.refused(table, item, &message));
         }
+        let roll_damping = table.item("roll_damping").map_or(ROLL_DAMPING, |of| *of.number());
+        let seakeeping = Seakeeping { data: Arc::new(data), roll_damping };
+        let data = &seakeeping.data;
         let depths = [data.depth_m(), environment.depth_at_m(0.0)];
         let [of_data_m, of_run_m] = depths.map(|depth_m| depth_m.unwrap_or(f64::INFINITY));
-        let both_deep = of_data_m > DEEP * draught_m && of_run_m > DEEP * draught_m;
-        let is_near = (of_data_m - of_run_m).abs() <= DEPTH * of_run_m;
-        if !both_deep && !is_near {
+        if !seakeeping.is_for_depth(depths[1], draught_m) {
             let in_words = |depth_m: f64| match depth_m.is_finite() {
                 true => format!("{} m of water", printable_number(depth_m)),
                 false => "deep water".to_owned(),
@@ -83,7 +80,6 @@ impl Assembly<'_, '_> {
                 ),
             });
         }
-        let roll_damping = table.item("roll_damping").map_or(ROLL_DAMPING, |of| *of.number());
         let (mass, restoring) = (data.total_mass(), data.restoring());
         // For reports: natural periods without coupling, with the added mass at infinite frequency.
         let oscillator = |k: usize, damping: f64| Oscillator {
@@ -100,6 +96,6 @@ impl Assembly<'_, '_> {
             gravity_above_water_m: file.gravity_above_water_m,
             draught_m,
         };
-        Ok(Some((Seakeeping { data: Arc::new(data), roll_damping }, float)))
+        Ok(Some((seakeeping, float)))
     }
 }

@@ -18,7 +18,7 @@ use fenderline_contact::{Vec2, vec2};
 use super::current::check_velocity;
 use super::error::EnvironmentError;
 use super::harmonics::Realisation;
-use super::table::{check_axis, place};
+use super::table::{check_axis, is_off, place};
 use super::waves::{Jonswap, RegularWave, wave_number};
 use crate::range::within;
 
@@ -206,6 +206,15 @@ impl LongWaves {
             velocities_mps: rows.iter().map(|row| row.2).collect(),
         };
         Ok(LongWaves { kind, range_m })
+    }
+
+    /// Whether a time (s) is before the first or after the last row of a series, whose level and velocity are then held.
+    #[must_use]
+    pub fn is_held(&self, t_s: f64) -> bool {
+        match &self.kind {
+            Kind::Harmonics { .. } => false,
+            Kind::Series { times_s, .. } => is_off(times_s.len(), |i| times_s[i], t_s),
+        }
     }
 
     /// Level above that of the tide (m).

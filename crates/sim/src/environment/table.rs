@@ -38,6 +38,12 @@ pub(super) struct Place {
     pub(super) share: f64,
 }
 
+/// Whether a value is off an axis, so that [`place`] takes the entry at its end. An axis of one entry means no change along it, and holds
+/// everywhere.
+pub(super) fn is_off(count: usize, at: impl Fn(usize) -> f64, value: f64) -> bool {
+    count > 1 && (value < at(0) || value > at(count - 1))
+}
+
 /// The position of a value on an axis of `count` entries. Values outside the axis are clamped to its ends.
 pub(super) fn place(count: usize, at: impl Fn(usize) -> f64, value: f64) -> Place {
     let last = count - 1;

@@ -5,7 +5,7 @@ use fenderline_contact::number::{greater, lesser};
 use core::f64::consts::TAU;
 
 use super::error::EnvironmentError;
-use super::table::{check_axis, place};
+use super::table::{check_axis, is_off, place};
 use crate::range::within;
 
 /// The water level above datum as a function of time. Charted depths are measured downwards from datum, heights ashore
@@ -69,6 +69,15 @@ impl Tide {
             }
         }
         Ok(())
+    }
+
+    /// Whether a time (s) is before the first or after the last point of a curve, whose level is then held. One point alone is a constant level.
+    #[must_use]
+    pub fn is_held(&self, t_s: f64) -> bool {
+        match self {
+            Tide::Level(_) | Tide::Harmonic { .. } => false,
+            Tide::Curve(points) => is_off(points.len(), |i| points[i][0], t_s),
+        }
     }
 
     /// Level above datum (m).

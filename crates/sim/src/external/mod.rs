@@ -130,6 +130,12 @@ impl HeldWrench {
         self.last
     }
 
+    /// Whether the provider has not replied to the last request with a wrench that can be used.
+    #[must_use]
+    pub fn is_silent(&self) -> bool {
+        self.stage != Stage::Fresh
+    }
+
     /// A step without a usable wrench.
     fn no_reply(&mut self, step_s: f64, events: &mut Vec<ProviderEvent>) {
         self.silent_s += step_s;

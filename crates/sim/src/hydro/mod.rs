@@ -75,6 +75,7 @@ pub use particulars::Particulars;
 pub use propeller::{Propeller, Series};
 pub use quantities::{Controls, Force, Velocity, Water};
 pub use rudder::{Race, Rudder};
-pub use squat::Squat;
+pub(crate) use squat::FASTEST_FROUDE;
+pub use squat::{Squat, critical_mps};
 pub use stall::Stall;
 pub use thruster::{AzimuthThruster, TunnelThruster, tunnel_effect};

@@ -7,7 +7,13 @@ use super::particulars::Particulars;
 use super::shallow::{SHALLOWEST_RATIO, barrass_squat_m, eryuzlu_squat_m, icorels_squat_m};
 
 /// Depth Froude number above which the squat stays constant: displacement ships do not go faster in shallow water.
-const FASTEST_FROUDE: f64 = 0.9;
+pub(crate) const FASTEST_FROUDE: f64 = 0.9;
+
+/// The speed of long waves in water of a depth (m): √(gh) (m/s).
+#[must_use]
+pub fn critical_mps(depth_m: f64) -> f64 {
+    (STANDARD_GRAVITY_MPS2 * depth_m).sqrt()
+}
 
 /// A squat formula for open water, as given by PIANC (`shallow/squat_formulas.rs`). Verified against independent
 /// calculations, not validated against trials.
@@ -55,7 +61,7 @@ impl Squat {
     pub fn sinkage_m(self, ship: &Particulars, depth_m: f64, surge_mps: f64) -> f64 {
         assert!(!depth_m.is_nan() && !surge_mps.is_nan(), "depth and speed are numbers");
         let depth_m = greater(depth_m, SHALLOWEST_RATIO * ship.draught_m);
-        let limit_mps = FASTEST_FROUDE * (STANDARD_GRAVITY_MPS2 * depth_m).sqrt();
+        let limit_mps = FASTEST_FROUDE * critical_mps(depth_m);
         let speed_mps = lesser(surge_mps.abs(), limit_mps);
         let formula = match self {
             Squat::Barrass => barrass_squat_m,

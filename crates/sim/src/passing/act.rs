@@ -15,7 +15,9 @@ const FADES: [f64; 2] = [8.0, 10.0];
 
 /// Clear gap between vessels under way over the mean of their beams below which the flow of slender ships says nothing, and from which
 /// it is taken in full; our choice. A tug at a ship's side is nearer.
-const TOO_NEAR: [f64; 2] = [0.25, 0.5];
+const TOO_NEAR: [f64; 2] = [0.25, FULL_FLOW_GAP];
+/// The gap from which it is taken in full.
+pub(crate) const FULL_FLOW_GAP: f64 = 0.5;
 
 /// A ship in the flow: her hull, her midship and her velocity through the water (m/s).
 pub(super) struct Afloat<'s> {
@@ -121,9 +123,27 @@ fn push(own: &Afloat<'_>, other: &Afloat<'_>, environment: &Environment) -> Opti
 
 /// How much of the flow between two vessels is taken, by their clear gap.
 fn share_of_gap(own: &Afloat<'_>, other: &Afloat<'_>) -> f64 {
+    smooth(gap_between(own, other), TOO_NEAR)
+}
+
+/// The clear gap between two ships over the mean of their beams.
+fn gap_between(own: &Afloat<'_>, other: &Afloat<'_>) -> f64 {
     let mean_beam_m = 0.5 * (own.hull.beam_m + other.hull.beam_m);
     let apart_m = of_segments_m(own.ends_m(), other.ends_m());
-    smooth(apart_m / mean_beam_m - 1.0, TOO_NEAR)
+    apart_m / mean_beam_m - 1.0
+}
+
+/// The clear gap between two vessels, by their indices, over the mean of their beams; `None` if one of them is too short for the flow.
+pub(crate) fn gap_in_beams(
+    flow: &FlowSetup,
+    (vessels, states): (&[VesselSetup], &[BodyState]),
+    water: (&Environment, f64),
+    pair: [usize; 2],
+) -> Option<f64> {
+    let [one, other] =
+        pair.map(|index| Afloat::of_vessel(&flow.hulls[index], &vessels[index], states, water));
+    let is_slender = one.hull.is_slender() && other.hull.is_slender();
+    is_slender.then(|| gap_between(&one, &other))
 }
 
 /// 0 below the first, 1 above the second, with a continuous slope.

@@ -25,11 +25,11 @@ mod restricted;
 mod sections;
 mod setup;
 
-pub(crate) use act::act;
+pub(crate) use act::{FULL_FLOW_GAP, act, gap_in_beams};
 pub(crate) use bank::act_of_banks;
 pub use bank::force_of_wall;
 pub use flow::{PassingShip, force, force_under_way};
 pub use nearest::Nearest;
 pub use restricted::{Berth, factors};
 pub use sections::{Sections, SectionsError};
-pub use setup::{DepthFactors, FlowHull, FlowSetup, PassingSetup};
+pub use setup::{DepthFactors, FlowHull, FlowSetup, HARDLY_SLENDER, NEARLY_CRITICAL, PassingSetup};

@@ -7,6 +7,11 @@ use super::restricted::{Berth, factors};
 use super::sections::{Sections, SectionsError};
 use crate::track::Track;
 
+/// Length over beam below which a passing ship is named as hardly slender; our choice.
+pub const HARDLY_SLENDER: f64 = 4.0;
+/// Speed of a passing ship over that of long waves in the depth from which her forces are named as too small; our choice.
+pub const NEARLY_CRITICAL: f64 = 0.6;
+
 /// A hull as the flow about it sees it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowHull {

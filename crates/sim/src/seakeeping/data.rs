@@ -193,6 +193,13 @@ impl Hydrodynamics {
         self.drift.is_some()
     }
 
+    /// The first and the last frequency of the exciting forces (rad/s), which are held there beyond them.
+    #[must_use]
+    pub fn wave_range_radps(&self) -> [f64; 2] {
+        let axis = &self.wave_frequencies_radps;
+        [axis[0], axis[axis.len() - 1]]
+    }
+
     /// The frequencies of the radiation (rad/s), with added mass and damping at each.
     pub fn radiation(&self) -> impl Iterator<Item = (f64, &Matrix6, &Matrix6)> {
         let matrices = self.added_mass.iter().zip(&self.damping);

@@ -53,3 +53,20 @@ pub struct Seakeeping {
     /// Viscous damping of roll, as a share of the critical one: bilge keels and the hull's edges, which no panel code has.
     pub roll_damping: f64,
 }
+
+impl Seakeeping {
+    /// Whether the data are for a depth of water (m; `None`: deep), for a ship of a draught (m): within a tenth, or both deep. Water of more than
+    /// ten draughts counts as deep. Both bounds are our choice.
+    #[must_use]
+    pub fn is_for_depth(&self, depth_m: Option<f64>, draught_m: f64) -> bool {
+        let [of_data_m, of_run_m] =
+            [self.data.depth_m(), depth_m].map(|depth_m| depth_m.unwrap_or(f64::INFINITY));
+        let both_deep = of_data_m > DEEP * draught_m && of_run_m > DEEP * draught_m;
+        both_deep || (of_data_m - of_run_m).abs() <= DEPTH * of_run_m
+    }
+}
+
+/// How far the depth of the data may be from that of the run, as a share of it.
+const DEPTH: f64 = 0.1;
+/// From which depth water counts as deep, in draughts.
+const DEEP: f64 = 10.0;

@@ -98,13 +98,13 @@ impl Simulation {
         self.ledger.energy(Bodies { order, inertias, states: &self.states })
     }
 
-    /// The energy that contacts created, if it is large enough to be reported. Only the paper's method creates
+    /// The energy that contacts created, if it is large enough to be reported. The paper's method creates
     /// energy: its forces are explicit, and a stiff spring acts for too long in a long step.
-    /// [`Method::Coupled`] bounds the energy that each contact returns.
+    /// [`Method::Coupled`] bounds the energy that each contact returns, and is held to that here.
     #[must_use]
     pub fn energy_gain(&self) -> Option<EnergyGain> {
         let Energy { contact_taken_j: taken_j, contact_gained_j: gained_j, .. } = self.energy();
-        let is_reported = self.setup.method == Method::Paper && gained_j > REPORTED_GAIN * taken_j;
+        let is_reported = gained_j > REPORTED_GAIN * taken_j;
         is_reported.then_some(EnergyGain { gained_j, taken_j })
     }
 
@@ -128,18 +128,26 @@ impl Simulation {
     /// What was found in the run so far, the worst first. [`Verdict::of`] gives the verdict.
     #[must_use]
     pub fn findings(&self) -> Vec<Finding> {
-        let gain = self.energy_gain();
-        let gain = gain
-            .map(|EnergyGain { gained_j, taken_j }| Finding::EnergyGained { gained_j, taken_j });
+        let until_now = (self.time_s(), self.energy_gain().is_some());
         let touched = (self.fender_summaries(), self.sides.missed());
         let piles = self.dolphins.summaries.as_slice();
-        let mut all = self.watch.findings(&self.setup, touched, piles, gain);
+        let mut all = self.watch.findings(&self.setup, touched, piles, until_now);
         let limits = &self.setup.world.statistics.limits;
         let exceeded = self.limit_values().into_iter().zip(limits).enumerate();
         let exceeded = exceeded.filter(|(_, (value, limit))| *value > limit.most);
         all.extend(exceeded.map(|(limit, (value, _))| Finding::LimitExceeded { limit, value }));
         all.sort_by_key(|finding| core::cmp::Reverse(finding.verdict()));
         all
+    }
+
+    /// Notes that a program that gives forces has not replied for the coming step: the run is then in doubt, which the verdict says.
+    ///
+    /// # Panics
+    /// If there is no such provider in the set-up.
+    pub fn note_silent_provider(&mut self, provider: usize) {
+        assert!(provider < self.setup.world.providers.len(), "the set-up has it");
+        let t_s = self.time_s();
+        self.watch.note_silent_provider(provider, t_s);
     }
 
     /// Statistics of motions and lines so far; `None` if the set-up asks for none.

@@ -37,7 +37,7 @@ impl Simulation {
         states.extend(setup.bodies.iter().map(initial_state));
         memory.forget();
         world.restart(&setup.world, states);
-        self.watch.restart(|is_protected| {
+        self.watch.restart(setup, |is_protected| {
             starts_inside(setup, model, states, (&mut *memory, &mut *work), is_protected)
         });
         memory.forget();

@@ -1,6 +1,7 @@
 //! What can be found in a run.
 
 use super::Verdict;
+use super::law::Departure;
 use crate::anchor::LostBy;
 use crate::chain::ChainKind;
 use crate::setup::Setup;
@@ -166,20 +167,8 @@ pub enum Finding {
         /// Peak pressure over the permissible one.
         share: f64,
     },
-    /// Contacts created energy. Only the paper's method does.
-    EnergyGained {
-        /// Energy returned beyond the energy absorbed (J).
-        gained_j: f64,
-        /// Energy absorbed (J).
-        taken_j: f64,
-    },
-    /// The coupled solve did not converge.
-    NotConverged {
-        /// Start of the first step of it (s).
-        first_s: f64,
-        /// Number of steps.
-        steps: u32,
-    },
+    /// The run left a law, or the range of its data.
+    OutsideLaw(Departure),
     /// The brake of a line's winch rendered.
     LineRendered {
         /// The line.
@@ -227,11 +216,19 @@ impl Finding {
             Finding::LineOverWorking { .. } => Verdict::LineOverWorking,
             Finding::LineNotMadeFast { .. } => Verdict::LineNotMadeFast,
             Finding::HullPressure { .. } => Verdict::HullPressure,
-            Finding::EnergyGained { .. } => Verdict::EnergyGained,
-            Finding::NotConverged { .. } => Verdict::NotConverged,
+            Finding::OutsideLaw(Departure { law, .. }) => law.row().verdict,
             Finding::LineRendered { .. } => Verdict::LineRendered,
             Finding::FenderNotRated { .. } | Finding::ContactNotRated { .. } => Verdict::NotRated,
             Finding::NoFenderTouched => Verdict::NoFenderTouched,
+        }
+    }
+
+    /// The law or data that the run left; `None` for other findings.
+    #[must_use]
+    pub fn departure(&self) -> Option<&Departure> {
+        match self {
+            Finding::OutsideLaw(departure) => Some(departure),
+            _ => None,
         }
     }
 
@@ -272,9 +269,8 @@ impl Finding {
             }
             Finding::PileYielded { body: of, .. } => vec![body(of)],
             Finding::Aground { vessel, .. } => vec![body(setup.world.vessels[vessel].body)],
-            Finding::EnergyGained { .. }
-            | Finding::NotConverged { .. }
-            | Finding::NoFenderTouched => vec![],
+            Finding::OutsideLaw(departure) => departure.subject.names(setup),
+            Finding::NoFenderTouched => vec![],
         }
     }
 
@@ -402,15 +398,7 @@ impl Finding {
                 called("Fender", names[0]),
                 100.0 * share
             ),
-            Finding::EnergyGained { gained_j, taken_j } => format!(
-                "Contacts returned {:.1} kJ more than they absorbed, {:.0} % of the absorbed energy",
-                gained_j / 1e3,
-                100.0 * gained_j / taken_j
-            ),
-            Finding::NotConverged { first_s, steps } => format!(
-                "The contact solve did not converge in {steps} {}, first at {first_s:.1} s",
-                if steps == 1 { "step" } else { "steps" }
-            ),
+            Finding::OutsideLaw(departure) => departure.sentence(setup, &names),
             Finding::LineRendered { rendered_m, .. } => {
                 format!("The winch of {} rendered {}", called("line", names[0]), length(rendered_m))
             }
@@ -444,11 +432,11 @@ fn force(force_n: f64) -> String {
     }
 }
 
-fn length(length_m: f64) -> String {
+pub(super) fn length(length_m: f64) -> String {
     if length_m < 1.0 { format!("{:.0} mm", length_m * 1e3) } else { format!("{length_m:.2} m") }
 }
 
-fn duration(lasting_s: f64) -> String {
+pub(super) fn duration(lasting_s: f64) -> String {
     if lasting_s < 600.0 {
         format!("{lasting_s:.1} s")
     } else {

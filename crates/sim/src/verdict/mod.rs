@@ -8,14 +8,21 @@
 //! | `verdict/finding.rs` | what can be found, and its sentence |
 //! | `verdict/fender.rs` | what is found on a fender |
 //! | `verdict/watch.rs` | the totals that a run keeps for it, step by step |
+//! | `verdict/law.rs` | the table of all laws and data that a run can leave |
+//! | `verdict/departures.rs` | where a run leaves them, step by step |
+//! | `verdict/said.rs` | what is said of it |
 //! | `verdict/start.rs` | bodies that start inside each other |
 
+mod departures;
 mod fender;
 mod finding;
+mod law;
+mod said;
 mod start;
 mod watch;
 
 pub use finding::{Finding, called};
+pub use law::{Departure, Law, LawRow, Subject};
 pub(crate) use start::starts_inside;
 pub(crate) use watch::Watch;
 
@@ -28,16 +35,16 @@ pub enum Verdict {
     NoFenderTouched,
     /// Bodies touched where no limit is known: a fender without rating, or hulls without a fender between them.
     NotRated,
+    /// A formula was used a little outside its range, or its error is not known there.
+    Extrapolated,
     /// A fender took more energy or reaction than its catalogue rates, within its rating with the factors of the run.
     AboveCatalogue,
     /// The brake of a line's winch rendered.
     LineRendered,
     /// An anchor dragged.
     AnchorDragged,
-    /// The coupled solve of a contact did not converge within its iteration limit.
-    NotConverged,
-    /// The paper's method returned more energy than the contacts absorbed.
-    EnergyGained,
+    /// The run left the range of its data, whose value at the end was used.
+    OutsideData,
     /// The pressure of a fender on the hull was above the permissible pressure.
     HullPressure,
     /// A line could not be made fast.
@@ -54,6 +61,10 @@ pub enum Verdict {
     Aground,
     /// Bodies started the run inside each other: forces and energies of the first contact have no meaning.
     StartInside,
+    /// The coupled solve of a contact did not converge within its iteration limit.
+    NotConverged,
+    /// Contacts returned more energy than they absorbed.
+    EnergyGained,
     /// A line parted.
     LineParted,
     /// An anchor was lost with its chain: the chain parted or ran out.
@@ -64,6 +75,8 @@ pub enum Verdict {
     FenderFailed,
     /// A hull struck a structure that fenders should protect.
     StructureStruck,
+    /// Bodies were so deep in each other that the law of their force is not meant for it: the results are not valid.
+    OutsideForceLaw,
 }
 
 /// How grave a verdict is.
@@ -75,21 +88,21 @@ pub enum Gravity {
     Note,
     /// A limit was exceeded, or the result is in doubt.
     Attention,
-    /// Something broke or was struck. `fenderline run` ends with exit code 1.
+    /// Something broke or was struck, or the results are not valid. `fenderline run` ends with exit code 1.
     Failed,
 }
 
 impl Verdict {
     /// All verdicts, from best to worst.
-    pub const ALL: [Verdict; 21] = [
+    pub const ALL: [Verdict; 24] = [
         Verdict::AllWell,
         Verdict::NoFenderTouched,
         Verdict::NotRated,
+        Verdict::Extrapolated,
         Verdict::AboveCatalogue,
         Verdict::LineRendered,
         Verdict::AnchorDragged,
-        Verdict::NotConverged,
-        Verdict::EnergyGained,
+        Verdict::OutsideData,
         Verdict::HullPressure,
         Verdict::LineNotMadeFast,
         Verdict::LineOverWorking,
@@ -98,11 +111,14 @@ impl Verdict {
         Verdict::LimitExceeded,
         Verdict::Aground,
         Verdict::StartInside,
+        Verdict::NotConverged,
+        Verdict::EnergyGained,
         Verdict::LineParted,
         Verdict::AnchorLost,
         Verdict::PileYielded,
         Verdict::FenderFailed,
         Verdict::StructureStruck,
+        Verdict::OutsideForceLaw,
     ];
 
     /// The verdict on a list of findings: the worst of them.
@@ -118,11 +134,13 @@ impl Verdict {
             Verdict::AllWell => "All well",
             Verdict::NoFenderTouched => "No fender was touched",
             Verdict::NotRated => "No limit exceeded; some loads have no rating",
+            Verdict::Extrapolated => "No limit exceeded; a formula was extrapolated",
             Verdict::AboveCatalogue => "Fender above its catalogue rating",
             Verdict::LineRendered => "A winch rendered",
             Verdict::AnchorDragged => "An anchor dragged",
-            Verdict::NotConverged => "The contact solve did not converge",
-            Verdict::EnergyGained => "The method created energy",
+            Verdict::NotConverged => "Not valid: the contact solve did not converge",
+            Verdict::EnergyGained => "Not valid: contacts created energy",
+            Verdict::OutsideData => "Outside the range of its data",
             Verdict::HullPressure => "Permissible hull pressure exceeded",
             Verdict::LineNotMadeFast => "Line could not be made fast",
             Verdict::LineOverWorking => "Line over its working load",
@@ -136,6 +154,7 @@ impl Verdict {
             Verdict::PileYielded => "Pile yielded",
             Verdict::FenderFailed => "Fender failed",
             Verdict::StructureStruck => "Structure struck",
+            Verdict::OutsideForceLaw => "Not valid: bodies overlap too deeply",
         }
     }
 
@@ -146,11 +165,13 @@ impl Verdict {
             Verdict::AllWell => "all_well",
             Verdict::NoFenderTouched => "no_fender_touched",
             Verdict::NotRated => "not_rated",
+            Verdict::Extrapolated => "extrapolated",
             Verdict::AboveCatalogue => "fender_above_catalogue",
             Verdict::LineRendered => "line_rendered",
             Verdict::AnchorDragged => "anchor_dragged",
             Verdict::NotConverged => "not_converged",
             Verdict::EnergyGained => "energy_gained",
+            Verdict::OutsideData => "outside_data",
             Verdict::HullPressure => "hull_pressure_exceeded",
             Verdict::LineNotMadeFast => "line_not_made_fast",
             Verdict::LineOverWorking => "line_over_working_load",
@@ -164,7 +185,14 @@ impl Verdict {
             Verdict::PileYielded => "pile_yielded",
             Verdict::FenderFailed => "fender_failed",
             Verdict::StructureStruck => "structure_struck",
+            Verdict::OutsideForceLaw => "outside_force_law",
         }
+    }
+
+    /// Whether the run left a law or the range of its data: the results are not valid, or in doubt.
+    #[must_use]
+    pub fn is_of_law(self) -> bool {
+        Law::TABLE.iter().any(|row| row.verdict == self)
     }
 
     /// How grave it is.
@@ -174,11 +202,11 @@ impl Verdict {
             Verdict::AllWell => Gravity::Ok,
             Verdict::NoFenderTouched
             | Verdict::NotRated
+            | Verdict::Extrapolated
             | Verdict::AboveCatalogue
             | Verdict::LineRendered
             | Verdict::AnchorDragged => Gravity::Note,
-            Verdict::NotConverged
-            | Verdict::EnergyGained
+            Verdict::OutsideData
             | Verdict::HullPressure
             | Verdict::LineNotMadeFast
             | Verdict::LineOverWorking
@@ -187,11 +215,14 @@ impl Verdict {
             | Verdict::LimitExceeded
             | Verdict::Aground
             | Verdict::StartInside => Gravity::Attention,
-            Verdict::LineParted
+            Verdict::NotConverged
+            | Verdict::EnergyGained
+            | Verdict::LineParted
             | Verdict::AnchorLost
             | Verdict::PileYielded
             | Verdict::FenderFailed
-            | Verdict::StructureStruck => Gravity::Failed,
+            | Verdict::StructureStruck
+            | Verdict::OutsideForceLaw => Gravity::Failed,
         }
     }
 }

@@ -1,8 +1,8 @@
 //! The totals of a run that its findings come from. Their size does not grow with the run.
 
-use fenderline_contact::EventKind;
 use fenderline_contact::number::greater;
 
+use super::departures::Departures;
 use super::fender::above_catalogue;
 use super::finding::Finding;
 use crate::anchor::{AnchorPosition, LostBy};
@@ -74,7 +74,7 @@ pub(crate) struct Watch {
     aground: Vec<Lasting>,
     lines: Vec<LineWatch>,
     anchors: Vec<AnchorWatch>,
-    not_converged: Lasting,
+    departures: Departures,
 }
 
 /// The bodies that fenders protect: those that carry fenders, and all fixed bodies where a fixed body carries some.
@@ -104,7 +104,7 @@ impl Watch {
             aground: vec![Lasting::default(); setup.world.vessels.len()],
             lines: vec![LineWatch::default(); setup.world.lines.len()],
             anchors: vec![AnchorWatch::default(); setup.world.anchors.len()],
-            not_converged: Lasting::default(),
+            departures: Departures::new(setup),
             protected,
         }
     }
@@ -112,15 +112,21 @@ impl Watch {
     /// Forgets the run; `starts_inside` finds what overlaps at the start of the next.
     pub(crate) fn restart(
         &mut self,
+        setup: &Setup,
         starts_inside: impl FnOnce(&dyn Fn([usize; 2]) -> bool) -> Vec<Finding>,
     ) {
-        let Watch { protected, starts, touches, aground, lines, anchors, not_converged } = self;
+        let Watch { protected, starts, touches, aground, lines, anchors, departures } = self;
         *starts = starts_inside(&|bodies: [usize; 2]| bodies.iter().any(|&b| protected[b]));
         touches.clear();
         aground.fill(Lasting::default());
         lines.fill(LineWatch::default());
         anchors.fill(AnchorWatch::default());
-        *not_converged = Lasting::default();
+        departures.restart(setup);
+    }
+
+    /// A step in which a program that gives forces did not reply.
+    pub(crate) fn note_silent_provider(&mut self, provider: usize, t_s: f64) {
+        self.departures.note_silent_provider(provider, t_s);
     }
 
     /// What was found before the first step.
@@ -133,15 +139,13 @@ impl Watch {
         self.lines.iter().map(|line| line.peak_n).collect()
     }
 
-    /// Adds one step.
-    pub(crate) fn add(&mut self, setup: &Setup, step: &StepRecord<'_>) {
+    /// Adds one step. `energies_j` are those that contacts absorbed so far, and that they returned beyond it.
+    pub(crate) fn add(&mut self, setup: &Setup, step: &StepRecord<'_>, energies_j: [f64; 2]) {
         self.add_touches(step);
         if setup.world.changes() {
             self.add_world(setup, step);
         }
-        if step.events.iter().any(|event| event.kind == EventKind::NotConverged) {
-            self.not_converged.count(step.t_s);
-        }
+        self.departures.add(setup, step, energies_j);
     }
 
     /// Vessels, lines and anchors.
@@ -190,7 +194,7 @@ impl Watch {
     }
 
     /// What was found so far, the worst first; findings of one kind in the order of the set-up, contacts in that of first
-    /// touch.
+    /// touch. `run_s` is the time of the run so far (s); `has_gained` says whether its contacts have gained energy in all.
     pub(crate) fn findings<'a>(
         &self,
         setup: &Setup,
@@ -199,7 +203,7 @@ impl Watch {
             impl Iterator<Item = &'a SideMissed>,
         ),
         dolphins: &[DolphinSummary],
-        gain: Option<Finding>,
+        (run_s, has_gained): (f64, bool),
     ) -> Vec<Finding> {
         let step_s = setup.step_s;
         let mut all = self.starts.clone();
@@ -233,10 +237,8 @@ impl Watch {
         for (anchor, own) in self.anchors.iter().enumerate() {
             all.extend(own.finding(anchor));
         }
-        all.extend(gain);
-        if let Some(first_s) = self.not_converged.first_s {
-            all.push(Finding::NotConverged { first_s, steps: self.not_converged.steps });
-        }
+        let departures = self.departures.departures(setup, run_s, has_gained).into_iter();
+        all.extend(departures.map(Finding::OutsideLaw));
         // Stable: findings of one kind keep their order.
         all.sort_by_key(|finding| core::cmp::Reverse(finding.verdict()));
         all

@@ -71,7 +71,7 @@ export interface ScenarioInfo {
   start: string[];
 }
 
-/** How grave a verdict or a finding is; `failed`: something broke or was struck. */
+/** How grave a verdict or a finding is; `failed`: something broke or was struck, or the results are not valid. */
 export type Gravity = "ok" | "note" | "attention" | "failed";
 
 /** The worst that was found in the run up to now. */

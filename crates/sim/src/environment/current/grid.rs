@@ -4,7 +4,7 @@ use fenderline_contact::{Vec2, vec2};
 
 use super::check_velocity;
 use crate::environment::error::EnvironmentError;
-use crate::environment::table::{check_axis, place};
+use crate::environment::table::{check_axis, is_off, place};
 
 /// Velocities at the nodes of a grid, at one or more times. Interpolation is bilinear in space and linear in time; outside
 /// the grid and its times the value at the edge is used.
@@ -59,6 +59,15 @@ impl CurrentGrid {
         let on_line = |t, n| mix(value(t, n, east.low), value(t, n, east.high), east.share);
         let on_plane = |t| mix(on_line(t, north.low), on_line(t, north.high), north.share);
         mix(on_plane(time.low), on_plane(time.high), time.share)
+    }
+
+    /// Whether a position or a time (s) is off the grid, so that [`CurrentGrid::at`] holds the velocity at its edge. A grid with one time, one
+    /// northing or one easting is the same at all of them.
+    #[must_use]
+    pub fn is_held(&self, position_m: Vec2, t_s: f64) -> bool {
+        is_off(self.times_s.len(), |i| self.times_s[i], t_s)
+            || is_off(self.north_m.len(), |i| self.north_m[i], position_m.x)
+            || is_off(self.east_m.len(), |i| self.east_m[i], position_m.y)
     }
 }
 

@@ -52,6 +52,12 @@ impl RaoTable {
         Ok(RaoTable { frequencies_radps, directions_rad, operators })
     }
 
+    /// The first and the last frequency (rad/s). [`RaoTable::at`] holds the operators there beyond them.
+    #[must_use]
+    pub fn range_radps(&self) -> [f64; 2] {
+        [self.frequencies_radps[0], self.frequencies_radps[self.frequencies_radps.len() - 1]]
+    }
+
     /// The operators for a wave frequency and a direction μ relative to the bow. Waves from starboard have the mirrored
     /// operators of waves from port: sway, roll and yaw change their sign.
     #[must_use]

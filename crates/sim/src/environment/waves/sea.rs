@@ -190,6 +190,15 @@ impl Sea {
         self.components.iter().map(|c| 0.5 * c.amplitude_m * c.amplitude_m).sum()
     }
 
+    /// The share of the energy at frequencies outside a range (rad/s); 0 without waves.
+    #[must_use]
+    pub fn share_outside(&self, [low_radps, high_radps]: [f64; 2]) -> f64 {
+        let outside = |c: &&Component| !(low_radps..=high_radps).contains(&c.frequency_radps);
+        let energy = |c: &Component| 0.5 * c.amplitude_m * c.amplitude_m;
+        let outside_m2: f64 = self.components.iter().filter(outside).map(energy).sum();
+        if outside_m2 > 0.0 { outside_m2 / self.variance_m2() } else { 0.0 }
+    }
+
     /// Mean period T₀₁ = 2π m₀/m₁ (s).
     #[must_use]
     pub fn mean_period_s(&self) -> f64 {

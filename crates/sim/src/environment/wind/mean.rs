@@ -133,6 +133,15 @@ impl Wind {
         }
     }
 
+    /// Whether a time (s) is before the first or after the last point of a time series, whose wind is then held.
+    #[must_use]
+    pub fn is_held(&self, t_s: f64) -> bool {
+        match &self.0 {
+            Kind::Mean(..) => false,
+            Kind::Series(series) => series.is_held(t_s),
+        }
+    }
+
     /// A wind from a time series, the same at every height.
     #[must_use]
     pub fn series(series: WindSeries) -> Wind {

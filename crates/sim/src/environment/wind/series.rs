@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use super::mean::MeanWind;
 use crate::environment::error::EnvironmentError;
-use crate::environment::table::{check_axis, place};
+use crate::environment::table::{check_axis, is_off, place};
 use crate::range::within;
 
 /// Speed and direction 10 m above the water at given times, linear between them and constant before the first and after
@@ -33,6 +33,12 @@ impl WindSeries {
             }
         }
         Ok(WindSeries { points })
+    }
+
+    /// Whether a time (s) is before the first or after the last point, whose wind is then held. One point alone is a steady wind.
+    #[must_use]
+    pub fn is_held(&self, t_s: f64) -> bool {
+        is_off(self.points.len(), |i| self.points[i][0], t_s)
     }
 
     /// Speed (m/s) and direction from which it comes (rad) at a time.
