@@ -49,4 +49,5 @@ mod tide;
 mod tugs;
 mod unloading;
 mod vessels;
+mod without_effect;
 mod worlds;
