@@ -144,7 +144,7 @@ fn make_missing(
         return Ok(());
     }
     let missing = store.missing();
-    let mut progress = Progress::of(missing.len() as u64, "cases");
+    let mut progress = Progress::of(missing.count(), "cases");
     let mut done = 0;
     make(runs, &missing, threads, is_stopped, &mut |row| {
         store.add(&row)?;

@@ -7,6 +7,7 @@ use std::path::PathBuf;
 
 use clap::builder::{PathBufValueParser, PossibleValue, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use fenderline_campaign::MOST_THREADS;
 use fenderline_campaign::statistics::Confidence;
 use fenderline_campaign::statistics::fit::Law;
 use fenderline_campaign::store::Shard;
@@ -441,7 +442,7 @@ pub(crate) struct CampaignRunArgs {
     #[arg(long, value_name = "NAME")]
     pub(crate) lines: Option<String>,
     /// Threads; the results do not depend on their number [default: all of the machine]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = threads)]
     pub(crate) threads: Option<NonZero<usize>>,
     /// Run nothing; print the command that runs this case by itself, with its report
     #[arg(long, value_name = "CASE")]
@@ -776,6 +777,11 @@ fn platform(text: &str) -> Result<Platform, String> {
 }
 
 /// A number above zero and below a million; no rudder, ship or tug needs more.
+fn threads(text: &str) -> Result<NonZero<usize>, String> {
+    let number = text.parse::<NonZero<usize>>().ok().filter(|number| number.get() <= MOST_THREADS);
+    number.ok_or_else(|| format!("must be a whole number from 1 to {MOST_THREADS}"))
+}
+
 fn positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(number) if number > 0.0 && number < 1e6 => Ok(number),

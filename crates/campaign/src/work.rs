@@ -1,34 +1,39 @@
 //! Runs on several threads. Each run is one thread's, so that its bits do not depend on their number.
 
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::sync_channel;
 use std::thread;
 
 use crate::error::CampaignError;
 use crate::row::Row;
 use crate::run::{Runner, Runs};
+use crate::run_numbers::RunNumbers;
 
 /// Rows that may wait to be used: the memory stays flat where the disk is slow.
 const WAITING: usize = 1024;
 
-/// Makes the runs `numbers` on `threads` threads, until `is_stopped`. `use_row` gets each row on this thread, in the order in which
+/// The most threads that make runs: more than any machine has, and few enough that each can be started.
+pub const MOST_THREADS: usize = 1024;
+
+/// Makes the runs `numbers` on `threads` threads, [`MOST_THREADS`] at most, until `is_stopped`. `use_row` gets each row on this thread, in the order in which
 /// they end; where it returns false, no further run is begun and no row used.
 ///
 /// # Errors
 /// What `use_row` returns; no row is used after it.
 pub fn make(
     runs: &Runs,
-    numbers: &[u64],
+    numbers: &RunNumbers,
     threads: usize,
     is_stopped: &(dyn Fn() -> bool + Sync),
     use_row: &mut dyn FnMut(Row) -> Result<bool, CampaignError>,
 ) -> Result<(), CampaignError> {
-    let next = AtomicUsize::new(0);
+    let next = AtomicU64::new(0);
     let has_ended = AtomicBool::new(false);
     let (next, has_ended) = (&next, &has_ended);
     thread::scope(|scope| {
         let (send, rows) = sync_channel(WAITING);
-        for _ in 0..threads.min(numbers.len()) {
+        let most = usize::try_from(numbers.count()).unwrap_or(usize::MAX);
+        for _ in 0..threads.min(MOST_THREADS).min(most) {
             let send = send.clone();
             scope.spawn(move || {
                 let mut runner = Runner::new(runs);
@@ -37,7 +42,7 @@ pub fn make(
                     let Some(run) = numbers.get(next.fetch_add(1, Ordering::Relaxed)) else {
                         return;
                     };
-                    let Some(row) = runner.run(*run, &is_stopped) else { return };
+                    let Some(row) = runner.run(run, &is_stopped) else { return };
                     if send.send(row).is_err() {
                         return;
                     }

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use fenderline_campaign::store::{Opened, Shard, Store};
 use fenderline_campaign::{Row, Runs, make};
 use fenderline_scenario::{Campaign, Law};
 
@@ -42,7 +43,7 @@ fn runs(name: &str, campaign: &str) -> Runs {
 /// The numbers of a column, in the order of the runs.
 fn column(runs: &Runs, name: &str) -> Vec<f64> {
     let place = runs.heads().iter().position(|head| head.name == name).expect("the column");
-    let numbers: Vec<u64> = (0..runs.count()).collect();
+    let numbers = (0..runs.count()).into();
     let mut rows: Vec<Row> = Vec::new();
     make(runs, &numbers, 2, &|| false, &mut |row| {
         rows.push(row);
@@ -51,6 +52,32 @@ fn column(runs: &Runs, name: &str) -> Vec<f64> {
     .expect("made");
     rows.sort_by_key(|row| row.run);
     rows.iter().map(|row| row.cells[place].number().unwrap_or(f64::NAN)).collect()
+}
+
+/// The numbers of a hundred million runs are not held: the folder opens at once, and the last run draws by its number.
+#[test]
+fn a_plan_of_a_hundred_million_runs_takes_no_memory() {
+    let campaign = SPEED.replace("[variable", "number = 100000000\nseed = 3\n[variable");
+    let runs = runs("many", &campaign);
+    assert_eq!(runs.count(), 100_000_000);
+    let last = runs.draws().of_run(99_999_999);
+    assert_ne!(last, runs.draws().of_run(99_999_998));
+    let out = folder("many").join("out");
+    let open =
+        |opened| Store::open(&out, &runs, Shard::WHOLE, opened, &mut |_| {}).expect("a folder");
+    let mut store = open(Opened::Replaced);
+    let missing = store.missing();
+    assert_eq!((missing.count(), missing.get(99_999_999)), (100_000_000, Some(99_999_999)));
+    let mut made = 0;
+    make(&runs, &missing, 2, &|| false, &mut |row| {
+        store.add(&row)?;
+        made += 1;
+        Ok(made < 5)
+    })
+    .expect("made");
+    assert_eq!(store.done(), 5);
+    store.write_so_far().expect("tables of five rows");
+    std::fs::remove_dir_all(out).expect("removed");
 }
 
 #[test]

@@ -5,8 +5,9 @@
 
 use fenderline_contact::{BodyState, Wrench, vec2};
 use numpy::{PyArray2, PyArrayMethods, PyReadonlyArray2};
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+
+use crate::errors;
 
 /// Numbers of a state: north, east, heading, velocity north and east, rate of turn.
 pub(crate) const STATE: usize = 6;
@@ -112,5 +113,5 @@ fn check_length(numbers: &[f64], wanted: usize) -> PyResult<()> {
         return Ok(());
     }
     let found = numbers.len();
-    Err(PyValueError::new_err(format!("the array has {found} numbers, not {wanted}")))
+    Err(errors::bad_argument(format!("the array has {found} numbers, not {wanted}")))
 }

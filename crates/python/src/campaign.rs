@@ -4,15 +4,15 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use fenderline_campaign::store::{self, Opened, Shard, Store};
-use fenderline_campaign::{CampaignError, Cell, Drawn, Row, Runner, Runs, make};
+use fenderline_campaign::{CampaignError, Cell, Drawn, Row, RunNumbers, Runner, Runs, make};
 use fenderline_scenario as scenario;
 use numpy::{PyArray1, PyReadonlyArray2, PyUntypedArrayMethods as _};
-use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
 use crate::errors;
 use crate::parallel;
+use crate::whole;
 
 /// A campaign's file, read: the draws of its runs, and the runs themselves. It is immutable.
 #[pyclass(frozen, module = "fenderline.campaign", name = "Campaign")]
@@ -101,14 +101,14 @@ impl Campaign {
     }
 
     /// The values of the variables of a run, from 0.
-    fn draw<'py>(&self, py: Python<'py>, run: u64) -> PyResult<Bound<'py, PyDict>> {
-        self.check(run)?;
+    fn draw<'py>(&self, py: Python<'py>, run: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyDict>> {
+        let run = self.number(run)?;
         self.values(py, &self.runs.draws().of_run(run))
     }
 
     /// The changes of the scenario in a run, from 0, as texts KEY=VALUE.
-    fn settings(&self, run: u64) -> PyResult<Vec<String>> {
-        self.check(run)?;
+    fn settings(&self, run: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
+        let run = self.number(run)?;
         Ok(self.runs.settings(run))
     }
 
@@ -118,17 +118,11 @@ impl Campaign {
     fn run<'py>(
         &self,
         py: Python<'py>,
-        first: u64,
-        last: u64,
-        threads: Option<usize>,
+        first: &Bound<'py, PyAny>,
+        last: &Bound<'py, PyAny>,
+        #[pyo3(from_py_with = whole::some_threads)] threads: Option<usize>,
     ) -> PyResult<Bound<'py, PyBytes>> {
-        if first > last || last > self.runs.count() {
-            let count = self.runs.count();
-            return Err(PyIndexError::new_err(format!(
-                "runs {first} to {last}: there are {count}"
-            )));
-        }
-        let numbers: Vec<u64> = (first..last).collect();
+        let numbers = RunNumbers::from(whole::range(first, last, self.runs.count())?);
         let mut rows: Vec<Row> = Vec::new();
         self.make(py, &numbers, threads, &mut |row| {
             rows.push(row);
@@ -162,8 +156,8 @@ impl Campaign {
             }
         }
         let missing = store.missing();
-        if !missing.is_empty() {
-            let (count, first) = (missing.len(), missing[0]);
+        if let Some(first) = missing.get(0) {
+            let count = missing.count();
             let why = format!("{count} runs have no row; the first of them is {first}");
             return Err(errors::of_campaign(py, why));
         }
@@ -179,7 +173,7 @@ impl Campaign {
         py: Python<'py>,
         probabilities: PyReadonlyArray2<'py, f64>,
         outputs: Vec<String>,
-        threads: Option<usize>,
+        #[pyo3(from_py_with = whole::some_threads)] threads: Option<usize>,
     ) -> PyResult<Vec<Bound<'py, PyArray1<f64>>>> {
         let heads = self.runs.heads();
         let mut columns = Vec::new();
@@ -217,7 +211,7 @@ impl Campaign {
             parallel::each_watched(count, threads, || Runner::new(&self.runs), work, &mut watch)
         });
         let Ok(values) = ended else {
-            return Err(raised.unwrap_or_else(|| PyValueError::new_err("the runs were stopped")));
+            return Err(raised.unwrap_or_else(|| errors::bad_argument("the runs were stopped")));
         };
         let column =
             |place: usize| PyArray1::from_vec(py, values.iter().map(|own| own[place]).collect());
@@ -225,17 +219,19 @@ impl Campaign {
     }
 
     /// The values of the variables at given probabilities, each between 0 and 1.
-    fn at<'py>(&self, py: Python<'py>, probabilities: Vec<f64>) -> PyResult<Bound<'py, PyDict>> {
+    fn at<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = whole::probabilities)] probabilities: Vec<f64>,
+    ) -> PyResult<Bound<'py, PyDict>> {
         let drawn = self.runs.draws().at_probabilities(&probabilities);
         self.values(py, &drawn.map_err(|why| errors::of_campaign(py, why))?)
     }
 }
 
 impl Campaign {
-    fn check(&self, run: u64) -> PyResult<()> {
-        let count = self.runs.count();
-        let refused = || PyIndexError::new_err(format!("run {run}: there are {count}, from 0"));
-        (run < count).then_some(()).ok_or_else(refused)
+    fn number(&self, run: &Bound<'_, PyAny>) -> PyResult<u64> {
+        whole::index(run, "run", self.runs.count())
     }
 
     fn values<'py>(&self, py: Python<'py>, drawn: &Drawn) -> PyResult<Bound<'py, PyDict>> {
@@ -250,7 +246,7 @@ impl Campaign {
     fn make(
         &self,
         py: Python<'_>,
-        numbers: &[u64],
+        numbers: &RunNumbers,
         threads: Option<usize>,
         use_row: &mut (dyn FnMut(Row) -> Result<(), CampaignError> + Send),
     ) -> PyResult<()> {

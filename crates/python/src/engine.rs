@@ -6,7 +6,6 @@ use fenderline_contact::{BodyState, HostIntegration, HostSettings, Mobility, Wre
 use fenderline_embed::{self as embed, CoriolisTerms, EngineError, Host, Settings};
 use fenderline_sim::Method;
 use numpy::PyArray2;
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
@@ -16,6 +15,7 @@ use crate::arrays::{
 use crate::contacts::{StepEvent, contact_event, contacts_array};
 use crate::errors;
 use crate::scenario::Scenario;
+use crate::whole;
 
 /// The contact engine for a simulator that moves its own bodies: write `states` and, where there are any, `loads`,
 /// call `step`, add `wrenches` to your forces.
@@ -79,7 +79,7 @@ impl Engine {
         method: Option<&str>,
         host: &str,
         coriolis: Option<&str>,
-        delay_steps: u32,
+        #[pyo3(from_py_with = whole::delay_steps)] delay_steps: u32,
         integration: &str,
     ) -> PyResult<Engine> {
         let origin = Origin {
@@ -112,13 +112,13 @@ impl Engine {
         let host = match host {
             "direct" if delay_steps == 0 => Host::Direct { coriolis },
             "direct" => {
-                return Err(PyValueError::new_err("delay_steps is for host=\"cosimulation\""));
+                return Err(errors::bad_argument("delay_steps is for host=\"cosimulation\""));
             }
             "cosimulation" if coriolis.is_none() => {
                 Host::CoSimulation(HostSettings { delay_steps, integration })
             }
             "cosimulation" => {
-                return Err(PyValueError::new_err("coriolis is for host=\"direct\""));
+                return Err(errors::bad_argument("coriolis is for host=\"direct\""));
             }
             other => return Err(unknown_choice("host", other, "direct, cosimulation")),
         };
@@ -132,7 +132,11 @@ impl Engine {
     /// Takes a step of `step_s` seconds from `states`, with `loads` if `uses_loads`: fills `wrenches`, and
     /// `states_after` where the engine moves the bodies. Steps may have any length; a step of 0 s is a pause and changes
     /// nothing.
-    fn step(&mut self, py: Python<'_>, step_s: f64) -> PyResult<()> {
+    fn step(
+        &mut self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = whole::step_s)] step_s: f64,
+    ) -> PyResult<()> {
         let Engine { engine, state_rows, load_rows, .. } = self;
         self.states.read(py, |numbers| read_states(numbers, state_rows))??;
         let loads = match self.uses_loads {
@@ -384,19 +388,23 @@ impl Engine {
 }
 
 fn unknown_choice(what: &str, given: &str, known: &str) -> PyErr {
-    PyValueError::new_err(format!("{what} is {given:?}, but must be one of: {known}"))
+    errors::bad_argument(format!("{what} is {given:?}, but must be one of: {known}"))
 }
 
 /// Time that `count` steps of a copy of an engine take without Python (s): for the bench.
 #[pyfunction]
-pub(crate) fn seconds_of_steps(engine: &Engine, step_s: f64, count: u64) -> PyResult<f64> {
+pub(crate) fn seconds_of_steps(
+    engine: &Engine,
+    #[pyo3(from_py_with = whole::step_s)] step_s: f64,
+    #[pyo3(from_py_with = whole::count)] count: u64,
+) -> PyResult<f64> {
     let mut own = engine.engine.clone();
     let states = own.states().to_vec();
     let loads = engine.uses_loads.then_some(engine.load_rows.as_slice());
     let start = std::time::Instant::now();
     for _ in 0..count {
         let taken = own.advance(&states, loads, step_s);
-        taken.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        taken.map_err(|error| errors::bad_argument(error.to_string()))?;
     }
     Ok(start.elapsed().as_secs_f64())
 }

@@ -48,6 +48,16 @@ pub(crate) fn of_engine(py: Python<'_>, error: &EngineError) -> PyErr {
     exception(py, "EngineError", error.to_string())
 }
 
+/// `fenderline.ArgumentError`: an argument that is out of its range.
+pub(crate) fn argument(py: Python<'_>, message: String) -> PyErr {
+    exception(py, "ArgumentError", message)
+}
+
+/// As [`argument`], where no token of Python is at hand.
+pub(crate) fn bad_argument(message: impl Into<String>) -> PyErr {
+    Python::attach(|py| argument(py, message.into()))
+}
+
 /// `fenderline.CampaignError`.
 pub(crate) fn of_campaign(py: Python<'_>, message: String) -> PyErr {
     let message = message.strip_prefix("error: ").map(str::to_owned).unwrap_or(message);

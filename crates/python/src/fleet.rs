@@ -2,7 +2,7 @@
 
 use fenderline_scenario::Override;
 use numpy::PyArray2;
-use pyo3::exceptions::{PyIndexError, PyTypeError, PyValueError};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
 use crate::arrays::{ReadOnly, STATE, Shared, write_states};
@@ -11,6 +11,7 @@ use crate::parallel;
 use crate::run::Run;
 use crate::scenario::Scenario;
 use crate::variants::{self, Common, NoRun};
+use crate::whole;
 
 /// Variants of one scenario, advanced in lockstep on `threads` threads. Their bodies, fenders and controls are those of the
 /// scenario. Results are those of single simulations, bit for bit.
@@ -43,7 +44,7 @@ impl Fleet {
         py: Python<'_>,
         scenario: &Scenario,
         variants: &Bound<'_, PyAny>,
-        threads: usize,
+        #[pyo3(from_py_with = whole::threads)] threads: usize,
     ) -> PyResult<Fleet> {
         let sets = variants::read(variants)?;
         let common = Common::of(scenario);
@@ -69,11 +70,15 @@ impl Fleet {
 
     /// Takes `steps` steps in every simulation with the current controls.
     #[pyo3(signature = (steps=1))]
-    fn step(&mut self, py: Python<'_>, steps: u64) -> PyResult<()> {
+    fn step(
+        &mut self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = whole::steps)] steps: u64,
+    ) -> PyResult<()> {
         let wanted = self.runs.len() * self.common.controls.len();
         let values = self.controls.read(py, <[f64]>::to_vec)?;
         if values.len() != wanted {
-            return Err(PyValueError::new_err("the array of controls has another shape"));
+            return Err(errors::bad_argument("the array of controls has another shape"));
         }
         if let Some(reason) = Run::refused(&self.common.controls, &values) {
             return Err(errors::refused(py, reason));
@@ -100,18 +105,13 @@ impl Fleet {
     fn reset(
         &mut self,
         py: Python<'_>,
-        indices: Vec<usize>,
+        indices: &Bound<'_, PyAny>,
         variants: &Bound<'_, PyAny>,
     ) -> PyResult<()> {
         let sets = variants::read(variants)?;
-        let count = self.runs.len();
-        if let Some(index) = indices.iter().find(|&&index| index >= count) {
-            return Err(PyIndexError::new_err(format!(
-                "there is no simulation {index} of {count}"
-            )));
-        }
+        let indices = whole::indices(indices, "simulation", self.runs.len() as u64)?;
         if sets.len() != indices.len() {
-            return Err(PyValueError::new_err("the numbers of variants and indices differ"));
+            return Err(errors::bad_argument("the numbers of variants and indices differ"));
         }
         let Fleet { common, runs, threads, .. } = self;
         let made = py

@@ -25,6 +25,7 @@ mod summaries;
 mod tables;
 mod totals;
 mod variants;
+mod whole;
 
 use pyo3::prelude::*;
 

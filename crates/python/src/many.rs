@@ -17,6 +17,7 @@ use crate::scenario::Scenario;
 use crate::summaries::{Summary, all_tables};
 use crate::tables::{self, joined};
 use crate::variants::{self, Common, NoRun, Sets};
+use crate::whole;
 
 /// The states of the bodies at the end of a run, and its summary.
 type Done = (Vec<BodyState>, Summary);
@@ -37,7 +38,7 @@ pub(crate) fn run_variants<'py>(
     py: Python<'py>,
     scenario: &Scenario,
     variants: &Bound<'py, PyAny>,
-    threads: Option<usize>,
+    #[pyo3(from_py_with = whole::some_threads)] threads: Option<usize>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
     let sets = Sets::read(variants)?;

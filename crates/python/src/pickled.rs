@@ -1,10 +1,10 @@
 //! What the pickle of a simulation holds, as a dictionary.
 
 use fenderline_contact::{Wrench, vec2};
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::errors;
 use crate::journal::Input;
 use crate::scenario::Scenario;
 use crate::simulation::Simulation;
@@ -60,7 +60,7 @@ pub(crate) fn simulation_of_parts(
     parts: &Bound<'_, PyDict>,
 ) -> PyResult<Simulation> {
     let item = |name: &str| {
-        let missing = || PyValueError::new_err(format!("the pickle has no {name}"));
+        let missing = || errors::bad_argument(format!("the pickle has no {name}"));
         parts.get_item(name)?.ok_or_else(missing)
     };
     let inputs: Vec<Row> = item("inputs")?.extract()?;
@@ -84,7 +84,7 @@ fn numbers(wrench: &Wrench) -> Vec<f64> {
 fn wrench(numbers: &[f64]) -> PyResult<Wrench> {
     match *numbers {
         [north, east, moment_nm] => Ok(Wrench { force_n: vec2(north, east), moment_nm }),
-        _ => Err(PyValueError::new_err("the pickle has a wrench that is not three numbers")),
+        _ => Err(errors::bad_argument("the pickle has a wrench that is not three numbers")),
     }
 }
 
@@ -105,7 +105,7 @@ fn input((step, kind, index, values, text): Row) -> PyResult<(u64, Input)> {
         ("control", [value]) => Input::Control(index, *value),
         ("external", values) => Input::External(index, wrench(values)?),
         ("order", []) => Input::Order(text),
-        _ => return Err(PyValueError::new_err(format!("the pickle has an input {kind:?}"))),
+        _ => return Err(errors::bad_argument(format!("the pickle has an input {kind:?}"))),
     };
     Ok((step, input))
 }

@@ -6,7 +6,6 @@ use fenderline_contact::Wrench;
 use fenderline_results::{InMemory, Tables};
 use fenderline_scenario::order;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -21,6 +20,7 @@ use crate::scenario::{Scenario, toml_of};
 use crate::summaries::{Summary, all_tables};
 use crate::tables;
 use crate::totals::Totals;
+use crate::whole;
 
 /// Steps between two checks for an interrupt by the user.
 const STEPS_AT_A_TIME: u64 = 2000;
@@ -119,7 +119,11 @@ impl Simulation {
 
     /// Takes `steps` steps with the current controls and external wrenches.
     #[pyo3(signature = (steps=1))]
-    fn step(&mut self, py: Python<'_>, steps: u64) -> PyResult<()> {
+    fn step(
+        &mut self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = whole::steps)] steps: u64,
+    ) -> PyResult<()> {
         self.read_inputs(py)?;
         self.clear_events();
         self.advance(py, steps)
@@ -127,16 +131,28 @@ impl Simulation {
 
     /// Runs to the end of the scenario's duration, or to a time.
     #[pyo3(signature = (until_s=None))]
-    fn run(&mut self, py: Python<'_>, until_s: Option<f64>) -> PyResult<()> {
+    fn run(
+        &mut self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = whole::until_s)] until_s: Option<f64>,
+    ) -> PyResult<()> {
         let simulation = &self.run.simulation;
         let end = match until_s {
             None => simulation.steps_total(),
             Some(until_s) if until_s.is_finite() && until_s >= 0.0 => {
                 simulation.steps_until(until_s)
             }
-            Some(other) => return Err(PyValueError::new_err(format!("until_s is {other}"))),
+            Some(other) => return Err(errors::bad_argument(format!("until_s is {other}"))),
         };
         let left = end.saturating_sub(simulation.steps_taken());
+        let most = whole::MOST_STEPS as u64;
+        if left > most {
+            let why = format!(
+                "until_s is {} s, more than {most} steps away",
+                until_s.unwrap_or(f64::NAN)
+            );
+            return Err(errors::argument(py, why));
+        }
         self.step(py, left)
     }
 
@@ -473,7 +489,7 @@ impl Simulation {
         let controls = self.controls.bind(py).try_readonly()?;
         let values = controls.as_slice()?;
         if values.len() != self.run.controls.len() {
-            return Err(PyValueError::new_err("the array of controls has another length"));
+            return Err(errors::bad_argument("the array of controls has another length"));
         }
         if let Some(reason) = Run::refused(&self.run.controls, values) {
             return Err(errors::refused(py, reason));
@@ -553,13 +569,13 @@ impl Simulation {
             match input {
                 Input::Control(index, value) => {
                     if *index >= self.run.controls.len() {
-                        return Err(PyValueError::new_err("the pickle has a control too many"));
+                        return Err(errors::bad_argument("the pickle has a control too many"));
                     }
                     self.run.order_one(*index, *value);
                 }
                 Input::External(body, wrench) => {
                     let row = external.get_mut(*body);
-                    let refused = || PyValueError::new_err("the pickle has a body too many");
+                    let refused = || errors::bad_argument("the pickle has a body too many");
                     *row.ok_or_else(refused)? = *wrench;
                     self.run.simulation.set_external(&external);
                 }
@@ -596,7 +612,7 @@ impl Simulation {
         let mut array = self.controls.bind(py).try_readwrite()?;
         let values = array.as_slice_mut()?;
         if values.len() != controls.len() {
-            return Err(PyValueError::new_err("the array of controls has another length"));
+            return Err(errors::bad_argument("the array of controls has another length"));
         }
         values.copy_from_slice(controls);
         self.external_wrenches.write(py, |rows| write_wrenches(external, rows))

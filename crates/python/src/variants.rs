@@ -6,7 +6,6 @@ use std::sync::Arc;
 use fenderline_scenario::{self as scenario, Override, ScenarioError};
 use fenderline_sim::{Setup, Start};
 use numpy::{PyArray1, PyArrayMethods};
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -144,7 +143,7 @@ impl Sets {
         let keys: Vec<(String, Column)> = keys.collect::<PyResult<_>>()?;
         let rows = keys.first().map_or(0, |(_, column)| column.len());
         if keys.iter().any(|(_, column)| column.len() != rows) {
-            return Err(PyValueError::new_err("each key needs one value per run"));
+            return Err(errors::bad_argument("each key needs one value per run"));
         }
         Ok(Sets::Columns { keys, rows })
     }

@@ -19,6 +19,7 @@ mod fender_sense;
 mod fenders;
 mod flexible;
 mod hull;
+mod idle;
 mod limits;
 mod loads;
 mod long_waves;
@@ -129,7 +130,8 @@ pub(crate) fn setup(
         bodies: &bodies,
     };
     let mut fenders = assembly.fenders(&fender_tables, &parts, &names)?;
-    assembly.roll(&fender_tables, &mut fenders, &mut materials);
+    let of_materials = file.given("material").named();
+    assembly.roll(of_materials, &fender_tables, &mut fenders, &mut materials)?;
     let of_bodies = file.given("body").named();
     let approaches = assembly.approaches(of_bodies, &mut bodies, &fenders, &pairs, &names)?;
     let vessels = assembly.vessels(file.given("body").named(), &kinds)?;
@@ -196,6 +198,7 @@ pub(crate) fn setup(
     let orders = file.given("order").list();
     setup.world.orders = assembly.orders(orders, &OrderNames::new(&setup, &names))?;
     setup.world.planned = assembly.events(file.given("event").list(), &setup, &names)?;
+    assembly.note_idle_keys(file, &setup, &fender_tables);
     let exercise = file.item("exercise").map(Item::table);
     let exercise = assembly.exercise(exercise, &setup, &names)?;
     Ok((setup, output, exercise))

@@ -184,6 +184,28 @@ pub struct Notice {
     pub message: String,
 }
 
+/// The beginning of notices about keys and tables that have no effect.
+pub(crate) const NO_EFFECT: &str = "no effect: ";
+
+impl Notice {
+    /// Whether it says that the key has no effect in this scenario, whatever happens in the run. `docs/design/files.md` has the
+    /// criterion.
+    ///
+    /// ```
+    /// # let tug = "outline = [[-9, -3], [9, -3], [9, 3], [-9, 3]]\nmass = 1e5\ngyradius = 5";
+    /// let text = format!("time = {{ step = 0.1, duration = 9 }}\nenvironment.current = {{ speed = 1, towards = 0 }}\n[body.a]\n{tug}\n");
+    /// let scenario = fenderline_scenario::Scenario::parse(&text, "tug.toml")?;
+    /// let notice = &scenario.notices[0];
+    /// assert_eq!(notice.key, "environment.current");
+    /// assert!(notice.is_without_effect());
+    /// # Ok::<(), fenderline_scenario::ScenarioError>(())
+    /// ```
+    #[must_use]
+    pub fn is_without_effect(&self) -> bool {
+        self.message.starts_with(NO_EFFECT)
+    }
+}
+
 impl fmt::Display for Notice {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (key, message) = (printable_line(&self.key), printable_line(&self.message));

@@ -50,4 +50,5 @@ mod tide;
 mod tugs;
 mod unloading;
 mod vessels;
+mod without_effect;
 mod worlds;

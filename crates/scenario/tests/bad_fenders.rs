@@ -12,7 +12,7 @@ duration = "20 s"
 
 [material.facing]
 stiffness = 0
-friction_static = 0.2
+damping = 0
 
 [material.rubber]
 stiffness = "500 kN/m^2"

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use fenderline_scenario::{Scenario, ScenarioError};
+use fenderline_scenario::{Campaign, Scenario, ScenarioError};
 
 /// A scenario without a mistake; each case below replaces a part of it.
 const GOOD: &str = r#"title = "Tug against a quay"
@@ -411,4 +411,47 @@ fn more_than_sixteen_mebibytes_are_not_read() {
 fn ten_megabytes_of_comment_are_fine() {
     let text = format!("{GOOD}#{}", "ü".repeat(TEN_MB / 2));
     assert!(Scenario::parse(&text, "huge.toml").is_ok());
+}
+
+/// Counts of campaigns have bounds, and the error names them: a million million runs ended the program for want of memory.
+#[test]
+fn counts_of_campaigns_have_bounds() {
+    let refused = |plan: &str, variables: usize, expected: &str| {
+        let variable = |name: usize| {
+            format!(
+                "[variable.v{name}]\nkey = \"time.step\"\ndistribution = \"uniform\"\nlower = 1\nupper = 2\n"
+            )
+        };
+        let text = format!(
+            "scenario = \"x.toml\"\n{plan}\n{}",
+            (0..variables).map(variable).collect::<String>()
+        );
+        let error = Campaign::parse(&text, "c.toml").unwrap_err();
+        assert!(error.message().contains(expected), "{error}");
+        assert_eq!(error.key(), Some("number"), "{error}");
+    };
+    let most = "must be at most 1e8, but is 1e12";
+    for plan in ["Monte Carlo", "Latin hypercube", "Sobol"] {
+        refused(&format!("plan = \"{plan}\"\nnumber = 1000000000000"), 1, most);
+    }
+    refused(
+        "plan = \"Latin hypercube\"\nnumber = 50000001",
+        2,
+        "of 2 variables is at most 50000000",
+    );
+    refused("plan = \"Sobol\"\nnumber = 65537", 1, "at most 65536");
+}
+
+/// Friction acts through the shear spring: without its stiffness there would be none at any slip, in silence.
+#[test]
+fn friction_without_shear_stiffness_is_refused() {
+    for shear in ["", "shear_stiffness = 0\n"] {
+        let text = GOOD.replace("shear_stiffness = \"3000 kN/m\"\n", shear);
+        let error = Scenario::parse(&text, "x.toml").unwrap_err();
+        assert_eq!(error.key(), Some("material.paper.friction_static"), "{error}");
+        assert!(error.message().contains("needs `material.paper.shear_stiffness`"), "{error}");
+        let without =
+            text.replace("friction_static = 0.5\n", "").replace("friction_dynamic = 0.4\n", "");
+        assert!(Scenario::parse(&without, "x.toml").is_ok());
+    }
 }

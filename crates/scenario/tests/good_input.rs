@@ -15,6 +15,7 @@ stiffness = 1000
 
 [material.hard]
 stiffness = 2000
+shear_stiffness = 5000
 friction_static = 0.3
 
 [body.tug]
@@ -70,7 +71,10 @@ fn defaults_and_file_order() {
     assert_eq!(setup.bodies[2].mass.unwrap().yaw_inertia_kgm2, 3000.0);
 
     let hard = setup.materials[1].material;
-    assert_eq!((hard.damping_nspm2, hard.shear_stiffness_npm, hard.restitution), (0.0, 0.0, 0.0));
+    assert_eq!(
+        (hard.damping_nspm2, hard.shear_stiffness_npm, hard.restitution),
+        (0.0, 5000.0, 0.0)
+    );
     assert_eq!((hard.friction_static, hard.friction_dynamic), (0.3, 0.3));
 }
 
@@ -128,9 +132,9 @@ fn corrections_of_an_outline_give_notices() {
         Place::File { line, .. } => *line,
         other => panic!("{other}"),
     };
-    assert!(scenario.notices.iter().all(|notice| line(&notice.place) == 23));
+    assert!(scenario.notices.iter().all(|notice| line(&notice.place) == 24));
     let shown = scenario.notices[0].to_string();
-    assert!(shown.starts_with("folder/small.toml:23:11: `body.barge.outline`: "), "{shown}");
+    assert!(shown.starts_with("folder/small.toml:24:11: `body.barge.outline`: "), "{shown}");
     assert_eq!(scenario.setup.bodies[2].outline.vertices().len(), 4);
 }
 
@@ -147,7 +151,7 @@ fn unused_bodies_and_materials_give_notices() {
     assert_eq!(shown.len(), 2);
     assert_eq!(
         shown[0],
-        "folder/small.toml:6:1: `material.soft`: no pair or fender uses this material"
+        "folder/small.toml:6:1: `material.soft`: no effect: no pair or fender uses this material"
     );
     assert!(shown[1].contains("`body.barge`: no pair names this body"), "{}", shown[1]);
     let shown = notices(&SMALL[..start]);

@@ -166,11 +166,13 @@ fn rolling_resistance_takes_the_place_of_friction() {
     assert_eq!(setup.fenders[2].material, setup.fenders[0].material);
     assert_eq!(setup.materials[0].material.friction_static, 0.2, "the material itself stays");
     let notices = parse(&text, &[]).unwrap().notices;
-    assert_eq!(notices, [], "the material is in use");
-    let notices = parse(&text.replace("shear_stiffness = \"3 MN/m\"\n", ""), &[]).unwrap().notices;
     let [notice] = notices.as_slice() else { panic!("{notices:?}") };
-    assert_eq!(notice.key, "fender_row.a.rolling_resistance");
-    assert!(notice.message.contains("no `shear_stiffness`"), "{notice}");
+    assert!(notice.is_without_effect() && notice.key == "material.facing.friction_static");
+    let without =
+        text.replace("shear_stiffness = \"3 MN/m\"\n", "").replace("friction_static = 0.2\n", "");
+    let error = parse(&without, &[]).unwrap_err();
+    assert_eq!(error.key(), Some("fender_row.a.rolling_resistance"));
+    assert!(error.message().contains("needs `material.facing.shear_stiffness`"), "{error}");
 }
 
 #[test]
@@ -219,7 +221,14 @@ fn exceptions_of_the_file_stay_under_settings_of_the_command_line() {
 fn a_pattern_holds_for_single_fenders_and_for_any_table() {
     let single = "\n[fender.b]\non = \"quay\"\nposition = [90, 0]";
     let text = format!("{START}{ROW}{TYPE}{single}{TYPE}");
-    let setup = parse(&text, &["fender.*.tolerance=10 %", "material.*.friction_static=0.3"]);
+    let setup = parse(
+        &text,
+        &[
+            "fender.*.tolerance=10 %",
+            "material.*.shear_stiffness=3 MN/m",
+            "material.*.friction_static=0.3",
+        ],
+    );
     let setup = setup.unwrap().setup;
     assert_eq!(setup.fenders.len(), 9);
     assert!(setup.fenders.iter().all(|fender| fender.factors.constant == 1.1));

@@ -803,6 +803,8 @@ fn examples_are_accepted() {
                 "/material",
                 "/body/b/fixed",
                 "/material/m/friction_static",
+                // Friction needs shear stiffness.
+                "/material/m/shear_stiffness",
                 "/fender/of a size/type",
                 "/fender_row",
                 "/fender_row/row of a size/type",

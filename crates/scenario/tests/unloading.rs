@@ -133,7 +133,7 @@ fn a_moored_ship_s_reactions_do_not_jump_by_10_kn_at_a_tenth_of_a_millimetre() {
 fn a_fender_s_restitution_has_no_effect_and_the_notice_says_where_it_went() {
     const TEXT: &str = r#"
         time = { step = 0.1, duration = 1 }
-        material.facing = { stiffness = 0, restitution = 0.1, friction_static = 0.2 }
+        material.facing = { stiffness = 0, restitution = 0.1, friction_static = 0.2, shear_stiffness = 3e6 }
         material.concrete = { stiffness = 1e6, restitution = 0.1 }
         body.ship = { outline = [[-9, -3], [9, -3], [9, 3], [-9, 3]], mass = 5e5, gyradius = 5 }
         body.quay = { outline = [[-9, 0], [9, 0], [9, 5], [-9, 5]], fixed = true, position = [0, 9] }

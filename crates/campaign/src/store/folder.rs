@@ -12,6 +12,7 @@ use super::whole;
 use crate::error::CampaignError;
 use crate::row::Row;
 use crate::run::Runs;
+use crate::run_numbers::RunNumbers;
 
 const MANIFEST: &str = "campaign.json";
 const JOURNAL: &str = "rows.journal";
@@ -126,8 +127,12 @@ impl<'r> Store<'r> {
 
     /// The runs of the share that have no row yet.
     #[must_use]
-    pub fn missing(&self) -> Vec<u64> {
-        self.shard.runs(self.runs.count()).filter(|run| !self.journal.has(*run)).collect()
+    pub fn missing(&self) -> RunNumbers {
+        let (first, stride, all) = (self.shard.number - 1, self.shard.of, self.runs.count());
+        match self.journal.done() {
+            0 => RunNumbers::every(first, stride, all),
+            _ => RunNumbers::among(first, stride, all, |run| !self.journal.has(run)),
+        }
     }
 
     /// The number of rows.

@@ -4,6 +4,7 @@ use std::fs::{File, OpenOptions};
 use std::io::{BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
+use super::places::Places;
 use crate::error::CampaignError;
 use crate::row::{Cell, Row};
 
@@ -113,8 +114,7 @@ pub fn decode_all(message: &[u8]) -> Result<Vec<Row>, CampaignError> {
 pub(super) struct Journal {
     path: PathBuf,
     file: File,
-    /// Where the record of each run begins, plus 1; 0 for a run that has none.
-    places: Vec<u64>,
+    places: Places,
     end: u64,
     done: u64,
 }
@@ -134,19 +134,8 @@ impl Journal {
             options
         };
         let file = options().open(path).map_err(failed)?;
-        let mut journal = Journal {
-            path: path.to_owned(),
-            places: vec![
-                0;
-                usize::try_from(runs).map_err(|_| CampaignError::part(
-                    "number",
-                    "too many runs for this machine"
-                ))?
-            ],
-            end: 0,
-            done: 0,
-            file,
-        };
+        let mut journal =
+            Journal { path: path.to_owned(), places: Places::of(runs), end: 0, done: 0, file };
         let mut reader =
             BufReader::with_capacity(1 << 20, journal.file.try_clone().map_err(failed)?);
         while let Some((row, length)) = next(&mut reader).map_err(failed)? {
@@ -154,9 +143,8 @@ impl Journal {
                 let why = "it has rows of another campaign";
                 return Err(CampaignError::folder(path, why));
             }
-            let place = &mut journal.places[row.run as usize];
-            if *place == 0 {
-                *place = journal.end + 1;
+            if !journal.has(row.run) {
+                journal.places.set(row.run, journal.end);
                 journal.done += 1;
                 visit(&row);
             }
@@ -169,7 +157,7 @@ impl Journal {
 
     /// Whether a run has its row.
     pub(super) fn has(&self, run: u64) -> bool {
-        self.places[run as usize] != 0
+        self.places.of_run(run).is_some()
     }
 
     /// The number of rows.
@@ -189,7 +177,7 @@ impl Journal {
             let _ = self.file.seek(SeekFrom::Start(self.end));
             return Err(CampaignError::disk(&self.path, &error));
         }
-        self.places[row.run as usize] = self.end + 1;
+        self.places.set(row.run, self.end);
         self.end += record.len() as u64;
         self.done += 1;
         Ok(())
@@ -221,7 +209,7 @@ pub(super) struct Reader<'j> {
     journal: &'j Journal,
     file: BufReader<File>,
     at: u64,
-    run: usize,
+    run: u64,
 }
 
 impl Reader<'_> {
@@ -229,18 +217,15 @@ impl Reader<'_> {
     pub(super) fn next(&mut self) -> Result<Option<Row>, CampaignError> {
         let path = &self.journal.path;
         let failed = |error: std::io::Error| CampaignError::folder(path, error);
-        while let Some(place) = self.journal.places.get(self.run) {
-            self.run += 1;
-            let Some(start) = place.checked_sub(1) else { continue };
-            // Runs end nearly in order: most jumps stay within the buffer.
-            self.file.seek_relative(start as i64 - self.at as i64).map_err(failed)?;
-            let Some((row, length)) = next(&mut self.file).map_err(failed)? else {
-                return Err(CampaignError::folder(path, "a record that was good is damaged now"));
-            };
-            self.at = start + length;
-            return Ok(Some(row));
-        }
-        Ok(None)
+        let Some((run, start)) = self.journal.places.next(self.run) else { return Ok(None) };
+        self.run = run + 1;
+        // Runs end nearly in order: most jumps stay within the buffer.
+        self.file.seek_relative(start as i64 - self.at as i64).map_err(failed)?;
+        let Some((row, length)) = next(&mut self.file).map_err(failed)? else {
+            return Err(CampaignError::folder(path, "a record that was good is damaged now"));
+        };
+        self.at = start + length;
+        Ok(Some(row))
     }
 }
 

@@ -8,6 +8,7 @@
 mod folder;
 mod journal;
 mod merge;
+mod places;
 mod tables;
 mod whole;
 

@@ -12,7 +12,14 @@ Lengths are in metres, angles in radians, forces in newtons, times in seconds. x
 clockwise from north; a body's own axes point forward and to starboard.
 """
 
-from fenderline._errors import CampaignError, EngineError, Error, ScenarioError, SimulationError
+from fenderline._errors import (
+    ArgumentError,
+    CampaignError,
+    EngineError,
+    Error,
+    ScenarioError,
+    SimulationError,
+)
 from fenderline._native import (
     CONTACT_TYPE,
     Engine,
@@ -27,6 +34,7 @@ from fenderline._results import Column, Results, Table
 from fenderline._runs import Runs, example, run, run_many
 
 __all__ = [
+    "ArgumentError",
     "CONTACT_TYPE",
     "CampaignError",
     "Column",

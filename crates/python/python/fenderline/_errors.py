@@ -10,6 +10,17 @@ class Error(Exception):
     """Of many runs, the number of the one that failed, from 0."""
 
 
+class ArgumentError(Error, ValueError):
+    """An argument of a call that is out of its range; nothing has changed.
+
+    >>> import fenderline
+    >>> simulation = fenderline.Simulation(fenderline.example("tug_4kn"))
+    >>> simulation.step(-1)
+    Traceback (most recent call last):
+    fenderline._errors.ArgumentError: steps must be from 0 to 1000000000, but is -1
+    """
+
+
 class ScenarioError(Error, ValueError):
     """An error in a scenario, with its location.
 

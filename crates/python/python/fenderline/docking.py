@@ -291,12 +291,13 @@ class DockingVectorEnv(VectorEnv[Observation, Action, npt.NDArray[Any]]):
     ) -> None:
         self.render_mode = known_render_mode(render_mode, ["rgb_array"])
         self._picture: Picture | None = None
+        # First of all: it refuses impossible numbers, before anything is as large.
+        self._berth = _Berth(num_envs, threads)
         self.num_envs = num_envs
         self.single_observation_space = _observation_space()
         self.single_action_space = _action_space()
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self.action_space = batch_space(self.single_action_space, num_envs)
-        self._berth = _Berth(num_envs, threads)
         self._randoms = [seeding.np_random()[0] for _ in range(num_envs)]
 
     def reset(

@@ -6,7 +6,6 @@ mod episode;
 
 use fenderline_contact::vec2;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
-use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 
 use self::berth::Berth;
@@ -16,6 +15,7 @@ use crate::errors;
 use crate::parallel;
 use crate::scenario::Scenario;
 use crate::variants::{self, Common};
+use crate::whole;
 
 /// Numbers of a start: position north and east, heading, velocity ahead and to starboard, speed of the wind and where it comes
 /// from, speed of the current and where it goes.
@@ -48,25 +48,25 @@ impl Docking {
     fn new(
         py: Python<'_>,
         scenario: &Scenario,
-        count: usize,
-        threads: usize,
-        levers: Vec<(String, f64)>,
-        berthed_within_m: f64,
+        #[pyo3(from_py_with = whole::episodes)] count: usize,
+        #[pyo3(from_py_with = whole::threads)] threads: usize,
+        #[pyo3(from_py_with = whole::levers)] levers: Vec<(String, f64)>,
+        #[pyo3(from_py_with = whole::berthed_within_m)] berthed_within_m: f64,
     ) -> PyResult<Docking> {
         let common = Common::of(scenario);
-        let other = || PyValueError::new_err("the scenario is not one of a ship at a berth");
+        let other = || errors::bad_argument("the scenario is not one of a ship at a berth");
         let berth = Berth::of(&common.base, berthed_within_m).ok_or_else(other)?;
         if !common.base.setup.restarts_in_place() {
             return Err(other());
         }
         let lever = |(name, full): &(String, f64)| {
             let control = common.controls.iter().position(|control| control.name == *name);
-            let unknown = || PyValueError::new_err(format!("there is no control {name}"));
+            let unknown = || errors::bad_argument(format!("there is no control {name}"));
             Ok(Lever { control: control.ok_or_else(unknown)?, full: *full })
         };
         let levers = levers.iter().map(lever).collect::<PyResult<Vec<_>>>()?;
         if levers.len() < SHIP_ORDERS {
-            return Err(PyValueError::new_err("the ship has four controls"));
+            return Err(errors::bad_argument("the ship has four controls"));
         }
         // Clones of one simulation share its contact model: a thousand of them wait for memory most of the time.
         let first = common.run(&[]).map_err(|error| variants::exception(py, 0, &error))?;
@@ -79,18 +79,17 @@ impl Docking {
     fn begin<'py>(
         &mut self,
         py: Python<'py>,
-        which: Vec<usize>,
+        which: &Bound<'_, PyAny>,
         starts: PyReadonlyArray2<'py, f64>,
     ) -> PyResult<Bound<'py, PyArray2<f32>>> {
+        let which = whole::indices(which, "episode", self.episodes.len() as u64)?;
         let numbers = starts.as_slice()?;
         if numbers.len() != which.len() * START {
-            return Err(PyValueError::new_err("the array of starts has another shape"));
+            return Err(errors::bad_argument("the array of starts has another shape"));
         }
-        let count = self.episodes.len();
         let mut seen = Vec::with_capacity(which.len() * SEEN);
         for (&index, row) in which.iter().zip(numbers.chunks_exact(START)) {
-            let none = || PyIndexError::new_err(format!("there is no episode {index} of {count}"));
-            let episode = self.episodes.get_mut(index).ok_or_else(none)?;
+            let episode = &mut self.episodes[index];
             let drawn = Drawn {
                 position_m: vec2(row[0], row[1]),
                 heading_rad: row[2],
@@ -116,10 +115,10 @@ impl Docking {
         let Docking { berth, levers, episodes, threads } = self;
         let (actions, each) = (actions.as_slice()?, levers.len());
         if actions.len() != episodes.len() * each {
-            return Err(PyValueError::new_err("the array of actions has another shape"));
+            return Err(errors::bad_argument("the array of actions has another shape"));
         }
         if actions.iter().any(|number| number.is_nan()) {
-            return Err(PyValueError::new_err("an action is not a finite number"));
+            return Err(errors::bad_argument("an action is not a finite number"));
         }
         let step = |index: usize, episode: &mut Episode| {
             episode.step(&actions[index * each..][..each], levers, berth)
@@ -161,9 +160,9 @@ impl Docking {
 
     /// Of one episode: the ship's orders, wind along the quay and towards it (m/s), steps taken, and the largest energy that a fender
     /// has stored over its rated energy.
-    fn shown(&self, index: usize) -> PyResult<Shown> {
-        let episode = self.episodes.get(index);
-        let episode = episode.ok_or_else(|| PyIndexError::new_err("no such episode"))?;
+    fn shown(&self, index: &Bound<'_, PyAny>) -> PyResult<Shown> {
+        let index = whole::index(index, "episode", self.episodes.len() as u64)?;
+        let episode = &self.episodes[index as usize];
         let [along_mps, towards_mps, _] = episode.weather_mps;
         Ok((episode.orders, (along_mps, towards_mps), episode.steps, episode.share))
     }

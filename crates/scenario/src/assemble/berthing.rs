@@ -6,6 +6,7 @@ use fenderline_sim::{Approach, BodySetup, BodyVelocity, Environment, FenderSetup
 use super::particulars::Taken;
 use crate::assemble::{Assembly, Checked, Names};
 use crate::checked::Table;
+use crate::error::NO_EFFECT;
 
 impl Assembly<'_, '_> {
     pub(super) fn berthing(
@@ -39,7 +40,7 @@ impl Assembly<'_, '_> {
         let is_abnormal = |approach: &Approach| approach.body == ship && approach.is_abnormal();
         if let (Some(item), true) = (abnormal, approaches.iter().any(is_abnormal)) {
             // The formula takes the speed of the run, which has the factor in it.
-            let message = "not applied: the run itself is that of an abnormal berthing".to_owned();
+            let message = format!("{NO_EFFECT}the run itself is that of an abnormal berthing");
             self.note_at(&item.span, table.path_of(item.name), message);
             abnormal = None;
         }

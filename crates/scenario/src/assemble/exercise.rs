@@ -262,10 +262,10 @@ impl Assembly<'_, '_> {
             body.is_fixed() && berth.is_none_or(|berth| berth.body != index)
         };
         if measure == Measure::Clearance && !setup.bodies.iter().enumerate().any(is_structure) {
-            self.note(table, "never exceeded: there is no fixed body but the berth");
+            self.note(table, "no effect: never exceeded, as there is no fixed body but the berth");
         }
         if measure == Measure::UnderKeel && setup.world.environment.depth_m.is_none() {
-            self.note(table, "never exceeded: `[environment]` has no `depth`");
+            self.note(table, "no effect: never exceeded, as `[environment]` has no `depth`");
         }
         let number = |name: &str| table.item_if_any(name).map(|item| *item.number());
         let (bound, worst) = match measure {

@@ -31,6 +31,13 @@ impl Assembly<'_, '_> {
     fn note_odd_size(&mut self, table: &Table, family: &Item, library: &FenderLibrary) {
         let Ok(fender) = self.catalogue(table, family, library) else { return };
         let height_m = fender.height_m;
+        if fender.angle_reaction_factors.is_empty() && fender.angle_energy_factors.is_empty() {
+            self.note_idle(table, "angle_factor", "no factors by angle are known for this type");
+        }
+        if fender.velocity_factors.is_empty() {
+            let why = "no factors by speed are known for this type";
+            self.note_idle(table, "velocity_factor", why);
+        }
         if let Some(item) = table.item("rated_reaction") {
             let message = odd_reaction(*item.number(), height_m, "a height");
             self.note_if(item, table, message);

@@ -4,7 +4,7 @@ use fenderline_contact::Material;
 use fenderline_sim::NamedMaterial;
 
 use super::{Assembly, Checked};
-use crate::checked::Table;
+use crate::checked::{Item, Table};
 use crate::error::Notice;
 
 /// Larger coefficients of friction get a notice. Rubber on dry steel or concrete has about 1, polyethylene facings
@@ -35,6 +35,7 @@ impl Assembly<'_, '_> {
             return Err(self.sources.error(&item.span, &path, message));
         }
         let item = table.given("friction_static");
+        self.need_shear_stiffness(table, item, table)?;
         if friction_static > HIGHEST_USUAL_FRICTION {
             self.notices.push(Notice {
                 place: self.sources.place(&item.span),
@@ -53,5 +54,28 @@ impl Assembly<'_, '_> {
             friction_dynamic,
             restitution: *table.given("restitution").number(),
         })
+    }
+
+    /// Refuses friction or rolling resistance on a material without shear stiffness. The paper carries friction by a shear spring
+    /// (eq. 4), whose stiffness is a parameter of its fender (Table 1), not derived from others; without it there is no friction at any
+    /// slip. A default would be as silent: how far a hull moves before it slides, and how it surges alongside, depend on it.
+    pub(super) fn need_shear_stiffness(
+        &self,
+        of: &Table,
+        friction: &Item,
+        material: &Table,
+    ) -> Checked<()> {
+        if *friction.number() == 0.0 || *material.given("shear_stiffness").number() > 0.0 {
+            return Ok(());
+        }
+        let path = of.path_of(friction.name);
+        let key = material.path_of("shear_stiffness");
+        let message = format!(
+            "`{path}` needs `{key}`: friction acts through a shear spring, and would be none without it"
+        );
+        let error = self.sources.error(&friction.span, &path, message);
+        Err(error.with_help(
+            "write shear_stiffness = \"3000 kN/m\", the value of the paper, or that of the fender's maker; without friction, remove `friction_static`",
+        ))
     }
 }

@@ -2,28 +2,27 @@
 
 use fenderline_sim::{FenderSetup, NamedMaterial};
 
-use super::Assembly;
+use super::{Assembly, Checked};
 use crate::checked::Table;
-use crate::sources::quoted;
 
 impl Assembly<'_, '_> {
     /// Gives each roller fender a material of its own: that of its table, with the rolling resistance for its friction.
     /// Rollers that differ in nothing share one.
+    ///
+    /// # Errors
+    /// A rolling resistance on a material without shear stiffness.
     pub(super) fn roll(
-        &mut self,
+        &self,
+        of_materials: &[(String, Table)],
         tables: &[(String, Table)],
         fenders: &mut [FenderSetup],
         materials: &mut Vec<NamedMaterial>,
-    ) {
+    ) -> Checked<()> {
         for ((_, table), fender) in tables.iter().zip(fenders) {
             let Some(item) = table.item("rolling_resistance") else { continue };
             let resistance = *item.number();
             let NamedMaterial { name, mut material } = materials[fender.material].clone();
-            if resistance > 0.0 && material.shear_stiffness_npm <= 0.0 {
-                let message =
-                    format!("no effect: the material {} has no `shear_stiffness`", quoted(&name));
-                self.note_at(&item.span, table.path_of(item.name), message);
-            }
+            self.need_shear_stiffness(table, item, &of_materials[fender.material].1)?;
             material.friction_static = resistance;
             material.friction_dynamic = resistance;
             let name = format!("{name}, rolling resistance {resistance}");
@@ -33,5 +32,6 @@ impl Assembly<'_, '_> {
                 materials.len() - 1
             });
         }
+        Ok(())
     }
 }

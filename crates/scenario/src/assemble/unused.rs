@@ -7,7 +7,7 @@ use fenderline_sim::{BodySetup, FenderSetup, Method};
 use super::Assembly;
 use super::pairs::Pairs;
 use crate::checked::Table;
-use crate::error::Notice;
+use crate::error::{NO_EFFECT, Notice};
 use crate::sources::quoted;
 
 impl Assembly<'_, '_> {
@@ -30,13 +30,7 @@ impl Assembly<'_, '_> {
         let mut used_materials: BTreeSet<usize> =
             pairs.named.iter().map(|pair| pair.material).collect();
         used_materials.extend(pairs.every_other);
-        let of_fenders: BTreeSet<&str> =
-            fender_tables.iter().map(|(_, table)| table.given("material").name()).collect();
-        for (index, (name, table)) in file.given("material").named().iter().enumerate() {
-            if !used_materials.contains(&index) && !of_fenders.contains(name.as_str()) {
-                self.note(table, "no pair or fender uses this material");
-            }
-        }
+        self.note_idle_materials(file, &used_materials, (fenders, fender_tables));
         self.note_restitution(file, pairs, fenders);
         if pairs.every_other.is_some() {
             return;
@@ -74,9 +68,10 @@ impl Assembly<'_, '_> {
                 self.notices.push(Notice {
                     place: self.sources.place(&item.span),
                     key: table.path_of("restitution"),
-                    message: "restitution has no effect here: the fenders of this material return energy by their unloading \
-                              law; set `returned_energy` of the fenders instead, or remove it"
-                        .to_owned(),
+                    message: format!(
+                        "{NO_EFFECT}the fenders of this material return energy by their unloading law; set `returned_energy` of the \
+                         fenders instead, or remove it"
+                    ),
                 });
             }
         }

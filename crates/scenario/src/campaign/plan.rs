@@ -60,6 +60,9 @@ impl Plan {
 /// The most runs of a Sobol sequence: the length that the library's numbers have.
 const MOST_OF_SOBOL: u64 = 1 << 16;
 
+/// The most runs times variables of a Latin hypercube: the order of each variable's parts is held, in 0.4 GB at most.
+const MOST_OF_HYPERCUBE: u64 = 100_000_000;
+
 /// A correlation of two variables.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Correlation {
@@ -195,9 +198,14 @@ pub(super) fn read(
         PlanKind::MonteCarlo => Ok(Plan::MonteCarlo { number: number()? }),
         PlanKind::LatinHypercube => {
             let number = number()?;
-            // The order of each variable's parts is held in memory.
-            if number > u64::from(u32::MAX) {
-                return refused("number", format!("of a Latin hypercube is at most {}", u32::MAX));
+            let count = variables.len().max(1) as u64;
+            if number > MOST_OF_HYPERCUBE / count {
+                let most = MOST_OF_HYPERCUBE / count;
+                let message = format!(
+                    "of a Latin hypercube of {count} variables is at most {most}, as the order of their parts is held in memory, but is {number}; \
+                     a \"Monte Carlo\" plan has no such bound"
+                );
+                return refused("number", message);
             }
             Ok(Plan::LatinHypercube { number })
         }

@@ -1,5 +1,7 @@
 //! Keys of materials and of pairs of bodies.
 
+use serde_json::json;
+
 use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
@@ -26,14 +28,14 @@ pub(super) static MATERIAL: TableSpec = TableSpec {
             "shear_stiffness",
             Kind::Quantity(Quantity { measure: &unit::STIFFNESS, low: 0.0, high: 1e15 }),
             Is("0"),
-            "k_s, tangential force per shear of a contact; without it there is no friction.",
+            "k_s, tangential force per shear of a contact; friction needs it.",
             &["\"3000 kN/m\""],
         ),
         key(
             "friction_static",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 10.0 }),
             Is("0"),
-            "Coefficient of static friction; mostly 0.1 to 1. More than 1.5 gives a notice.",
+            "Coefficient of static friction; mostly 0.1 to 1. It needs `shear_stiffness`. More than 1.5 gives a notice.",
             &["0.5"],
         ),
         key(
@@ -52,7 +54,15 @@ pub(super) static MATERIAL: TableSpec = TableSpec {
             &["0.1"],
         ),
     ],
-    rules: None,
+    // A text such as "0 %" is beyond a schema.
+    rules: Some(|| {
+        json!({
+            "if": { "required": ["friction_static"], "properties": { "friction_static": { "not": { "const": 0 } } } },
+            "then": {
+                "required": ["shear_stiffness"], "properties": { "shear_stiffness": { "not": { "const": 0 } } }
+            }
+        })
+    }),
 };
 
 pub(super) static PAIR: TableSpec = TableSpec {

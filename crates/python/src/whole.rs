@@ -1,0 +1,173 @@
+//! Whole numbers that a caller gives: Python's have no bounds, ours have, and say so.
+
+use std::ops::Range;
+
+use pyo3::conversion::FromPyObjectOwned;
+use pyo3::exceptions::{PyIndexError, PyOverflowError, PyTypeError};
+use pyo3::prelude::*;
+
+use crate::errors;
+
+/// Most steps of one call: those of the longest run of a scenario.
+pub(crate) const MOST_STEPS: i64 = 1_000_000_000;
+/// Most simulations that go in lockstep: their memory is taken at once.
+const MOST_AT_ONCE: i64 = 1_000_000;
+
+/// The number of steps of a call.
+pub(crate) fn steps(given: &Bound<'_, PyAny>) -> PyResult<u64> {
+    within(given, "steps", [0, MOST_STEPS]).map(|number| number as u64)
+}
+
+/// The number of steps that a host is late.
+pub(crate) fn delay_steps(given: &Bound<'_, PyAny>) -> PyResult<u32> {
+    within(given, "delay_steps", [0, i64::from(u32::MAX)]).map(|number| number as u32)
+}
+
+/// The number of repeated steps of the bench.
+pub(crate) fn count(given: &Bound<'_, PyAny>) -> PyResult<u64> {
+    within(given, "count", [0, MOST_STEPS]).map(|number| number as u64)
+}
+
+/// The number of episodes in lockstep.
+pub(crate) fn episodes(given: &Bound<'_, PyAny>) -> PyResult<usize> {
+    within(given, "count", [1, MOST_AT_ONCE]).map(|number| number as usize)
+}
+
+/// The number of threads.
+pub(crate) fn threads(given: &Bound<'_, PyAny>) -> PyResult<usize> {
+    let most = fenderline_campaign::MOST_THREADS as i64;
+    within(given, "threads", [1, most]).map(|number| number as usize)
+}
+
+/// The number of threads, or `None`.
+pub(crate) fn some_threads(given: &Bound<'_, PyAny>) -> PyResult<Option<usize>> {
+    if given.is_none() { Ok(None) } else { threads(given).map(Some) }
+}
+
+/// The length of a step (s).
+pub(crate) fn step_s(given: &Bound<'_, PyAny>) -> PyResult<f64> {
+    real(given, "step_s")
+}
+
+/// A time, or `None` (s).
+pub(crate) fn until_s(given: &Bound<'_, PyAny>) -> PyResult<Option<f64>> {
+    if given.is_none() { Ok(None) } else { real(given, "until_s").map(Some) }
+}
+
+/// A distance (m).
+pub(crate) fn berthed_within_m(given: &Bound<'_, PyAny>) -> PyResult<f64> {
+    real(given, "berthed_within_m")
+}
+
+/// Controls with their full values.
+pub(crate) fn levers(given: &Bound<'_, PyAny>) -> PyResult<Vec<(String, f64)>> {
+    named(given, "levers", "names with numbers")
+}
+
+/// Probabilities.
+pub(crate) fn probabilities(given: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
+    named(given, "probabilities", "numbers in a sequence")
+}
+
+/// A number; its range is for the call to check.
+///
+/// # Errors
+/// TypeError for what is no number, `fenderline.ArgumentError` for an integer beyond any number of ours.
+fn real(given: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
+    named(given, name, "a number")
+}
+
+/// What is given as a value of this kind, with errors that name the argument.
+fn named<'py, T: FromPyObjectOwned<'py>>(
+    given: &Bound<'py, PyAny>,
+    name: &str,
+    kind: &str,
+) -> PyResult<T> {
+    given.extract::<T>().map_err(|error| {
+        let error: PyErr = error.into();
+        let words = format!("{name} must be {kind}, but is {}", shown(given));
+        match error.is_instance_of::<PyOverflowError>(given.py()) {
+            true => errors::argument(given.py(), words),
+            false => PyTypeError::new_err(words),
+        }
+    })
+}
+
+/// The number of one of `count` things, from 0.
+///
+/// # Errors
+/// TypeError for what is no whole number, IndexError for one that is out of range.
+pub(crate) fn index(given: &Bound<'_, PyAny>, what: &str, count: u64) -> PyResult<u64> {
+    let number = number(given, what)?;
+    let found = number.extract::<u64>().ok().filter(|number| *number < count);
+    found.ok_or_else(|| {
+        PyIndexError::new_err(format!(
+            "{what} is {}, but there are {count}, from 0",
+            shown(&number)
+        ))
+    })
+}
+
+/// The numbers from `first` to before `last` of `count` runs.
+///
+/// # Errors
+/// TypeError for what is no whole number, IndexError for a range that is not within that of the runs.
+pub(crate) fn range(
+    first: &Bound<'_, PyAny>,
+    last: &Bound<'_, PyAny>,
+    count: u64,
+) -> PyResult<Range<u64>> {
+    let [first, last] = [number(first, "first")?, number(last, "last")?];
+    if let (Ok(first), Ok(last)) = (first.extract::<u64>(), last.extract::<u64>())
+        && first <= last
+        && last <= count
+    {
+        return Ok(first..last);
+    }
+    let [first, last] = [shown(&first), shown(&last)];
+    Err(PyIndexError::new_err(format!("runs {first} to {last}: there are {count}")))
+}
+
+/// Numbers of some of `count` things, from 0.
+pub(crate) fn indices(given: &Bound<'_, PyAny>, what: &str, count: u64) -> PyResult<Vec<usize>> {
+    let refused = |_| {
+        let words = shown(given);
+        PyTypeError::new_err(format!("{what} must be whole numbers in a sequence, but is {words}"))
+    };
+    let all = given.try_iter().map_err(refused)?;
+    all.map(|one| index(&one?, what, count).map(|number| number as usize)).collect()
+}
+
+/// A whole number within bounds, both included.
+///
+/// # Errors
+/// TypeError for what is no whole number, `fenderline.ArgumentError` for one that is out of range.
+pub(crate) fn within(given: &Bound<'_, PyAny>, name: &str, bounds: [i64; 2]) -> PyResult<i64> {
+    let number = number(given, name)?;
+    let [low, high] = bounds;
+    let found = number.extract::<i64>().ok().filter(|number| (low..=high).contains(number));
+    found.ok_or_else(|| {
+        let words = format!("{name} must be from {low} to {high}, but is {}", shown(&number));
+        errors::argument(given.py(), words)
+    })
+}
+
+/// What is given as an integer of Python.
+fn number<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+    let index = given.py().import("operator")?.getattr("index")?;
+    index.call1((given,)).map_err(|_| {
+        PyTypeError::new_err(format!("{name} must be a whole number, but is {}", shown(given)))
+    })
+}
+
+/// An object in a few words.
+fn shown(object: &Bound<'_, PyAny>) -> String {
+    const MOST: usize = 60;
+    // Python refuses to write integers of thousands of digits.
+    let Ok(text) = object.repr() else { return "too large to be written".to_owned() };
+    let text = text.to_string_lossy().into_owned();
+    match text.char_indices().nth(MOST) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text,
+    }
+}
