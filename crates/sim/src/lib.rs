@@ -185,6 +185,7 @@ mod contact_totals;
 pub mod distance;
 mod dolphin;
 mod error;
+pub mod factors;
 mod fender;
 mod fixed_order;
 mod gain;
@@ -238,11 +239,11 @@ pub use setup::{
 pub use simulation::Simulation;
 pub use start::{BodyStart, Start};
 pub use summary::PairSummary;
-pub use verdict::{Finding, Gravity, Verdict, called};
+pub use verdict::{Finding, Gravity, Subject, Verdict, called};
 pub use world::{
     AnchorAtWork, AnchorSetup, AnchorStart, Assist, AssistPilot, AzimuthOrder, AzimuthSetup,
-    AzimuthState, BollardSetup, Environment, Fault, Faults, Float, Job, LineEnd, LineHandling,
-    Mooring, MooringSetup, NotAtTheSide, Pilots, ProviderSetup, PushJob, Sent, ThrusterSetup,
-    Tripped, TugAtWork, TugSetup, VesselForces, VesselOrders, VesselSetup, VesselState, WorldEvent,
-    WorldEventKind, WorldSetup, mass_matrix,
+    AzimuthState, BollardSetup, CurrentTable, Environment, Fault, Faults, Float, Job, LineEnd,
+    LineHandling, Mooring, MooringSetup, NotAtTheSide, Pilots, ProviderSetup, PushJob, Sent,
+    ThrusterSetup, Tripped, TugAtWork, TugSetup, VesselForces, VesselOrders, VesselSetup,
+    VesselState, WorldEvent, WorldEventKind, WorldSetup, mass_matrix,
 };

@@ -5,6 +5,7 @@ mod berthing;
 mod dolphins;
 mod events;
 mod exercise;
+mod factors;
 mod fenders;
 mod session;
 mod statistics;
@@ -24,6 +25,7 @@ use berthing::berthing_json;
 use dolphins::dolphins_json;
 use events::events_json;
 use exercise::exercise_json;
+use factors::put_factors;
 use fenders::fenders_json;
 use session::session_json;
 use statistics::put_statistics;
@@ -116,6 +118,7 @@ pub fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<String, S
     }
     put_world(&mut whole, outcome);
     put_statistics(&mut whole, outcome);
+    put_factors(&mut whole, outcome);
     match first_null(&whole) {
         None => Ok(format!("{whole:#}\n")),
         Some(key) => Err(SummaryNotFinite { key }),

@@ -6,16 +6,18 @@
 //! | file | content |
 //! |---|---|
 //! | `verdict/finding.rs` | what can be found, and its sentence |
+//! | `verdict/factored.rs` | what is found with the partial factors of the user |
 //! | `verdict/fender.rs` | what is found on a fender |
 //! | `verdict/watch.rs` | the totals that a run keeps for it, step by step |
 //! | `verdict/start.rs` | bodies that start inside each other |
 
+mod factored;
 mod fender;
 mod finding;
 mod start;
 mod watch;
 
-pub use finding::{Finding, called};
+pub use finding::{Finding, Subject, called};
 pub(crate) use start::starts_inside;
 pub(crate) use watch::Watch;
 
