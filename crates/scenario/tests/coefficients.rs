@@ -273,7 +273,7 @@ fn each_mistake_in_a_table_is_told_with_its_row_and_column() {
     refused(
         &[],
         &[("own_wind.csv", few)],
-        &["own_wind.csv:4:1", "no row between 180 and 90, 90 degrees apart"],
+        &["own_wind.csv:3:1", "no row between 90 and 180, 90 degrees apart"],
     );
     let turned = wind_with("0,0.810,0.000,", "0,0.810,0.300,");
     refused(&[], &[("own_wind.csv", &turned)], &["own_wind.csv:4:1", "has 47 % of its largest"]);
@@ -359,9 +359,24 @@ fn a_published_exercise_of_six_lines_has_its_line_loads() {
 #[test]
 fn the_lines_of_the_exercise_as_they_are_have_the_loads_of_an_independent_solution() {
     let exact = [185.2500, 75.3911, 99.6505, 86.3291, 51.0420, 124.6487];
-    let stiffness: Vec<String> =
-        (1..=6).map(|line| format!("line.{line}.axial_stiffness=\"11.25 MN\"")).collect();
-    let mut sets: Vec<&str> = stiffness.iter().map(String::as_str).collect();
+    // Where the chocks and bollards of the exercise are, from midship.
+    let places = [
+        (-50, -4.0, -50),
+        (-42, -5.0, -35),
+        (-10, -5.5, -5),
+        (17, -5.5, 12),
+        (49, -5.0, 42),
+        (57, -4.0, 57),
+    ];
+    let mut as_they_are = Vec::new();
+    for (line, (along, across, bollard)) in places.into_iter().enumerate() {
+        let line = format!("line.{}", line + 1);
+        let at = |along: i32| f64::from(along) - 3.5;
+        as_they_are.push(format!("{line}.axial_stiffness=\"11.25 MN\""));
+        as_they_are.push(format!("{line}.fairlead=[{}, {across}]", at(along)));
+        as_they_are.push(format!("{line}.bollard=[{}, -10]", at(bollard)));
+    }
+    let mut sets: Vec<&str> = as_they_are.iter().map(String::as_str).collect();
     sets.push("time.duration=\"150 s\"");
     for (found, expected) in six(&sets).iter().zip(exact) {
         assert!((found / expected - 1.0).abs() < 5e-3, "{found} kN for {expected}");

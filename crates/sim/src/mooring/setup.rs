@@ -54,7 +54,7 @@ pub struct LineDetails {
     /// Weight of rope and tail outboard per unstretched length (N/m); 0: neglected.
     ///
     /// The rope then hangs in a flat parabola: its stretched length S and the distance c of its ends, h of it horizontal, are in
-    /// S = c (1 + (W h/c)²/(24 T²)), with W the weight outboard and T the tension along the chord, at its middle; each end bears half of the
+    /// S = c (1 + (W h/S)²/(24 T²)), with W the weight outboard and T the tension along the chord, at its middle; each end bears half of the
     /// weight. The error is of the next order, (W/T)⁴/1920 or so of the length.
     pub weight_npm: f64,
     /// Working load (N), where it is not the guideline's share of the break load.

@@ -123,13 +123,14 @@ fn covered(
     if sides == Sides::Mirrored && (count < 3 || degrees[0] != 0.0 || degrees[count - 1] != 180.0) {
         let given = |row: &Row| csv.plain(row.row, column);
         let (first, last) = (given(&rows[0]), given(&rows[count - 1]));
+        let end = if degrees[0] == 0.0 { &rows[count - 1] } else { &rows[0] };
         let message = format!(
             "the angles do not cover a side{at}: they reach from {} to {}, in {count} rows",
             lesser(first, last),
             greater(first, last)
         );
         return Err(csv
-            .cell_error(rows[count - 1].row, column, message)
+            .cell_error(end.row, column, message)
             .with_help("a table of one side has angles from straight ahead to straight astern, and some between"));
     }
     let mut steps: Vec<(f64, usize)> =
@@ -142,7 +143,9 @@ fn covered(
     let middle = widths[widths.len() / 2];
     let mut gaps = Vec::new();
     for (width, before) in steps {
-        let (one, two) = (&rows[before], &rows[(before + 1) % count]);
+        let two = [&rows[before], &rows[(before + 1) % count]];
+        // As the file has them.
+        let [one, two] = if two[0].row < two[1].row { two } else { [two[1], two[0]] };
         let [from, to] = [one, two].map(|row| csv.plain(row.row, column));
         if width > WIDEST_DEG + SAME_DEG {
             let message = format!(
