@@ -878,6 +878,15 @@ fn examples_are_accepted() {
                 "/exercise/anchors",
                 // A boat's speed goes with a boat.
                 "/line_handling/boat",
+                // A table of coefficients has its file, its columns and the keys of its convention.
+                "/vessel/box ship/wind_coefficients/file",
+                "/vessel/box ship/wind_coefficients/columns",
+                "/vessel/box ship/wind_coefficients/convention",
+                "/vessel/box ship/wind_coefficients/quantity",
+                "/vessel/box ship/current_coefficients/file",
+                "/vessel/box ship/current_coefficients/columns",
+                "/vessel/box ship/current_coefficients/convention",
+                "/vessel/box ship/current_coefficients/quantity",
                 // A constant tension goes with a winch.
                 "/line/spring/winch",
             ];

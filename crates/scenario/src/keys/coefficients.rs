@@ -69,7 +69,7 @@ const SWAY: KeySpec = key(
     Kind::Choice(&SWAYS),
     Means("that of `convention`"),
     "Direction of a positive side force, also at the perpendiculars; with `convention = \"own\"`.",
-    &["\"to_port\""],
+    &["\"to_starboard\""],
 );
 const YAW: KeySpec = key(
     "yaw_positive",
