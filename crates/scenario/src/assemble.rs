@@ -8,6 +8,7 @@ mod berthing;
 mod bodies;
 mod chains;
 mod chart;
+mod coefficients;
 mod current;
 mod dolphins;
 mod draught;
@@ -15,6 +16,7 @@ mod edge;
 mod environment;
 mod events;
 mod exercise;
+mod factors;
 mod fender_sense;
 mod fenders;
 mod flexible;
@@ -36,6 +38,7 @@ mod plausible;
 mod providers;
 mod response;
 mod rollers;
+mod rope;
 mod rows;
 mod seakeeping;
 mod unused;
@@ -151,6 +154,9 @@ pub(crate) fn setup(
     let bollards = assembly.bollards(file.given("bollard").named(), &names)?;
     let line_handling = assembly.line_handling(file.given("line_handling").table())?;
     let providers = assembly.providers(file.given("provider").list(), &bodies, &names)?;
+    let factor_table = file.item("factors").map(Item::table);
+    let factors = assembly.factors(factor_table)?;
+    assembly.note_factors(factor_table, &factors, (fenders.len(), lines.len()));
     let study = file.item("berthing").map(Item::table);
     let of_ships = (bodies.as_slice(), vessels.as_slice(), fenders.as_slice());
     let berthing = assembly.berthing(study, of_ships, &approaches, &environment, &names)?;
@@ -189,6 +195,7 @@ pub(crate) fn setup(
             statistics,
             providers,
             chart,
+            factors,
         },
     };
     assembly.note_outside_hulls(&fender_tables, &setup);

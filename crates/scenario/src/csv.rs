@@ -18,6 +18,33 @@ pub(crate) struct Csv<'a> {
     rows: Vec<Row>,
 }
 
+/// How a file of another program is laid out.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Layout<'a> {
+    /// Lines at the top that are not read.
+    pub(crate) skip_lines: usize,
+    /// Names of the columns, for a file without a line of these names; [`NOT_READ`] for one that is not read.
+    pub(crate) columns: Option<&'a [String]>,
+}
+
+/// The name of a column that is not read.
+pub(crate) const NOT_READ: &str = "-";
+
+/// What separates the cells of a line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Separator {
+    Char(char),
+    Blanks,
+}
+
+impl Separator {
+    /// That of a line of a file from another program.
+    fn of(line: &str) -> Separator {
+        let found = [';', '\t', ','].into_iter().find(|c| line.contains(*c));
+        found.map_or(Separator::Blanks, Separator::Char)
+    }
+}
+
 /// One row.
 struct Row {
     numbers: Vec<f64>,
@@ -46,13 +73,51 @@ impl<'a> Csv<'a> {
         known: &[&str],
     ) -> Read<Csv<'a>> {
         let sources = Sources::new(file_name, text, &[]);
-        let mut lines = lines(text);
+        let mut lines = lines(text, 0, Separator::Char(','));
         let Some((header, cells)) = lines.next() else {
-            let error = sources.file_error("the file has no header line");
-            return Err(error.with_help(format!("its columns are some of {}", known.join(", "))));
+            return Err(no_header(&sources, known));
         };
+        Csv::read(sources, (key, known, false), (header, cells), lines)
+    }
+
+    /// As [`Csv::parse`], of a file of another program: its cells are separated by semicolons, tabs, commas or blanks, and its numbers may have
+    /// a decimal comma where commas do not separate.
+    ///
+    /// # Errors
+    /// As [`Csv::parse`].
+    pub(crate) fn parse_laid_out(
+        text: &'a str,
+        file_name: &'a str,
+        key: &'a str,
+        known: &[&str],
+        layout: Layout<'a>,
+    ) -> Read<Csv<'a>> {
+        let sources = Sources::new(file_name, text, &[]);
+        let whole = lines(text, layout.skip_lines, Separator::Char('\n')).next();
+        let Some((first, _)) = whole else {
+            return Err(no_header(&sources, known));
+        };
+        let separator = Separator::of(&text[first.clone()]);
+        let mut lines = lines(text, layout.skip_lines, separator);
+        let header = match layout.columns {
+            Some(names) => names.iter().map(|name| (name.as_str(), first.clone())).collect(),
+            None => lines.next().map_or(Vec::new(), |(_, cells)| cells),
+        };
+        Csv::read(sources, (key, known, layout.columns.is_some()), (first, header), lines)
+    }
+
+    fn read(
+        sources: Sources<'a>,
+        (key, known, may_skip): (&'a str, &[&str], bool),
+        (header, cells): (Span, Vec<(&'a str, Span)>),
+        lines: impl Iterator<Item = (Span, Vec<(&'a str, Span)>)>,
+    ) -> Read<Csv<'a>> {
         let mut columns: Vec<&str> = Vec::new();
         for (name, span) in cells {
+            if may_skip && name == NOT_READ {
+                columns.push(name);
+                continue;
+            }
             if !known.contains(&name) {
                 let message = format!("{} is not a column of this kind of file", quoted(name));
                 return Err(sources.error(&span, key, message).with_help(
@@ -83,7 +148,13 @@ impl<'a> Csv<'a> {
             }
             let mut row = Row { numbers: Vec::new(), cells: Vec::new() };
             for ((text, span), column) in cells.into_iter().zip(&columns) {
-                let number = text.parse::<f64>().ok().filter(|number| number.is_finite());
+                if *column == NOT_READ {
+                    row.numbers.push(0.0);
+                    row.cells.push(span);
+                    continue;
+                }
+                let number = text.parse::<f64>().or_else(|_| text.replacen(',', ".", 1).parse());
+                let number = number.ok().filter(|number| number.is_finite());
                 let Some(number) = number else {
                     let message = if text.is_empty() {
                         format!("`{column}` is empty here")
@@ -150,6 +221,11 @@ impl<'a> Csv<'a> {
                 printable_number(number)
             ),
         ))
+    }
+
+    /// A number without bounds, which was read already.
+    pub(crate) fn plain(&self, row: usize, column: usize) -> f64 {
+        self.rows[row].numbers[column]
     }
 
     /// Where a cell is, or the header, for a notice.
@@ -228,8 +304,17 @@ impl<'a> Csv<'a> {
     }
 }
 
-/// The lines that are neither empty nor comments, each with its cells.
-fn lines(text: &str) -> impl Iterator<Item = (Span, Vec<(&str, Span)>)> {
+fn no_header(sources: &Sources<'_>, known: &[&str]) -> ScenarioError {
+    let error = sources.file_error("the file has no header line");
+    error.with_help(format!("its columns are some of {}", known.join(", ")))
+}
+
+/// The lines after the first few that are neither empty nor comments, each with its cells.
+fn lines(
+    text: &str,
+    skip_lines: usize,
+    separator: Separator,
+) -> impl Iterator<Item = (Span, Vec<(&str, Span)>)> {
     let mut start = 0;
     // Lines end with LF, CR LF, or CR alone, as old spreadsheets write them. Splitting at both leaves an empty line
     // between CR and LF, which is skipped.
@@ -243,18 +328,39 @@ fn lines(text: &str) -> impl Iterator<Item = (Span, Vec<(&str, Span)>)> {
         Some(rest) => (from + '\u{feff}'.len_utf8(), rest),
         None => (from, line),
     });
-    let rows = all.filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
-    rows.map(|(from, line)| {
+    let skipped = after_lines(text, skip_lines);
+    let rows = all.filter(move |(from, line)| {
+        *from >= skipped && !line.trim().is_empty() && !line.starts_with('#')
+    });
+    rows.map(move |(from, line)| {
         let mut at = from;
-        let cells = line.split(',').map(|cell| {
+        let mut placed = |cell: &'_ str, step: usize| {
             let inner = at + (cell.len() - cell.trim_start().len());
-            at += cell.len() + 1;
-            let cell = cell.trim();
-            (cell, inner..inner + cell.len())
-        });
-        let cells: Vec<_> = cells.collect();
+            at += cell.len() + step;
+            inner..inner + cell.trim().len()
+        };
+        let cells: Vec<_> = match separator {
+            Separator::Char(c) => {
+                line.split(c).map(|cell| (cell.trim(), placed(cell, c.len_utf8()))).collect()
+            }
+            Separator::Blanks => {
+                let words = line.split([' ', '\t']).map(|word| (word, placed(word, 1)));
+                words.filter(|(word, _)| !word.is_empty()).collect()
+            }
+        };
         (from..from + line.len(), cells)
     })
+}
+
+/// The byte at which the line after the first few begins.
+fn after_lines(text: &str, count: usize) -> usize {
+    let mut rest = text;
+    for _ in 0..count {
+        let Some(end) = rest.find(['\n', '\r']) else { return text.len() };
+        let both = if rest[end..].starts_with("\r\n") { 2 } else { 1 };
+        rest = &rest[end + both..];
+    }
+    text.len() - rest.len()
 }
 
 #[cfg(test)]

@@ -9,10 +9,12 @@ mod azimuth;
 mod berthing;
 mod body;
 pub(crate) mod chart;
+pub(crate) mod coefficients;
 mod dolphin;
 mod environment;
 pub(crate) mod event;
 pub(crate) mod exercise;
+mod factors;
 mod fender;
 pub(crate) mod fender_row;
 mod hull;
@@ -181,6 +183,13 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             Kind::Named(&limit::LIMIT),
             Is("{}"),
             "Limits of motions, lines and fenders, by name.",
+            &[],
+        ),
+        key(
+            "factors",
+            Kind::Table(&factors::FACTORS),
+            Means("no factors"),
+            "Partial factors of a guideline or a design basis, with their source.",
             &[],
         ),
         key(

@@ -16,6 +16,7 @@ mod berthing;
 mod bounded_file;
 mod chart;
 mod chart_projection;
+mod coefficients;
 #[path = "support/data_with_mistakes.rs"]
 mod data_with_mistakes;
 mod environment;

@@ -310,12 +310,47 @@ fn with_rows(mut full: Json) -> Json {
         }
     });
     full["statistics"] = json!({ "from": "2 s" });
+    own_coefficients(&mut full);
     full["limit"] = json!({
         "ahead": { "of": "surge", "vessel": "d", "statistic": "significant range", "distance": "0.8 m" },
         "heel": { "of": "roll", "vessel": "d", "statistic": "maximum", "angle": "2 deg" },
         "ropes": { "of": "lines", "share": 0.5 }
     });
     full
+}
+
+/// Coefficients, ropes and factors of one's own.
+fn own_coefficients(full: &mut Json) {
+    full["environment"]["air_density"] = json!("1.28 kg/m^3");
+    full["factors"] = json!({
+        "source": "a basis of design", "energy": 1.25, "reaction": 1.1, "reaction_limit": "2 MN", "line_load": 1.3,
+        "line_capacity": "break_load"
+    });
+    let table = json!({
+        "file": "forces.txt", "columns": ["angle_deg", "-", "x_kn", "y_kn", "n_knm"], "skip_lines": 2,
+        "convention": "own", "angle_zero": "ahead", "angle_side": "from_starboard", "surge_positive": "forward",
+        "sway_positive": "to_starboard", "yaw_positive": "bow_to_starboard", "surge_area": 400, "sway_area": 2000,
+        "yaw_length": 150, "moment_about": -3, "quantity": "forces", "at_speed": "20 m/s", "at_density": 1.28,
+        "source": "a wind tunnel"
+    });
+    let ship = &mut full["vessel"]["box ship"];
+    ship["wind_coefficients"] = table.clone();
+    ship["wind_coefficients"]["reference_height"] = json!("10 m");
+    ship["wind_coefficients"]["centroid_height"] = json!("8 m");
+    ship["current_coefficients"] = table;
+    ship["current_coefficients"]["alone_until"] = json!("4 kn");
+    ship["current_coefficients"]["gone_from"] = json!("7 kn");
+    full["line"]["of its own"] = json!({
+        "from": "d", "fairlead": [70, 2], "to": "b", "bollard": [0, 0], "rope": "own", "axial_stiffness": "20 MN",
+        "break_load": "1000 kN", "working_load": "500 kN", "mass": "5 kg/m",
+        "on_deck": { "length": "20 m", "friction": 0.2, "wrap": "60 deg" },
+        "tail": { "rope": "own", "load_extension": "rope.csv", "break_load": "1300 kN" }, "length": 700
+    });
+    full["line"]["by a curve"] = json!({
+        "from": "d", "fairlead": [70, 2], "to": "b", "bollard": [0, 0], "rope": "own", "load_extension": "rope.csv",
+        "break_load": "1000 kN", "length": 700,
+        "tail": { "rope": "own", "axial_stiffness": "5 MN", "break_load": "1300 kN" }
+    });
 }
 
 /// The files that the scenarios name.
@@ -334,6 +369,10 @@ fn file_named(name: &str) -> Result<String, String> {
             "omega_radps,heading_deg,heave_mpm,heave_phase_deg,roll_degpm,roll_phase_deg,pitch_degpm,\
              pitch_phase_deg\n0.5,0,1,180,0,0,1,90\n0.5,180,1,180,0,0,1,-90\n"
         }
+        "forces.txt" => {
+            "title\nAngle Run X Y N\n0 1 -90 0 0\n45 1 -60 -200 -900\n90 2 9 -390 100\n135 2 70 -190 900\n180 3 80 0 0\n"
+        }
+        "rope.csv" => "extension_percent,load_percent\n0,0\n5,40\n9,100\n",
         "ship.hydro" => include_str!("../../../hydrodynamics/barge_20m.hydro"),
         _ => return Err(format!("{name}: there is no such file")),
     };
@@ -707,6 +746,11 @@ fn absent_agrees(document: &Json, pointer: &str) {
         "/environment/depth",
         "/bollard",
         "/vessel/box ship/thruster",
+        // The file has what they say.
+        "/vessel/box ship/wind_coefficients/columns",
+        "/vessel/box ship/wind_coefficients/skip_lines",
+        "/vessel/box ship/current_coefficients/columns",
+        "/vessel/box ship/current_coefficients/skip_lines",
         // Not every vessel has an outline.
         "/body/d/outline",
         "/vessel/box ship/azimuth",
@@ -836,6 +880,15 @@ fn examples_are_accepted() {
                 "/exercise/anchors",
                 // A boat's speed goes with a boat.
                 "/line_handling/boat",
+                // A table of coefficients has its file, its columns and the keys of its convention.
+                "/vessel/box ship/wind_coefficients/file",
+                "/vessel/box ship/wind_coefficients/columns",
+                "/vessel/box ship/wind_coefficients/convention",
+                "/vessel/box ship/wind_coefficients/quantity",
+                "/vessel/box ship/current_coefficients/file",
+                "/vessel/box ship/current_coefficients/columns",
+                "/vessel/box ship/current_coefficients/convention",
+                "/vessel/box ship/current_coefficients/quantity",
                 // A constant tension goes with a winch.
                 "/line/spring/winch",
             ];

@@ -185,6 +185,7 @@ mod contact_totals;
 pub mod distance;
 mod dolphin;
 mod error;
+pub mod factors;
 mod fender;
 mod fixed_order;
 mod gain;
@@ -241,8 +242,8 @@ pub use summary::PairSummary;
 pub use verdict::{Departure, Finding, Gravity, Law, LawRow, Subject, Verdict, called};
 pub use world::{
     AnchorAtWork, AnchorSetup, AnchorStart, Assist, AssistPilot, AzimuthOrder, AzimuthSetup,
-    AzimuthState, BollardSetup, Environment, Fault, Faults, Float, Job, LineEnd, LineHandling,
-    Mooring, MooringSetup, NotAtTheSide, Pilots, ProviderSetup, PushJob, Sent, ThrusterSetup,
-    Tripped, TugAtWork, TugSetup, VesselForces, VesselOrders, VesselSetup, VesselState, WorldEvent,
-    WorldEventKind, WorldSetup, mass_matrix,
+    AzimuthState, BollardSetup, CurrentTable, Environment, Fault, Faults, Float, Job, LineEnd,
+    LineHandling, Mooring, MooringSetup, NotAtTheSide, Pilots, ProviderSetup, PushJob, Sent,
+    ThrusterSetup, Tripped, TugAtWork, TugSetup, VesselForces, VesselOrders, VesselSetup,
+    VesselState, WorldEvent, WorldEventKind, WorldSetup, mass_matrix,
 };

@@ -55,6 +55,7 @@ fn make_fast() -> (Vec<Line>, Vec<LineState>) {
             kind: LineKind::Light {
                 main: Rope { break_load_n: 1.3e6, curve: RopeCurve::polyester() },
                 tail: None,
+                details: LineDetails::default(),
             },
             inboard_end: InboardEnd::Winch(Winch::of_design(1.3e6, 100.0)),
             initial_length: InitialLength::FromPretension(100e3),

@@ -150,7 +150,8 @@ fn setup(kind: LineKind, inboard_end: InboardEnd, initial_length: InitialLength)
 }
 
 fn polyester() -> LineKind {
-    LineKind::Light { main: rope(RopeCurve::polyester()), tail: None }
+    let details = LineDetails::default();
+    LineKind::Light { main: rope(RopeCurve::polyester()), tail: None, details }
 }
 
 fn hmpe_with_tail() -> LineKind {
@@ -158,6 +159,7 @@ fn hmpe_with_tail() -> LineKind {
     LineKind::Light {
         main: rope(RopeCurve::hmpe()),
         tail: Some(Tail { rope: nylon, length_m: 11.0 }),
+        details: LineDetails::default(),
     }
 }
 
@@ -433,4 +435,72 @@ fn a_copied_state_replays_to_the_bit() {
             .collect()
     };
     assert_eq!(run(state), run(state));
+}
+
+/// A rope of EA 30 MN on bitts, with what else is known of it, and its ends.
+fn rope_of_ones_own(details: LineDetails, length_m: f64) -> (Line, LineState) {
+    let curve = RopeCurve::of_stiffness(30e6, MBL_N).unwrap();
+    let setup = LineSetup {
+        name: "own".into(),
+        kind: LineKind::Light { main: rope(curve), tail: None, details },
+        inboard_end: InboardEnd::Bitts,
+        initial_length: InitialLength::Outboard(length_m),
+    };
+    Line::new(setup, &LineEnds { ship_m: [0.0; 3], shore_m: [0.0; 3] }).unwrap()
+}
+
+#[test]
+fn a_rope_with_weight_hangs_like_a_catenary_and_slack_it_keeps_a_tension() {
+    let details = LineDetails { weight_npm: 60.0, ..LineDetails::default() };
+    // From taut to a slack of 1 %, with a rise.
+    for length_m in [99.0, 99.8, 100.0, 100.5, 101.0] {
+        let (line, mut state) = rope_of_ones_own(details, length_m);
+        let up_m = 100.0 * 0.06;
+        let along_m = (100.0_f64 * 100.0 - up_m * up_m).sqrt();
+        let ends = LineEnds { ship_m: [0.0, 0.0, up_m], shore_m: [along_m, 0.0, 0.0] };
+        let load = line.step(&mut state, &ends, WinchOrder::Hold, 0.1);
+        let cable = Cable { length_m, axial_stiffness_n: 30e6, weight_npm: 60.0 };
+        let exact = catenary(&cable, along_m, up_m, false);
+        close(load.on_ship_n[0], exact.horizontal_n, 3e-3);
+        let vertical_n = load.on_ship_n[2] + exact.upper_vertical_n;
+        assert!(vertical_n.abs() < 3e-3 * exact.horizontal_n, "{vertical_n}");
+        // Both ends bear the weight.
+        let weight_n = -(load.on_ship_n[2] + load.on_shore_n[2]);
+        close(weight_n, 60.0 * length_m, 1e-12);
+    }
+}
+
+/// 100 m outboard and 50 m on deck, behind a chock that leaves half of the tension: the stretch is that of 125 m.
+#[test]
+fn rope_on_deck_stretches_with_the_tension_that_reaches_it() {
+    let half = OnDeck::behind_chock(50.0, std::f64::consts::LN_2, 1.0);
+    for (on_deck, all_m) in
+        [(None, 100.0), (Some(half), 125.0), (Some(OnDeck { share: 1.0, ..half }), 150.0)]
+    {
+        let (line, mut state) =
+            rope_of_ones_own(LineDetails { on_deck, ..LineDetails::default() }, 100.0);
+        let ends = LineEnds { ship_m: [0.0; 3], shore_m: [101.0, 0.0, 0.0] };
+        let load = line.step(&mut state, &ends, WinchOrder::Hold, 0.1);
+        close(load.tension_n, 30e6 / all_m, 1e-9);
+    }
+}
+
+/// The pretension is that of the ship's end, with weight and rope on deck too.
+#[test]
+fn a_pretension_is_reached_with_weight_and_rope_on_deck() {
+    for weight_npm in [0.0, 80.0] {
+        let on_deck = Some(OnDeck { length_m: 30.0, share: 0.7 });
+        let details = LineDetails { on_deck, weight_npm, working_load_n: Some(1e5) };
+        let setup = LineSetup {
+            name: "own".into(),
+            kind: LineKind::Light { main: rope(RopeCurve::hmpe()), tail: None, details },
+            inboard_end: InboardEnd::Bitts,
+            initial_length: InitialLength::FromPretension(90e3),
+        };
+        assert_eq!(setup.kind.working_load_n(), Some(1e5));
+        let ends = LineEnds { ship_m: [0.0, 0.0, 9.0], shore_m: [60.0, 5.0, 4.0] };
+        let (line, mut state) = Line::new(setup, &ends).unwrap();
+        let load = line.step(&mut state, &ends, WinchOrder::Hold, 0.1);
+        close(load.tension_n, 90e3, 1e-6);
+    }
 }

@@ -110,6 +110,7 @@ fn run(
                 shaft: RateLimited { value: shaft_rps, rate_per_s: 0.1, stop: shaft_rps },
                 thrusters: vec![],
                 azimuths: vec![],
+                current_table: None,
                 windage: None,
                 float: None,
                 response: None,

@@ -54,6 +54,7 @@ fn kvlcc2(rudder_deg: f64, current_mps: Vec2, step_s: f64) -> (Setup, f64) {
                 shaft: RateLimited { value: shaft_rps, rate_per_s: 0.1, stop: shaft_rps },
                 thrusters: vec![],
                 azimuths: vec![],
+                current_table: None,
                 windage: None,
                 float: None,
                 response: None,

@@ -9,6 +9,7 @@ mod charts;
 mod cover;
 mod energy;
 mod exercise;
+mod factors;
 mod fenders;
 mod governing;
 mod parts;
@@ -96,6 +97,7 @@ fn results(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
         (vessels::remarks(outcome))
         @if outcome.session.is_none() { (exercise::section(outcome)) }
         (vessels::motions(outcome, recorder))
+        (factors::section(outcome))
     }
 }
 

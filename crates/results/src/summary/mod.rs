@@ -5,6 +5,7 @@ mod berthing;
 mod dolphins;
 mod events;
 mod exercise;
+mod factors;
 mod fenders;
 mod session;
 mod statistics;
@@ -22,6 +23,7 @@ use berthing::berthing_json;
 use dolphins::dolphins_json;
 use events::events_json;
 use exercise::exercise_json;
+use factors::put_factors;
 use fenders::fenders_json;
 use session::session_json;
 use statistics::put_statistics;
@@ -99,6 +101,7 @@ pub fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<String, N
     }
     put_world(&mut whole, outcome);
     put_statistics(&mut whole, outcome);
+    put_factors(&mut whole, outcome);
     let checked = whole.checked()?;
     Ok(format!("{checked:#}\n"))
 }

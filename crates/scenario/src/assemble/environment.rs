@@ -71,7 +71,7 @@ impl Assembly<'_, '_> {
             banks: self.banks(table)?,
             visibility_m: table.item("visibility").map(|item| *item.number()),
             water_density_kgpm3: *table.given("water_density").number(),
-            ..Environment::default()
+            air_density_kgpm3: *table.given("air_density").number(),
         };
         if environment.depth_range_m().is_some_and(|[_, most_m]| most_m <= 0.0) {
             let message = "the bottom is above the water throughout the run";

@@ -1,8 +1,10 @@
 //! Lines, bollards and line handlers.
 
 use fenderline_contact::Vec2;
+use fenderline_sim::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_sim::mooring::{
-    ConstantTension, InboardEnd, InitialLength, LineKind, LineSetup, Rope, RopeCurve, Tail, Winch,
+    ConstantTension, InboardEnd, InitialLength, LineDetails, LineKind, LineSetup, OnDeck, Tail,
+    Winch,
 };
 use fenderline_sim::{BodySetup, BollardSetup, LineEnd, LineHandling, MooringSetup};
 
@@ -21,7 +23,7 @@ struct FarEnd {
 
 impl Assembly<'_, '_> {
     pub(super) fn lines(
-        &self,
+        &mut self,
         lines: &[(String, Table)],
         start: (&[BodySetup], f64),
         decks: &Decks<'_>,
@@ -31,7 +33,7 @@ impl Assembly<'_, '_> {
     }
 
     fn line(
-        &self,
+        &mut self,
         name: &str,
         table: &Table,
         (bodies, level_m): (&[BodySetup], f64),
@@ -54,10 +56,20 @@ impl Assembly<'_, '_> {
             }
         };
         let break_load_n = number("break_load");
-        let tail = table
-            .item("tail")
-            .map(Item::table)
-            .map(|tail| Tail { rope: rope(tail), length_m: *tail.given("length").number() });
+        let main = self.rope(table)?;
+        let tail = match table.item("tail").map(Item::table) {
+            Some(tail) => {
+                Some(Tail { rope: self.rope(tail)?, length_m: *tail.given("length").number() })
+            }
+            None => None,
+        };
+        let details = LineDetails {
+            on_deck: self.on_deck(table)?,
+            weight_npm: table
+                .item("mass")
+                .map_or(0.0, |item| STANDARD_GRAVITY_MPS2 * item.number()),
+            working_load_n: table.item("working_load").map(|item| *item.number()),
+        };
         let winch = Winch {
             constant_tension: self.constant_tension(table)?,
             ..Winch::of_design(break_load_n, 100.0)
@@ -65,7 +77,7 @@ impl Assembly<'_, '_> {
         let setup = MooringSetup {
             line: LineSetup {
                 name: name.to_owned(),
-                kind: LineKind::Light { main: rope(table), tail },
+                kind: LineKind::Light { main, tail, details },
                 inboard_end: match table.given("winch").flag() {
                     true => InboardEnd::Winch(winch),
                     false => InboardEnd::Bitts,
@@ -86,6 +98,18 @@ impl Assembly<'_, '_> {
             setup.check_at_start(bodies, level_m).map_err(|error| self.wrong(table, &error))?;
         }
         Ok(setup)
+    }
+
+    fn on_deck(&self, table: &Table) -> Checked<Option<OnDeck>> {
+        let Some(of) = table.item("on_deck").map(Item::table) else { return Ok(None) };
+        let (friction, wrap) = (of.given("friction"), of.given("wrap"));
+        if friction.is_default && !wrap.is_default {
+            let path = of.path_of("wrap");
+            let message = format!("`{path}` needs `friction`: without friction it does nothing");
+            return Err(self.sources.error(&wrap.key_span, &path, message));
+        }
+        let length_m = *of.given("length").number();
+        Ok(Some(OnDeck::behind_chock(length_m, *friction.number(), *wrap.number())))
     }
 
     fn constant_tension(&self, table: &Table) -> Checked<Option<ConstantTension>> {
@@ -236,9 +260,4 @@ enum LinePoint<'t> {
     At(Vec2, f64),
     /// A chock or bitts.
     Named(&'t Item),
-}
-
-fn rope(table: &Table) -> Rope {
-    let curve: fn() -> RopeCurve = table.given("rope").choice();
-    Rope { break_load_n: *table.given("break_load").number(), curve: curve() }
 }

@@ -101,7 +101,8 @@ impl Kind {
             shaft,
             thrusters: data.thrusters.clone(),
             azimuths: data.azimuths.clone(),
-            windage: data.windage,
+            current_table: None,
+            windage: data.windage.clone(),
             response: float.map(|float| estimate(&particulars, &float)),
             float,
             drift: Some(drift),
@@ -191,6 +192,10 @@ impl Assembly<'_, '_> {
                 kind.setup.float = Some(float);
                 kind.setup.response = None;
             }
+            let particulars = kind.setup.ship.particulars;
+            let own_wind = self.own_wind(table, &particulars, kind.setup.windage.as_ref())?;
+            kind.setup.windage = own_wind.or(kind.setup.windage);
+            kind.setup.current_table = self.own_current(table, &particulars, environment)?;
             if let Some(table) = self.rao_table(table)? {
                 kind.setup.response = Some(MotionResponse::Table(table));
             }

@@ -33,6 +33,13 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
             &["\"1025 kg/m^3\""],
         ),
         key(
+            "air_density",
+            Kind::Quantity(Quantity { measure: &unit::DENSITY, low: 0.5, high: 2.0 }),
+            Is("1.225"),
+            "Density of the air. OCIMF's formulas are used with 1.28 kg/m³ (read in a user's calculation, not in the guideline).",
+            &["\"1.28 kg/m^3\""],
+        ),
+        key(
             "squat",
             Kind::Choice(&SQUATS),
             Means("\"icorels\" where `depth` is given"),

@@ -6,7 +6,7 @@ use serde_json::json;
 use super::quantities::{FORCE, LENGTH, PLACE, POSITION, TIME};
 use crate::choices::{Choice, Choices};
 use crate::spec::Absent::{Is, Means, Refused, Unless};
-use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::spec::{KeySpec, Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
 /// The keys of a line that say where and how it is made fast by itself. A line without `to` has none of them.
@@ -15,7 +15,7 @@ pub(crate) const AT_THE_FAR_END: [&str; 6] =
 
 pub(super) static LINE: TableSpec = TableSpec {
     what: "a line",
-    doc: "A mooring line from a body to a bollard or to another body. Its weight is neglected.",
+    doc: "A mooring line from a body to a bollard or to another body. Its weight is neglected, unless its `mass` is given.",
     keys: &[
         key(
             "from",
@@ -74,12 +74,37 @@ pub(super) static LINE: TableSpec = TableSpec {
             &["\"fore\""],
         ),
         key("rope", Kind::Choice(&ROPES), Refused, "Material of the rope.", &["\"hmpe\""]),
+        AXIAL_STIFFNESS,
+        LOAD_EXTENSION,
         key(
             "break_load",
             Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
             Refused,
             "Line design break force.",
             &["\"1200 kN\""],
+        ),
+        key(
+            "working_load",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
+            Means(
+                "55 % of the rope's break load for wire, 50 % for other ropes (MEG4, from public summaries)",
+            ),
+            "Working load of the rope, which the verdict compares with its tension.",
+            &["\"600 kN\""],
+        ),
+        key(
+            "mass",
+            Kind::Quantity(Quantity { measure: &unit::MASS_PER_LENGTH, low: 1e-3, high: 1e3 }),
+            Means("the rope has no weight and is straight"),
+            "Mass of the rope and its tail per metre. By its weight in air it sags as a flat parabola and each end bears half of the weight.",
+            &["\"7.2 kg/m\""],
+        ),
+        key(
+            "on_deck",
+            Kind::Table(&ON_DECK),
+            Means("the rope ends at the chock or fairlead"),
+            "Rope on deck between winch or bitts and the chock, which stretches too.",
+            &[],
         ),
         key(
             "tail",
@@ -134,7 +159,7 @@ pub(super) static LINE: TableSpec = TableSpec {
             ] })
         };
         json!({
-            "allOf": [either("fairlead", "fairlead_height", "chock"), {
+            "allOf": [rope_rules(), either("fairlead", "fairlead_height", "chock"), {
                 "if": { "required": ["constant_tension"] },
                 "then": { "required": ["winch"], "properties": { "winch": { "const": true } } }
             }],
@@ -189,11 +214,65 @@ static CONSTANT_TENSION: TableSpec = TableSpec {
     rules: None,
 };
 
+static ON_DECK: TableSpec = TableSpec {
+    what: "a rope on deck",
+    doc: "Rope on deck between winch or bitts and the chock. It stretches with the tension that reaches it over the chock, T e^(−μφ) by the \
+          capstan's equation for a rope that is hauled outboard. Assumed: this share also where the tension falls, so that the rope is elastic; \
+          brake and stall of a winch are compared with the tension outboard.",
+    keys: &[
+        key("length", Kind::Quantity(LENGTH), Refused, "Its unstretched length.", &["\"25 m\""]),
+        key(
+            "friction",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 2.0 }),
+            Is("0"),
+            "Coefficient of friction μ of the rope on the chock; 0, also of a roller that turns: the whole tension reaches the rope on deck.",
+            &["0.2"],
+        ),
+        key(
+            "wrap",
+            Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.0, high: 12.6 }),
+            Is("\"90 deg\""),
+            "Angle φ by which the rope is bent about the chock, and about all that it touches on deck.",
+            &["\"60 deg\""],
+        ),
+    ],
+    rules: Some(|| json!({ "dependentRequired": { "wrap": ["friction"] } })),
+};
+
+const AXIAL_STIFFNESS: KeySpec = key(
+    "axial_stiffness",
+    Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e13 }),
+    Means("`rope` or `load_extension` has its stretch"),
+    "EA of the rope, the tension over the strain; with `rope = \"own\"`.",
+    &["\"11.25 MN\""],
+);
+const LOAD_EXTENSION: KeySpec = key(
+    "load_extension",
+    Kind::FileName,
+    Means("`rope` or `axial_stiffness` has its stretch"),
+    "File with the load-extension curve of the rope; with `rope = \"own\"`. Its columns are `extension_percent` and `load_kn` or \
+     `load_percent` of the break load. The first row is 0, 0 and both columns rise. Between the rows and beyond the last the curve is straight.",
+    &["\"rope.csv\""],
+);
+
+/// Either key of a rope of one's own, and neither of another.
+fn rope_rules() -> serde_json::Value {
+    json!({
+        "if": { "properties": { "rope": { "const": "own" } }, "required": ["rope"] },
+        "then": { "oneOf": [
+            { "required": ["axial_stiffness"] }, { "required": ["load_extension"] }
+        ] },
+        "else": { "properties": { "axial_stiffness": false, "load_extension": false } }
+    })
+}
+
 static TAIL: TableSpec = TableSpec {
     what: "a tail",
     doc: "A softer tail in series.",
     keys: &[
         key("rope", Kind::Choice(&ROPES), Is("\"nylon\""), "Material of the rope.", &["\"nylon\""]),
+        AXIAL_STIFFNESS,
+        LOAD_EXTENSION,
         key(
             "break_load",
             Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
@@ -203,14 +282,22 @@ static TAIL: TableSpec = TableSpec {
         ),
         key("length", Kind::Quantity(LENGTH), Is("11"), "Its length.", &["\"11 m\""]),
     ],
-    rules: None,
+    rules: Some(rope_rules),
 };
 
-static ROPES: Choices<fn() -> RopeCurve> = Choices(&[
-    Choice { word: "wire", value: RopeCurve::wire, doc: "steel wire with a steel core" },
-    Choice { word: "hmpe", value: RopeCurve::hmpe, doc: "high-modulus polyethylene" },
-    Choice { word: "polyester", value: RopeCurve::polyester, doc: "polyester" },
-    Choice { word: "nylon", value: RopeCurve::nylon, doc: "nylon, as tails are made of" },
+/// The curve of each material; `None`: the file's own.
+pub(crate) type BuiltIn = Option<fn() -> RopeCurve>;
+
+static ROPES: Choices<BuiltIn> = Choices(&[
+    Choice { word: "wire", value: Some(RopeCurve::wire), doc: "steel wire with a steel core" },
+    Choice { word: "hmpe", value: Some(RopeCurve::hmpe), doc: "high-modulus polyethylene" },
+    Choice { word: "polyester", value: Some(RopeCurve::polyester), doc: "polyester" },
+    Choice { word: "nylon", value: Some(RopeCurve::nylon), doc: "nylon, as tails are made of" },
+    Choice {
+        word: "own",
+        value: None,
+        doc: "a rope of one's own, by `axial_stiffness` or `load_extension`",
+    },
 ]);
 
 pub(super) static BOLLARD: TableSpec = TableSpec {

@@ -3,6 +3,7 @@
 use serde_json::json;
 
 use super::azimuth::AZIMUTH;
+use super::coefficients::{CURRENT_COEFFICIENTS, WIND_COEFFICIENTS};
 use super::environment::{HYDRODYNAMICS_DOC, WAVE_RESPONSE_DOC};
 use super::quantities::{FORCE, LENGTH, PLACE};
 use super::windage::WINDAGE;
@@ -76,6 +77,20 @@ pub(super) static VESSEL: TableSpec = TableSpec {
             Kind::Table(&WINDAGE),
             Means("that of `from`, or no wind forces"),
             "Wind areas.",
+            &[],
+        ),
+        key(
+            "wind_coefficients",
+            Kind::Table(&WIND_COEFFICIENTS),
+            Means("those of `windage`"),
+            "Wind coefficients of one's own.",
+            &[],
+        ),
+        key(
+            "current_coefficients",
+            Kind::Table(&CURRENT_COEFFICIENTS),
+            Means("the hull's force is that of the manoeuvring model"),
+            "Current coefficients of one's own.",
             &[],
         ),
         key(

@@ -143,6 +143,7 @@ pub(crate) mod measures {
         VOLUME = "a volume", "m³", "100 m^3", (3, 0, 0, 0);
         INERTIA_OVER_DENSITY = "a moment of inertia over a density", "m^5", "100 m^5", (5, 0, 0, 0);
         MASS = "a mass", "kg", "930 t", (0, 1, 0, 0);
+        MASS_PER_LENGTH = "a mass per length", "kg/m", "7.2 kg/m", (-1, 1, 0, 0);
         TIME = "a time", "s", "0.1 s", (0, 0, 1, 0);
         FREQUENCY = "a frequency", "1/s", "2 1/s", (0, 0, -1, 0);
         ANGLE = "an angle", "rad", "30 deg", (0, 0, 0, 1);

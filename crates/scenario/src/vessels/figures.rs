@@ -62,6 +62,7 @@ fn value_text(kind: &Kind, item: &Item) -> String {
         (_, Value::Outline(points)) => format!("{} points", points.len()),
         (_, Value::Choice(word)) => word.word.to_owned(),
         (_, Value::Text(text)) => text.clone(),
+        (_, Value::Texts(texts)) => texts.join(", "),
         (_, Value::Flag(flag)) => flag.to_string(),
         (_, other) => unreachable!("no key of a vessel holds {other:?}"),
     }

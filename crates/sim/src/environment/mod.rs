@@ -37,6 +37,7 @@ mod bank;
 pub mod current;
 mod error;
 mod harmonics;
+mod load_table;
 mod long_waves;
 mod table;
 mod tide;
@@ -45,5 +46,6 @@ pub mod wind;
 
 pub use bank::{Bank, BankMethod, BankWater, ShipAtBank};
 pub use error::EnvironmentError;
+pub use load_table::{LoadTable, Sides};
 pub use long_waves::{LongWaveSite, LongWaveSpectrum, LongWaves};
 pub use tide::{Tide, TideConstituent};

@@ -6,7 +6,8 @@ use super::catenary::{Cable, catenary};
 use super::ends::{LineEnds, Span};
 use super::error::MooringError;
 use super::rope::Rope;
-use super::setup::{InboardEnd, InitialLength, LineKind, LineSetup, Tail, check};
+use super::sag::sagging_tension_n;
+use super::setup::{InboardEnd, InitialLength, LineDetails, LineKind, LineSetup, Tail, check};
 use super::winch::{ConstantTension, Winch, WinchOrder, WinchReport};
 use crate::range::OutOfRange;
 
@@ -197,8 +198,12 @@ impl Line {
     fn load(&self, length_m: f64, ends: &LineEnds) -> LineLoad {
         let span = Span::of(ends);
         match &self.setup.kind {
-            LineKind::Light { main, tail } => {
-                let tension_n = self.light_tension_n(main, tail.as_ref(), length_m, &span);
+            LineKind::Light { main, tail, details } => {
+                let rope = LightRope { main, tail: tail.as_ref(), details, length_m };
+                let tension_n = self.light_tension_n(&rope, &span);
+                if details.weight_npm > 0.0 {
+                    return rope.sagging_load(tension_n, &span);
+                }
                 let on_ship_n = span.towards_shore.map(|share| share * tension_n);
                 let on_shore_n = on_ship_n.map(|part| -part);
                 LineLoad { tension_n, on_ship_n, on_shore_n, ..LineLoad::default() }
@@ -213,15 +218,11 @@ impl Line {
 
     /// The tension at which rope and tail together span the distance between the ends (N). It is exact, because the stretch is
     /// a piecewise linear function of the tension.
-    fn light_tension_n(&self, main: &Rope, tail: Option<&Tail>, length_m: f64, span: &Span) -> f64 {
-        if span.distance_m <= length_m {
+    fn light_tension_n(&self, rope: &LightRope<'_>, span: &Span) -> f64 {
+        if span.distance_m <= rope.length_m {
             return 0.0;
         }
-        let tail_m = tail.map_or(0.0, |tail| tail.length_m);
-        let reach_m = |tension_n: f64| {
-            let main_m = (length_m - tail_m) * (1.0 + strain(main, tension_n));
-            main_m + tail.map_or(0.0, |t| t.length_m * (1.0 + strain(&t.rope, tension_n)))
-        };
+        let reach_m = |tension_n: f64| rope.reach_m(tension_n);
         let last = self.corners_n.len() - 1;
         let upper = (1..last).find(|&k| reach_m(self.corners_n[k]) >= span.distance_m);
         let upper = upper.unwrap_or(last);
@@ -235,12 +236,18 @@ impl Line {
     fn length_for(&self, tension_n: f64, ends: &LineEnds) -> Option<f64> {
         let span = Span::of(ends);
         match &self.setup.kind {
-            LineKind::Light { main, tail } => {
+            LineKind::Light { main, tail, details } => {
                 let (tail_m, tail_reach_m) = tail.as_ref().map_or((0.0, 0.0), |t| {
                     (t.length_m, t.length_m * (1.0 + strain(&t.rope, tension_n)))
                 });
-                let main_m = (span.distance_m - tail_reach_m) / (1.0 + strain(main, tension_n));
-                Some(greater(main_m, 0.0) + tail_m)
+                let rest_m =
+                    span.distance_m - tail_reach_m - stretch_on_deck_m(main, details, tension_n);
+                let main_m = rest_m / (1.0 + strain(main, tension_n));
+                let taut_m = greater(main_m, 0.0) + tail_m;
+                if details.weight_npm > 0.0 {
+                    return self.heavy_length_m(tension_n, taut_m, ends);
+                }
+                Some(taut_m)
             }
             LineKind::Heavy { axial_stiffness_n, .. } => {
                 // At this length a straight cable without weight has the wanted tension; the real one has more.
@@ -250,7 +257,7 @@ impl Line {
         }
     }
 
-    /// Length of a cable for a tension: lengthens a taut cable until the tension falls below the wanted one, then bisects.
+    /// Length of a cable or of a rope with weight for a tension: lengthens a taut cable until the tension falls below the wanted one, then bisects.
     fn heavy_length_m(&self, tension_n: f64, taut_m: f64, ends: &LineEnds) -> Option<f64> {
         let tension_at = |length_m: f64| self.load(length_m, ends).tension_n;
         let (mut tight_m, mut tight_n) = (taut_m, tension_at(taut_m));
@@ -279,6 +286,47 @@ impl Line {
         }
         Some(slack_m)
     }
+}
+
+/// A mooring rope of a length outboard.
+struct LightRope<'l> {
+    main: &'l Rope,
+    tail: Option<&'l Tail>,
+    details: &'l LineDetails,
+    /// Unstretched, with the tail (m).
+    length_m: f64,
+}
+
+impl LightRope<'_> {
+    /// Stretched length outboard at a tension (m), with what the rope on deck gives.
+    fn reach_m(&self, tension_n: f64) -> f64 {
+        let tail_m = self.tail.map_or(0.0, |tail| tail.length_m);
+        let main_m = (self.length_m - tail_m) * (1.0 + strain(self.main, tension_n));
+        let of_tail = |t: &Tail| t.length_m * (1.0 + strain(&t.rope, tension_n));
+        main_m
+            + self.tail.map_or(0.0, of_tail)
+            + stretch_on_deck_m(self.main, self.details, tension_n)
+    }
+
+    /// Forces with the sag by its weight, from the tension without it.
+    fn sagging_load(&self, least_n: f64, span: &Span) -> LineLoad {
+        let weight_n = self.details.weight_npm * self.length_m;
+        let spans_m = [span.distance_m, span.horizontal_m];
+        let chord_n = sagging_tension_n(|n| self.reach_m(n), weight_n, spans_m, least_n);
+        let [n, e, up] = span.towards_shore.map(|share| share * chord_n);
+        let on_ship_n = [n, e, up - 0.5 * weight_n];
+        LineLoad {
+            tension_n: libm::hypot(libm::hypot(n, e), on_ship_n[2]),
+            on_ship_n,
+            on_shore_n: [-n, -e, -up - 0.5 * weight_n],
+            ..LineLoad::default()
+        }
+    }
+}
+
+/// What the rope on deck stretches by at a tension outboard (m).
+fn stretch_on_deck_m(main: &Rope, details: &LineDetails, tension_n: f64) -> f64 {
+    details.on_deck.map_or(0.0, |deck| deck.length_m * strain(main, deck.share * tension_n))
 }
 
 /// Forces of a cable.

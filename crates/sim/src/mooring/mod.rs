@@ -16,7 +16,11 @@
 //! let nylon = Rope { break_load_n: 1.25e6, curve: RopeCurve::nylon() };
 //! let setup = LineSetup {
 //!     name: "fore spring".into(),
-//!     kind: LineKind::Light { main, tail: Some(Tail { rope: nylon, length_m: 11.0 }) },
+//!     kind: LineKind::Light {
+//!         main,
+//!         tail: Some(Tail { rope: nylon, length_m: 11.0 }),
+//!         details: LineDetails::default(),
+//!     },
 //!     inboard_end: InboardEnd::Winch(Winch::of_design(1e6, 150.0)),
 //!     initial_length: InitialLength::FromPretension(100e3),
 //! };
@@ -34,6 +38,7 @@ mod ends;
 mod error;
 mod line;
 mod rope;
+mod sag;
 mod setup;
 mod solve;
 mod winch;
@@ -43,5 +48,5 @@ pub use ends::LineEnds;
 pub use error::{MooringError, RopeError};
 pub use line::{Line, LineLoad, LineState};
 pub use rope::{Rope, RopeCurve};
-pub use setup::{InboardEnd, InitialLength, LineKind, LineSetup, Tail};
+pub use setup::{InboardEnd, InitialLength, LineDetails, LineKind, LineSetup, OnDeck, Tail};
 pub use winch::{ConstantTension, Winch, WinchOrder, WinchReport};

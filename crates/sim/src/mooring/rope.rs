@@ -41,6 +41,20 @@ impl RopeCurve {
         }
     }
 
+    /// The straight curve of an axial stiffness EA (N) of a rope of a break load (N).
+    ///
+    /// # Errors
+    /// A strain at break above 10, or numbers that are not above zero.
+    pub fn of_stiffness(axial_stiffness_n: f64, break_load_n: f64) -> Result<RopeCurve, RopeError> {
+        RopeCurve::new(vec![[0.0, 0.0], [break_load_n / axial_stiffness_n, 1.0]])
+    }
+
+    /// The share of the break load at the last point.
+    #[must_use]
+    pub fn last_share(&self) -> f64 {
+        self.points[self.points.len() - 1][1]
+    }
+
     const fn built_in(points: &'static [[f64; 2]]) -> RopeCurve {
         RopeCurve { points: Cow::Borrowed(points) }
     }

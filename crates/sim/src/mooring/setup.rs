@@ -24,12 +24,14 @@ pub struct LineSetup {
 /// Type and material of a line.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LineKind {
-    /// A mooring rope: straight between its ends, weight neglected.
+    /// A mooring rope: straight between its ends, but for the sag by its weight where that is given.
     Light {
         /// The rope on the winch.
         main: Rope,
         /// A softer tail in series at the shore end.
         tail: Option<Tail>,
+        /// What else is known of it.
+        details: LineDetails,
     },
     /// A cable that hangs in a catenary.
     Heavy {
@@ -42,6 +44,42 @@ pub enum LineKind {
         /// True if the lower end lies on a level bottom, as for an anchor cable.
         on_bottom: bool,
     },
+}
+
+/// What may be known of a rope beside its load curve.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LineDetails {
+    /// The rope on deck, between what holds it and the chock.
+    pub on_deck: Option<OnDeck>,
+    /// Weight of rope and tail outboard per unstretched length (N/m); 0: neglected.
+    ///
+    /// The rope then hangs in a flat parabola: its stretched length S and the distance c of its ends, h of it horizontal, are in
+    /// S = c (1 + (W h/S)²/(24 T²)), with W the weight outboard and T the tension along the chord, at its middle; each end bears half of the
+    /// weight. The error is of the next order, (W/T)⁴/1920 or so of the length.
+    pub weight_npm: f64,
+    /// Working load (N), where it is not the guideline's share of the break load.
+    pub working_load_n: Option<f64>,
+}
+
+/// Rope on deck between winch or bitts and the chock.
+///
+/// It stretches with the tension that reaches it over the chock: T e^(−μφ) by the capstan's equation for a rope that is hauled outboard, as
+/// where the tension rises. A rope whose tension falls holds more on deck; this hysteresis is left out, so that the rope stays elastic.
+/// Brake and stall of a winch are compared with the tension outboard.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OnDeck {
+    /// Its unstretched length (m).
+    pub length_m: f64,
+    /// Share of the tension that reaches it, e^(−μφ): above 0, at most 1.
+    pub share: f64,
+}
+
+impl OnDeck {
+    /// Rope on deck of a length (m) behind a chock of a coefficient of friction μ, about which it is bent by an angle φ (rad).
+    #[must_use]
+    pub fn behind_chock(length_m: f64, friction: f64, wrap_rad: f64) -> OnDeck {
+        OnDeck { length_m, share: libm::exp(-friction * wrap_rad) }
+    }
 }
 
 /// A tail in series with a line.
@@ -96,7 +134,7 @@ impl LineKind {
     #[must_use]
     pub fn break_load_n(&self) -> f64 {
         match self {
-            LineKind::Light { main, tail } => lesser(
+            LineKind::Light { main, tail, .. } => lesser(
                 tail.as_ref().map_or(f64::INFINITY, |t| t.rope.break_load_n),
                 main.break_load_n,
             ),
@@ -105,10 +143,13 @@ impl LineKind {
     }
 
     /// Working load of a mooring rope (N): 55 % of the rope's break load for wire, 50 % for others (public summaries of
-    /// OCIMF's MEG4). `None` for a cable, for which that guideline has none.
+    /// OCIMF's MEG4), unless it is given. `None` for a cable, for which that guideline has none.
     #[must_use]
     pub fn working_load_n(&self) -> Option<f64> {
         match self {
+            LineKind::Light {
+                details: LineDetails { working_load_n: Some(load_n), .. }, ..
+            } => Some(*load_n),
             LineKind::Light { main, .. } => {
                 let share = if main.curve == RopeCurve::wire() { 0.55 } else { 0.5 };
                 Some(share * main.break_load_n)
@@ -119,12 +160,15 @@ impl LineKind {
 
     /// Tensions at which the load curve of rope or tail has a corner, increasing (N); none for a cable.
     pub(super) fn corners_n(&self) -> Vec<f64> {
-        let LineKind::Light { main, tail } = self else { return vec![] };
+        let LineKind::Light { main, tail, details } = self else { return vec![] };
         let ropes = [Some(main), tail.as_ref().map(|tail| &tail.rope)];
         let of = |rope: &Rope| -> Vec<f64> {
             rope.curve.corners().map(|share| share * rope.break_load_n).collect()
         };
         let mut corners_n: Vec<f64> = ropes.into_iter().flatten().flat_map(of).collect();
+        if let Some(on_deck) = &details.on_deck {
+            corners_n.extend(of(main).into_iter().map(|corner_n| corner_n / on_deck.share));
+        }
         corners_n.sort_by(f64::total_cmp);
         corners_n.dedup();
         corners_n
@@ -139,7 +183,15 @@ pub(super) fn check(setup: &LineSetup, ends: &LineEnds) -> Result<(), OutOfRange
     let span_m = Span::of(ends).distance_m;
     within("distance between the ends [m]", span_m, 0.0, 1e5)?;
     match &setup.kind {
-        LineKind::Light { main, tail } => {
+        LineKind::Light { main, tail, details } => {
+            if let Some(on_deck) = &details.on_deck {
+                within("length of the rope on deck [m]", on_deck.length_m, 0.0, 5000.0)?;
+                within("share of the tension on deck", on_deck.share, 1e-3, 1.0)?;
+            }
+            within("weight of the rope [N/m]", details.weight_npm, 0.0, 1e6)?;
+            if let Some(load_n) = details.working_load_n {
+                within("working load of the rope [N]", load_n, 1.0, 1e9)?;
+            }
             within("break load of the rope [N]", main.break_load_n, 1.0, 1e9)?;
             if let Some(tail) = tail {
                 within("break load of the tail [N]", tail.rope.break_load_n, 1.0, 1e9)?;

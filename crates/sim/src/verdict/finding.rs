@@ -108,6 +108,17 @@ pub enum Finding {
         /// The value (m, rad, or a share).
         value: f64,
     },
+    /// A fender or a line was within its capacity, but with the user's partial factor it is not.
+    AboveWithFactor {
+        /// The fender or line.
+        subject: Subject,
+        /// What it was compared with, in words.
+        capacity: &'static str,
+        /// The factor.
+        factor: f64,
+        /// Factored effect over capacity.
+        share: f64,
+    },
     /// A fender was beyond its rating.
     FenderOverRated {
         /// The fender.
@@ -196,6 +207,15 @@ pub enum Finding {
     NoFenderTouched,
 }
 
+/// A fender or a line, by its index in the [`Setup`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// A fender.
+    Fender(usize),
+    /// A line.
+    Line(usize),
+}
+
 impl Finding {
     /// The verdict on a run with this finding alone.
     #[must_use]
@@ -210,7 +230,9 @@ impl Finding {
             Finding::StartInside { .. } => Verdict::StartInside,
             Finding::Aground { .. } => Verdict::Aground,
             Finding::FenderOverRated { .. } => Verdict::FenderOverRated,
-            Finding::LimitExceeded { .. } => Verdict::LimitExceeded,
+            Finding::LimitExceeded { .. } | Finding::AboveWithFactor { .. } => {
+                Verdict::LimitExceeded
+            }
             Finding::AboveCatalogue { .. } => Verdict::AboveCatalogue,
             Finding::NoSideAtFender { .. } => Verdict::NoSideAtFender,
             Finding::LineOverWorking { .. } => Verdict::LineOverWorking,
@@ -259,6 +281,10 @@ impl Finding {
             | Finding::LineOverWorking { line, .. }
             | Finding::LineNotMadeFast { line, .. }
             | Finding::LineRendered { line, .. } => {
+                vec![setup.world.lines[line].line.name.as_str()]
+            }
+            Finding::AboveWithFactor { subject: Subject::Fender(index), .. } => vec![fender(index)],
+            Finding::AboveWithFactor { subject: Subject::Line(line), .. } => {
                 vec![setup.world.lines[line].line.name.as_str()]
             }
             Finding::AnchorLost { anchor, .. } | Finding::AnchorDragged { anchor, .. } => {
@@ -363,6 +389,15 @@ impl Finding {
                     limit.shown(limit.most)
                 )
             }
+            Finding::AboveWithFactor { subject, capacity, factor, share } => format!(
+                "{}: {:.0} % of its {capacity} with the partial factor {factor} of {}",
+                match subject {
+                    Subject::Fender(_) => called("Fender", names[0]),
+                    Subject::Line(_) => called("Line", names[0]),
+                },
+                100.0 * share,
+                setup.world.factors.source
+            ),
             Finding::AboveCatalogue { quantity, share, share_of_run, others, .. } => {
                 let others = match others {
                     0 => String::new(),

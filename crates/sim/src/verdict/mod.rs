@@ -6,6 +6,7 @@
 //! | file | content |
 //! |---|---|
 //! | `verdict/finding.rs` | what can be found, and its sentence |
+//! | `verdict/factored.rs` | what is found with the partial factors of the user |
 //! | `verdict/fender.rs` | what is found on a fender |
 //! | `verdict/watch.rs` | the totals that a run keeps for it, step by step |
 //! | `verdict/law.rs` | the table of all laws and data that a run can leave |
@@ -14,6 +15,7 @@
 //! | `verdict/start.rs` | bodies that start inside each other |
 
 mod departures;
+mod factored;
 mod fender;
 mod finding;
 mod law;

@@ -3,6 +3,7 @@
 use fenderline_contact::number::greater;
 
 use super::departures::Departures;
+use super::factored::factored;
 use super::fender::above_catalogue;
 use super::finding::Finding;
 use crate::anchor::{AnchorPosition, LostBy};
@@ -234,6 +235,8 @@ impl Watch {
             let working_n = setup.world.lines[line].line.kind.working_load_n();
             all.extend(own.finding(line, working_n, step_s));
         }
+        let peaks_n = self.lines.iter().map(|own| own.peak_n);
+        all.extend(factored(setup, &touched, peaks_n));
         for (anchor, own) in self.anchors.iter().enumerate() {
             all.extend(own.finding(anchor));
         }

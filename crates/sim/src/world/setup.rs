@@ -8,6 +8,7 @@ use super::tug::TugSetup;
 use super::vessel::VesselSetup;
 use crate::change::PlannedChange;
 use crate::chart::Chart;
+use crate::factors::PartialFactors;
 use crate::order::Order;
 use crate::passing::FlowSetup;
 use crate::statistics::StatisticsSetup;
@@ -41,6 +42,8 @@ pub struct WorldSetup {
     pub providers: Vec<ProviderSetup>,
     /// What is drawn behind the bodies. It exerts no force.
     pub chart: Chart,
+    /// Partial factors of the user's own.
+    pub factors: PartialFactors,
 }
 
 impl WorldSetup {

@@ -5,6 +5,7 @@ use fenderline_contact::number::bounded;
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
 use super::azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
+use super::current_table::CurrentTable;
 use super::environment::Environment;
 use super::fault::Faults;
 use super::pilot::Pilots;
@@ -44,6 +45,8 @@ pub struct VesselSetup {
     pub thrusters: Vec<ThrusterSetup>,
     /// Azimuth units.
     pub azimuths: Vec<AzimuthSetup>,
+    /// Current coefficients of the user's own, which are the hull's force at low speed.
+    pub current_table: Option<CurrentTable>,
     /// Wind areas.
     pub windage: Option<ShipWindage>,
     /// Heave, roll and pitch.
@@ -332,7 +335,13 @@ impl VesselSetup {
     ) -> VesselForces {
         let water = environment.density();
         let controls = Controls { shaft_rps: vessel.shaft.value, rudder_rad: vessel.rudder.value };
-        let parts = self.ship_now(environment, t_s).parts(velocity, &controls, water);
+        let ship = self.ship_now(environment, t_s);
+        let mut parts = ship.parts(velocity, &controls, water);
+        if let Some(table) = &self.current_table {
+            let draught_m = ship.particulars.draught_m;
+            let ratio = environment.still_depth_at_m(t_s).map(|depth_m| depth_m / draught_m);
+            parts.hull = table.hull((&ship, parts.hull), velocity, water, ratio);
+        }
         let mut thrusters = Force::default();
         for (thruster, lag) in self.thrusters.iter().zip(&vessel.thrusters) {
             thrusters = thrusters + thruster.tunnel.force(lag.value, velocity);
@@ -525,12 +534,13 @@ impl VesselSetup {
         let (Some(windage), Some(wind)) = (&self.windage, &environment.wind) else {
             return Force::default();
         };
-        // Gusts act as their mean over the front that she turns to the mean wind. The coefficients refer to the wind at 10 m.
+        // Gusts act as their mean over the front that she turns to the mean wind.
         let (_, from_rad) = wind.mean_at(t_s);
         let gust = |gusts: &ShipGusts| {
             gusts.speed_over_mps(&windage.front(from_rad - state.heading_rad), t_s)
         };
-        let air = wind.velocity_in(gusts.map_or(0.0, gust), 10.0, t_s);
+        let height_m = windage.reference_height_m();
+        let air = wind.velocity_in(gusts.map_or(0.0, gust), height_m, t_s);
         let relative = RelativeWind::of(air, state.velocity_mps, state.heading_rad);
         let [surge_n, sway_n, yaw_nm] = windage.force(&relative, environment.air_density_kgpm3);
         Force { surge_n, sway_n, yaw_nm }
@@ -612,7 +622,7 @@ impl VesselSetup {
         for part in below {
             load.add(part.surge_n, part.sway_n, water_m);
         }
-        let air_m = self.windage.map_or(0.0, |w| w.centroid_height_m) - gravity_m;
+        let air_m = self.windage.as_ref().map_or(0.0, |w| w.centroid_height_m) - gravity_m;
         load.add(forces.wind.surge_n, forces.wind.sway_n, air_m);
         load
     }

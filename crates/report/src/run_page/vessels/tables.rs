@@ -111,6 +111,14 @@ fn source(outcome: &Outcome<'_>, vessel: &VesselSetup) -> Markup {
             @let (method, standing) = windage.method.standing();
             p class="note" { (name) ": wind coefficients by " (method) ": " (standing) "." }
         }
+        @if let Some(table) = &vessel.current_table {
+            @let [alone_mps, gone_mps] = table.speeds_mps();
+            p class="note" {
+                (name) ": hull force in a current by the scenario's table: " (table.source()) ". It acts alone up to "
+                (fixed(alone_mps / KNOT_MPS, 1)) " kn through the water, and hands over to the manoeuvring model until "
+                (fixed(gone_mps / KNOT_MPS, 1)) " kn. What her rate of turn adds is that of the model."
+            }
+        }
         @if environment.sea.is_some() {
             @match &vessel.response {
                 Some(MotionResponse::Estimate(_)) => p class="note" {
@@ -312,7 +320,7 @@ pub(super) fn lines(outcome: &Outcome<'_>) -> Markup {
         (more(world.lines.len()))
         p class="note" {
             "Tension at the ship's end; break load is the least of rope and tail. Working load: 55 % of "
-            "the rope's break load for wire, 50 % for others (MEG4, from public summaries)."
+            "the rope's break load for wire, 50 % for others (MEG4, from public summaries), unless the scenario gives it."
         }
     }
 }

@@ -10,7 +10,7 @@ use super::relative::RelativeWind;
 use crate::range::{OutOfRange, within};
 
 /// Wind areas of a ship, and the method for her wind coefficients.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ShipWindage {
     /// Length overall (m).
     pub length_m: f64,
@@ -75,10 +75,13 @@ impl ShipWindage {
     }
 
     /// Coefficients at an angle γ (rad). They are computed for |γ| from 0 to π and mirrored, so that port and starboard
-    /// agree at every angle, 180° included.
+    /// agree at every angle, 180° included. A table of the user's own that has both sides is used as it is.
     #[must_use]
     pub fn coefficients(&self, angle_rad: f64) -> WindCoefficients {
         let wrapped_rad = libm::remainder(angle_rad, TAU);
+        if let WindMethod::Own(_) = self.method {
+            return self.method.coefficients(self, wrapped_rad);
+        }
         let from_port = self.method.coefficients(self, wrapped_rad.abs());
         // A wind from straight ahead or astern has no side force.
         let side =
@@ -105,7 +108,7 @@ impl ShipWindage {
     }
 
     /// Force and moment about midship, [X, Y, N] in (N, N, N·m), in air of a density (kg/m³), 1.224 at
-    /// 15 °C. The relative wind is that 10 m above the water, for which the methods are stated (recalled).
+    /// 15 °C. The relative wind is that at [`ShipWindage::reference_height_m`].
     #[must_use]
     pub fn force(&self, relative: &RelativeWind, air_density_kgpm3: f64) -> [f64; 3] {
         let c = self.coefficients(relative.angle_rad);
@@ -115,6 +118,16 @@ impl ShipWindage {
             pressure_npm2 * c.sway * self.lateral_m2,
             pressure_npm2 * c.yaw * self.lateral_m2 * self.length_m,
         ]
+    }
+
+    /// Height above the water of the wind to which the coefficients refer (m): 10 m, for which the methods are stated (recalled), or that of
+    /// the user's table.
+    #[must_use]
+    pub fn reference_height_m(&self) -> f64 {
+        match &self.method {
+            WindMethod::Own(table) => table.reference_height_m,
+            WindMethod::Isherwood(_) | WindMethod::Blendermann(_) | WindMethod::Fujiwara(_) => 10.0,
+        }
     }
 
     /// Heeling moment about the waterline for a side force, positive to starboard (N·m): K = κ·s_H·Y, with s_H the height of

@@ -12,16 +12,18 @@
 mod blendermann;
 mod fujiwara;
 mod isherwood;
+mod own;
 
 pub use blendermann::{BLENDERMANN_TYPES, Blendermann, BlendermannType};
 pub use fujiwara::Fujiwara;
 pub use isherwood::Isherwood;
+pub use own::OwnWindTable;
 
 use super::windage::{ShipWindage, WindCoefficients};
 use crate::range::OutOfRange;
 
 /// A method for the wind coefficients of a ship.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum WindMethod {
     /// Isherwood 1972: regression over merchant ships.
     Isherwood(Isherwood),
@@ -29,12 +31,14 @@ pub enum WindMethod {
     Blendermann(Blendermann),
     /// Fujiwara et al. 1998: regression of a Fourier series in the wind angle.
     Fujiwara(Fujiwara),
+    /// A table of the user's own.
+    Own(OwnWindTable),
 }
 
 impl WindMethod {
     /// Its name, and how well its source is known, for reports.
     #[must_use]
-    pub fn standing(&self) -> (&'static str, &'static str) {
+    pub fn standing(&self) -> (&str, &str) {
         match self {
             WindMethod::Isherwood(_) => {
                 ("Isherwood 1972", "tables read in a public toolbox; the paper was not read")
@@ -48,6 +52,7 @@ impl WindMethod {
                 "coefficients read in a public code; the paper was not read, and no published value was found to \
                  validate them",
             ),
+            WindMethod::Own(table) => ("the scenario's table", &table.source),
         }
     }
 
@@ -60,15 +65,17 @@ impl WindMethod {
             WindMethod::Isherwood(method) => method.check(ship),
             WindMethod::Blendermann(method) => method.check(),
             WindMethod::Fujiwara(method) => method.check(ship),
+            WindMethod::Own(_) => Ok(()),
         }
     }
 
-    /// Coefficients at an angle γ (rad) from 0 to π.
+    /// Coefficients at an angle γ (rad) from 0 to π; those of a table also from −π to 0.
     pub(super) fn coefficients(&self, ship: &ShipWindage, angle_rad: f64) -> WindCoefficients {
         match self {
             WindMethod::Isherwood(method) => method.coefficients(ship, angle_rad),
             WindMethod::Blendermann(method) => method.coefficients(ship, angle_rad),
             WindMethod::Fujiwara(method) => method.coefficients(ship, angle_rad),
+            WindMethod::Own(table) => table.coefficients(ship, angle_rad),
         }
     }
 
@@ -76,7 +83,7 @@ impl WindMethod {
     pub(super) fn roll_factor(&self) -> f64 {
         match self {
             WindMethod::Blendermann(method) => method.kind.roll_factor,
-            WindMethod::Isherwood(_) | WindMethod::Fujiwara(_) => 1.0,
+            WindMethod::Isherwood(_) | WindMethod::Fujiwara(_) | WindMethod::Own(_) => 1.0,
         }
     }
 }

@@ -1,0 +1,157 @@
+//! Whether the signs of a table make sense: a flow pushes along with it.
+
+use fenderline_contact::number::greater;
+use fenderline_sim::environment::Sides;
+
+use super::super::Checked;
+use super::angles::Angles;
+use super::{Flow, Row};
+use crate::csv::Csv;
+use crate::keys::coefficients::Convention;
+
+/// What a side force or moment may be in a flow from straight ahead or astern, over its maximum.
+const AT_THE_ENDS: f64 = 0.05;
+/// A difference of the two sides that is told, over the maximum.
+const ASYMMETRY: f64 = 0.3;
+/// A moment that is told where it is against what ships show, over the maximum.
+const AGAINST: f64 = 0.1;
+
+/// Checks the signs of the rows at one depth and draught. Returns what is odd, each with its row.
+///
+/// # Errors
+/// A force against the flow at 0, 90, 180 or −90 degrees; a mirrored table with a side force or moment straight ahead or astern.
+pub(super) fn check(
+    csv: &Csv<'_>,
+    column: usize,
+    angles: &Angles,
+    (flow, convention): (Flow, &Convention),
+    at: &str,
+) -> Checked<Vec<(usize, String)>> {
+    let most = |k: usize| angles.rows.iter().map(|row| row.value[k].abs()).fold(0.0, greater);
+    let nearest = |degrees: f64| {
+        let off = |row: &Row| libm::remainder(row.angle_deg - degrees, 360.0).abs();
+        let row = angles.rows.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+        row.filter(|row| off(row) < 20.0)
+    };
+    let given = |row: &Row| crate::printable::printable_number(csv.plain(row.row, column));
+    // Our axes: from ahead it pushes aft, from port to starboard.
+    for (degrees, part, pushes, from) in [
+        (0.0, 0, -1.0, "ahead"),
+        (180.0, 0, 1.0, "astern"),
+        (90.0, 1, 1.0, "port"),
+        (-90.0, 1, -1.0, "starboard"),
+    ] {
+        let Some(row) = nearest(degrees) else { continue };
+        if row.value[part] * pushes >= 0.0 {
+            continue;
+        }
+        let (force, keys) = match part {
+            0 => ("surge force", "`angle_zero` and `surge_positive`"),
+            _ => ("side force", "`angle_side` and `sway_positive`"),
+        };
+        let message = format!(
+            "the {force} at {}{at} points against the flow, which comes from {from} by the convention given",
+            given(row)
+        );
+        let error = csv.cell_error(row.row, column, message);
+        return Err(error.with_help(format!(
+            "the table has another convention: with `convention = \"own\"` say it by {keys}"
+        )));
+    }
+    let mut odd = Vec::new();
+    if angles.sides == Sides::Mirrored {
+        for row in [&angles.rows[0], &angles.rows[angles.rows.len() - 1]] {
+            for (k, name) in [(1, "side force"), (2, "yaw moment")] {
+                let share = row.value[k].abs() / greater(most(k), f64::MIN_POSITIVE);
+                if share > AT_THE_ENDS {
+                    let message = format!(
+                        "a table of one side has no {name} at {}{at}, but this one has {:.0} % of its largest",
+                        given(row),
+                        100.0 * share
+                    );
+                    let error = csv.cell_error(row.row, column, message);
+                    return Err(error.with_help(
+                        "give the angles of both sides, or look for another zero of the angles",
+                    ));
+                }
+                if row.value[k] != 0.0 {
+                    odd.push((
+                        row.row,
+                        format!(
+                            "the {name} at {}{at} is {:.2} % of the largest; it is taken as zero, as the other side is its mirror image",
+                            given(row),
+                            100.0 * share
+                        ),
+                    ));
+                }
+            }
+        }
+    } else {
+        odd.extend(asymmetry(angles, most, given, at));
+    }
+    odd.extend(moment(angles, (flow, convention), most, given, at));
+    Ok(odd)
+}
+
+/// The two rows of a table of both sides that differ most.
+fn asymmetry(
+    angles: &Angles,
+    most: impl Fn(usize) -> f64,
+    given: impl Fn(&Row) -> String,
+    at: &str,
+) -> Option<(usize, String)> {
+    let mut worst: Option<(f64, &Row, &'static str)> = None;
+    for row in &angles.rows {
+        let Some(other) = angles.rows.iter().find(|o| (o.angle_deg + row.angle_deg).abs() < 0.01)
+        else {
+            continue;
+        };
+        for (k, sign, name) in
+            [(0, 1.0, "surge force"), (1, -1.0, "side force"), (2, -1.0, "yaw moment")]
+        {
+            let largest = greater(most(k), f64::MIN_POSITIVE);
+            let share = (row.value[k] - sign * other.value[k]).abs() / largest;
+            if worst.is_none_or(|(least, ..)| share > least) {
+                worst = Some((share, row, name));
+            }
+        }
+    }
+    let (share, row, name) = worst.filter(|(share, ..)| *share > ASYMMETRY)?;
+    Some((
+        row.row,
+        format!(
+            "at {}{at} the {name} differs from that of the other side by {:.0} % of its largest: is a sign wrong on one side?",
+            given(row),
+            100.0 * share
+        ),
+    ))
+}
+
+/// A moment against what ships show: a current on the bow turns a hull broadside to it.
+fn moment(
+    angles: &Angles,
+    (flow, convention): (Flow, &Convention),
+    most: impl Fn(usize) -> f64,
+    given: impl Fn(&Row) -> String,
+    at: &str,
+) -> Option<(usize, String)> {
+    if flow == Flow::Wind {
+        return None;
+    }
+    let off = |row: &&Row| (row.angle_deg - 45.0).abs();
+    let row = angles
+        .rows
+        .iter()
+        .min_by(|a, b| off(a).total_cmp(&off(b)))
+        .filter(|row| off(row) < 20.0)?;
+    (row.value[2] < -AGAINST * most(2)).then(|| {
+        let words = if convention.yaw_to_starboard { "starboard" } else { "port" };
+        (
+            row.row,
+            format!(
+                "the moment at {}{at} turns the bow into the current, which hulls seldom do: is it positive with the bow to {words}?",
+                given(row)
+            ),
+        )
+    })
+}

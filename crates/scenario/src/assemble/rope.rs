@@ -1,0 +1,119 @@
+//! Ropes of lines and tails: of a material that is built in, or of one's own.
+
+use fenderline_sim::mooring::{Rope, RopeCurve};
+
+use super::{Assembly, Checked};
+use crate::checked::Table;
+use crate::csv::Csv;
+use crate::error::Notice;
+use crate::keys::mooring::BuiltIn;
+use crate::printable::printable_number;
+
+/// The largest extension of a rope (%).
+const LONGEST_PERCENT: f64 = 1000.0;
+
+impl Assembly<'_, '_> {
+    /// The rope of a line's or a tail's table.
+    pub(super) fn rope(&mut self, table: &Table) -> Checked<Rope> {
+        let break_load_n = *table.given("break_load").number();
+        let material = table.given("rope");
+        let built_in: BuiltIn = material.choice();
+        let (stiffness, file) = (table.item("axial_stiffness"), table.item("load_extension"));
+        if let Some(curve) = built_in {
+            return match stiffness.or(file) {
+                None => Ok(Rope { break_load_n, curve: curve() }),
+                Some(item) => {
+                    let path = table.path_of(item.name);
+                    let word = material.word();
+                    let message = format!("`{path}` does not go together with `rope = \"{word}\"`");
+                    let error = self.sources.error(&item.key_span, &path, message);
+                    Err(error.with_help("remove it, or write rope = \"own\""))
+                }
+            };
+        }
+        let curve = match (stiffness, file) {
+            (Some(item), None) => {
+                RopeCurve::of_stiffness(*item.number(), break_load_n).map_err(|_| {
+                    self.refused(
+                        table,
+                        item,
+                        &"the rope would break at more than ten times its length",
+                    )
+                })?
+            }
+            (None, Some(_)) => self.load_extension(table, break_load_n)?,
+            (Some(_), Some(item)) => {
+                let path = table.path_of(item.name);
+                let message = format!("`{path}` does not go together with `axial_stiffness`");
+                let error = self.sources.error(&item.key_span, &path, message);
+                return Err(error.with_help("keep one of the two"));
+            }
+            (None, None) => {
+                let path = table.path_of("axial_stiffness");
+                let message = format!("`{path}` is missing; `rope = \"own\"` needs it");
+                let error = self.sources.error(&material.span, &path, message);
+                return Err(error.with_help("give it, or a curve in `load_extension`"));
+            }
+        };
+        Ok(Rope { break_load_n, curve })
+    }
+
+    /// A load-extension curve from a file.
+    fn load_extension(&mut self, table: &Table, break_load_n: f64) -> Checked<RopeCurve> {
+        let (item, key) = (table.given("load_extension"), table.path_of("load_extension"));
+        let known = ["extension_percent", "load_kn", "load_percent"];
+        let csv = Csv::parse(self.files.text(item.text()), item.text(), &key, &known)?;
+        let extension = csv.column("extension_percent")?;
+        let (load, unit) = match (csv.has("load_kn"), csv.has("load_percent")) {
+            (true, true) => {
+                return Err(csv.header_error("`load_kn` and `load_percent` are the same quantity"));
+            }
+            (false, true) => (csv.column("load_percent")?, 0.01),
+            _ => (csv.column("load_kn")?, 1e3 / break_load_n),
+        };
+        let mut points: Vec<[f64; 2]> = Vec::with_capacity(csv.len());
+        for row in 0..csv.len() {
+            let percent = csv.number(row, extension, [0.0, LONGEST_PERCENT])?;
+            let share = unit * csv.number(row, load, [0.0, 1e7])?;
+            if row == 0 && (percent, share) != (0.0, 0.0) {
+                let error = csv.cell_error(row, extension, "the curve begins here".to_owned());
+                return Err(error.with_help("its first row must be 0, 0: a rope without load"));
+            }
+            if share > 10.0 {
+                let message = "the load is more than ten times the break load".to_owned();
+                return Err(csv.cell_error(row, load, message));
+            }
+            if let Some([last_strain, last_share]) = points.last() {
+                if 0.01 * percent <= *last_strain {
+                    let message =
+                        format!("the extension must rise from row to row, but {percent} follows");
+                    return Err(csv.cell_error(row, extension, message));
+                }
+                if share <= *last_share {
+                    let message = format!(
+                        "the load must rise with the extension, but falls or stays here, at {}",
+                        printable_number(csv.plain(row, load))
+                    );
+                    return Err(csv.cell_error(row, load, message));
+                }
+            }
+            points.push([0.01 * percent, share]);
+        }
+        if points.len() < 2 {
+            return Err(csv.header_error("the curve needs two rows or more"));
+        }
+        let curve = RopeCurve::new(points).map_err(|error| csv.header_error(error.to_string()))?;
+        let last = curve.last_share();
+        if last < 1.0 {
+            self.notices.push(Notice {
+                place: csv.place_of(Some((csv.len() - 1, load))),
+                key,
+                message: format!(
+                    "the curve ends at {} % of the break load: beyond it the last slope goes on",
+                    printable_number((1e3 * last).round() / 10.0)
+                ),
+            });
+        }
+        Ok(curve)
+    }
+}

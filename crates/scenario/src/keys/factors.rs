@@ -1,0 +1,82 @@
+//! Keys of partial factors.
+
+use fenderline_sim::factors::LineCapacity;
+use serde_json::json;
+
+use crate::choices::{Choice, Choices};
+use crate::spec::Absent::{Is, Means, Refused};
+use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::units::measures as unit;
+
+const FACTOR: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 10.0 };
+
+pub(super) static FACTORS: TableSpec = TableSpec {
+    what: "a table of partial factors",
+    doc: "Partial factors on what the run computes, with their source. fenderline has no factors of any guideline and claims none: take those of \
+          yours. Report, summary and verdict show them with the source.",
+    keys: &[
+        key(
+            "source",
+            Kind::Text,
+            Refused,
+            "Where the factors come from, in your words.",
+            &["\"design basis 4711, table 3\""],
+        ),
+        key(
+            "energy",
+            Kind::Quantity(FACTOR),
+            Means("energies have no factor"),
+            "On the energy that a fender absorbs, which is compared with its rated energy.",
+            &["1.25"],
+        ),
+        key(
+            "reaction",
+            Kind::Quantity(FACTOR),
+            Means("reactions have no factor"),
+            "On the reaction of a fender, which is compared with `reaction_limit`.",
+            &["1.1"],
+        ),
+        key(
+            "reaction_limit",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e10 }),
+            Means("factored reactions are shown, and compared with nothing"),
+            "What the structure behind a fender resists.",
+            &["\"1.8 MN\""],
+        ),
+        key(
+            "line_load",
+            Kind::Quantity(FACTOR),
+            Means("line loads have no factor"),
+            "On the tension of a line, which is compared with its `line_capacity`.",
+            &["1.3"],
+        ),
+        key(
+            "line_capacity",
+            Kind::Choice(&CAPACITIES),
+            Is("\"working_load\""),
+            "What a factored tension is compared with.",
+            &["\"break_load\""],
+        ),
+    ],
+    rules: Some(|| {
+        json!({
+            "anyOf": [
+                { "required": ["energy"] }, { "required": ["reaction"] }, { "required": ["line_load"] }
+            ],
+            "dependentRequired": { "reaction_limit": ["reaction"], "line_capacity": ["line_load"] }
+        })
+    }),
+};
+
+static CAPACITIES: Choices<LineCapacity> = Choices(&[
+    Choice {
+        word: "working_load",
+        value: LineCapacity::WorkingLoad,
+        doc: "the working load of the line",
+    },
+    Choice {
+        word: "break_load",
+        value: LineCapacity::BreakLoad,
+        doc: "the least break load of rope and tail",
+    },
+]);
