@@ -1,23 +1,17 @@
 """Motions of free hulls in waves between the headings and frequencies of the shipped data, by panel runs at the very heading and frequency.
 
-    python3 validation/independent/waves_between.py panels [CASE...]
-    python3 validation/independent/waves_between.py moored PROGRAM FOLDER
+    python3 validation/independent/waves_between.py [CASE...]
 
-`panels` needs what hydrodynamics/capytaine_hulls.py needs. For each file of hydrodynamics/ it draws five frequencies and five headings that are not
+It needs what hydrodynamics/capytaine_hulls.py needs. For each file of hydrodynamics/ it draws five frequencies and five headings that are not
 in the file (seeded), runs Capytaine there, solves (−ω²(M + A) + iωB + C) ξ = F with 5 % of the critical damping in roll, and writes
 validation/independent/waves_between.csv: complex amplitudes over that of the wave. crates/scenario/tests/waves_between.rs moves the hulls by the shipped
 files in the same waves and compares.
-
-`moored` makes data of the ship in 20 m of water with half the steps of heading and frequency in FOLDER, runs
-scenarios/berth/moored_in_waves.toml for an hour in a sea of 1.5 m from 225 degrees with them and with the shipped data by PROGRAM (`fenderline`), and prints the
-standard deviations of the six motions.
 """
 
 import csv
 import importlib.util
 import math
 import random
-import subprocess
 import sys
 from pathlib import Path
 
@@ -77,8 +71,13 @@ def motions(hulls, name):
     inertia = np.diag([mass] * 3 + [mass * gyradius**2 for gyradius in size["gyradii"]])
     restoring = np.zeros((6, 6))
     restoring[2:5, 2:5] = ship.restoring
+    # Couplings of the hull, as the file has them: others are noise of the mesh, whose lid is not quite alike to both sides.
+    matters = sys.modules["hydrodynamics"]._matters
+    tables = [list(ship.added_mass.values()), [table for omega, table in ship.damping.items() if math.isfinite(omega)]]
+    coupled = np.array([[any(matters(i, j, table) for table in tables) for j in range(6)] for i in range(6)])
     for (omega, heading), force in sorted(ship.excitation.items()):
-        added, damping = np.array(ship.added_mass[omega]), np.array(ship.damping[omega])
+        # Symmetric, as radiation is and as the file has them: on a mesh sway by roll and roll by sway differ.
+        added, damping = (0.5 * coupled * (np.array(table[omega]) + np.array(table[omega]).T) for table in (ship.added_mass, ship.damping))
         # The share of the critical damping as the program takes it: with the added mass at infinite frequency.
         critical = 2 * math.sqrt(restoring[3, 3] * (inertia[3, 3] + np.array(ship.added_mass[math.inf])[3, 3]))
         damping[3, 3] += hulls.ROLL_DAMPING * critical
@@ -103,48 +102,5 @@ def panels(names):
         print(name, flush=True)
 
 
-def moored(program, folder):
-    import numpy as np
-
-    loaded = hulls()
-    folder = Path(folder).resolve()
-    folder.mkdir(parents=True, exist_ok=True)
-    case = loaded.CASES["ship_20m"]
-    omegas, headings = case["omegas"], case["headings"]
-    half = lambda axis: np.sort(np.concatenate([axis, 0.5 * (axis[1:] + axis[:-1])]))
-    loaded.CASES["ship_20m"] = case | {"omegas": half(omegas), "headings": half(headings)}
-    loaded.run("ship_20m", folder)
-    scenario = (ROOT / "scenarios/berth/moored_in_waves.toml").read_text(encoding="utf-8")
-    scenario = scenario.replace('duration = "10 h"', 'duration = "1 h"').replace('interval = "10 s"', 'interval = "1 s"')
-    sea = 'waves = { height = "1.5 m", period = "10 s", from = "225 deg", seed = 5 }'
-    scenario = scenario.replace('waves = { height = "0.8 m", period = "10 s", from = "200 deg", seed = 5 }', sea)
-    (folder / "long_waves.csv").write_bytes((ROOT / "scenarios/berth/long_waves.csv").read_bytes())
-    found = {}
-    for label, data in [("shipped", ROOT / "hydrodynamics/ship_20m.hydro"), ("half", folder / "ship_20m.hydro")]:
-        (folder / f"{label}.hydro").write_bytes(data.read_bytes())
-        path = folder / f"{label}.toml"
-        path.write_text(scenario.replace("container_ship_20m.hydro", f"{label}.hydro"), encoding="utf-8")
-        subprocess.run([program, "run", path, "--out", folder / label], check=True)
-        columns = {}
-        for table in ["bodies", "vessels"]:
-            with (folder / label / f"{table}.csv").open(encoding="utf-8") as file:
-                lines = csv.reader(line for line in file if not line.startswith("#"))
-                names = next(lines)
-                for row in lines:
-                    values = dict(zip(names, row))
-                    for key in ["x", "y", "heading", "heave", "roll", "pitch"]:
-                        for name, value in values.items():
-                            if name.split("_")[0].split(" ")[0] == key and values.get("body", "ship") in ("ship", ""):
-                                columns.setdefault(key, []).append(float(value))
-        found[label] = {key: np.std(values) for key, values in columns.items()}
-    for key, size in found["half"].items():
-        print(f"{key}: {found['shipped'][key]:.4g} with the shipped data, {size:.4g} with half the steps: {100 * (found['shipped'][key] / size - 1):+.2f} %")
-
-
 if __name__ == "__main__":
-    if sys.argv[1:2] == ["panels"]:
-        panels(sys.argv[2:])
-    elif len(sys.argv) == 4 and sys.argv[1] == "moored":
-        moored(*sys.argv[2:])
-    else:
-        sys.exit(__doc__)
+    panels(sys.argv[1:])

@@ -1,6 +1,6 @@
 //! Free hulls in waves between the headings and frequencies of the shipped data, against panel runs at the very heading and frequency.
 //!
-//! `validation/independent/waves_between.py panels` makes the table.
+//! `python3 validation/independent/waves_between.py` makes the table.
 
 #![allow(clippy::disallowed_methods, reason = "expected values may use std")]
 

@@ -24,9 +24,8 @@ const DEPTH: f64 = 0.1;
 const SHORTEST_PERIOD: f64 = 2.565;
 /// From which depth water counts as deep, in draughts.
 const DEEP: f64 = 10.0;
-/// From which share of the energy of the sea waves that the data do not resolve are told of, and above which the data are refused.
+/// From which share of the energy of the sea waves that the data do not resolve are told of.
 const TOLD: f64 = 0.05;
-const REFUSED: f64 = 0.5;
 
 impl Assembly<'_, '_> {
     /// The hydrodynamic data that a kind of vessel names, with her centre of gravity, if any.
@@ -87,7 +86,7 @@ impl Assembly<'_, '_> {
                 ),
             });
         }
-        self.note_unresolved(table, item, (&data, kind.length_m()), environment)?;
+        self.note_unresolved(table, item, (&data, kind.length_m()), environment);
         let roll_damping = table.item("roll_damping").map_or(ROLL_DAMPING, |of| *of.number());
         let (mass, restoring) = (data.total_mass(), data.restoring());
         // For reports: natural periods without coupling, with the added mass at infinite frequency.
@@ -108,18 +107,18 @@ impl Assembly<'_, '_> {
         Ok(Some((Seakeeping { data: Arc::new(data), roll_damping }, float)))
     }
 
-    /// Tells what share of the energy of the sea the data do not resolve, and refuses data that do not resolve most of it.
+    /// Tells what share of the energy of the sea the data do not resolve.
     fn note_unresolved(
         &mut self,
         table: &Table,
         item: &Item,
         (data, length_m): (&Hydrodynamics, f64),
         environment: &Environment,
-    ) -> Checked<()> {
-        let Some(sea) = &environment.sea else { return Ok(()) };
+    ) {
+        let Some(sea) = &environment.sea else { return };
         let unresolved = data.unresolved(sea, length_m);
         if unresolved.sum() < TOLD {
-            return Ok(());
+            return;
         }
         let percent = |share: f64| printable_number((100.0 * share).round());
         let mut parts = Vec::new();
@@ -144,15 +143,13 @@ impl Assembly<'_, '_> {
             percent(unresolved.sum()),
             parts.join("; ")
         );
-        if unresolved.sum() > REFUSED {
-            let help = "make data with smaller steps of heading and frequency: docs/guides/hydrodynamics.md has the rule";
-            return Err(self.refused(table, item, &message).with_help(help));
-        }
+        let message = format!(
+            "{message}. Make data with smaller steps of heading and frequency: docs/guides/hydrodynamics.md has the rule"
+        );
         self.notices.push(Notice {
             place: self.sources.place(&item.span),
             key: table.path_of("hydrodynamics"),
             message,
         });
-        Ok(())
     }
 }
