@@ -160,7 +160,7 @@ def container_ship(depth, wall=None, **of):
 # The water in the gap between hull and wall resonates, the barge's near 0.8 rad/s in 20 m of water and 0.6 in 10 m, her yaw's higher:
 # frequencies are closer there. Beyond 2.2 rad/s waves stand in the gap, which these panels do not resolve: the damping would be
 # negative. The ship's gap is narrower and her panels are longer: there they resolve waves up to 1.2 rad/s.
-BARGE_AT = steps((0.1, 0.05), (0.6, 0.025), (1.0, 0.1), (2.2, None))
+BARGE_AT = steps((0.1, 0.05), (0.6, 0.025), (1.0, 0.05), (1.6, 0.1), (2.2, None))
 SHIP_AT = steps((0.15, 0.05), (0.4, 0.025), (0.9, 0.05), (1.2, None))
 # Depth, and the distance of the wall from the centre line (m).
 CASES = {

@@ -15,6 +15,9 @@ use fenderline_sim::Simulation;
 const FELT: f64 = 0.02;
 /// The largest vector error over the amplitude.
 const TOLERANCE: f64 = 0.02;
+/// Sway, roll and yaw are not compared in open water for waves this near the ship's axis (deg): from dead ahead or astern there are none, and what a panel
+/// run has there is the noise of a lid that is not quite alike to both sides (1.1e4 N m of roll from astern where 10 degrees have 1.2e7).
+const ALONG: f64 = 2.0;
 
 const BARGE: &str = r#"
 [vessel.free]
@@ -141,7 +144,9 @@ fn worst(row: &Row) -> f64 {
         let (wanted, own) = (row.motions[k], found[k]);
         let size = f64::hypot(wanted.0, wanted.1);
         let off = f64::hypot(own.0 - wanted.0, own.1 - wanted.1);
-        if size * arms[k] <= FELT {
+        let is_along = row.heading_deg.to_radians().sin().abs() < ALONG.to_radians().sin();
+        let is_noise = is_along && !row.data.ends_with("quay") && [1, 3, 5].contains(&k);
+        if is_noise || size * arms[k] <= FELT {
             continue;
         }
         worst = worst.max(off / size);
@@ -159,25 +164,11 @@ fn worst(row: &Row) -> f64 {
     worst
 }
 
-/// One row of each file. The others are in the test below.
+/// Every row: 25 runs take two seconds.
 #[test]
 fn hulls_move_between_the_headings_and_frequencies_of_the_data_as_panel_runs_say() {
-    for (k, row) in table().iter().enumerate().filter(|(k, _)| k % 25 == 7 + k / 25) {
-        let off = worst(row);
-        assert!(off <= TOLERANCE, "row {k}: {off}");
-    }
-}
-
-/// All rows: `cargo test -p fenderline-scenario all_rows -- --ignored --nocapture`.
-#[test]
-#[ignore = "two hundred runs"]
-fn all_rows_agree_with_panel_runs() {
     let all: Vec<f64> = table().iter().map(worst).collect();
     let bad = all.iter().filter(|off| **off > TOLERANCE).count();
-    println!(
-        "{} rows, {bad} above 2 %, the worst {:.4}",
-        all.len(),
-        all.iter().fold(0.0, |a: f64, b| a.max(*b))
-    );
-    assert_eq!(bad, 0);
+    println!("{} rows, the worst {:.4}", all.len(), all.iter().fold(0.0, |a: f64, b| a.max(*b)));
+    assert_eq!(bad, 0, "rows above {TOLERANCE}");
 }
