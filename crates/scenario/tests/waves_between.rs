@@ -3,6 +3,7 @@
 //! `python3 validation/independent/waves_between.py` makes the table.
 
 #![allow(clippy::disallowed_methods, reason = "expected values may use std")]
+#![allow(clippy::needless_range_loop, reason = "matrices by index read as their equations")]
 
 use std::f64::consts::TAU;
 use std::fs;

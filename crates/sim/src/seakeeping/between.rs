@@ -446,10 +446,10 @@ mod tests {
         for (at, given) in headings.iter().zip(&given) {
             for side in [1.0, -1.0] {
                 let place = fine.place(side * at);
-                for k in 0..3 {
-                    let found = place.of(&rows, MIRROR_DRIFT[k], |row| row[k]);
-                    let sign = if side < 0.0 { MIRROR_DRIFT[k] } else { 1.0 };
-                    assert!((found - sign * given[k]).abs() < 1e-6, "{at} {k}: {found}");
+                for (k, (given, mirror)) in given.iter().zip(MIRROR_DRIFT).enumerate() {
+                    let found = place.of(&rows, mirror, |row| row[k]);
+                    let sign = if side < 0.0 { mirror } else { 1.0 };
+                    assert!((found - sign * given).abs() < 1e-6, "{at} {k}: {found}");
                 }
             }
         }
