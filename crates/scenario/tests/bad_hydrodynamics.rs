@@ -56,7 +56,10 @@ fn each_mistake_is_answered_with_file_line_and_reason() {
 fn good_data_have_no_notice() {
     let notices = read(&data_file(), STEP_S).expect("good data").notices;
     let about_data = notices.iter().map(|notice| notice.to_string());
-    assert_eq!(about_data.filter(|said| said.contains("hydro")).collect::<Vec<_>>(), [""; 0]);
+    // The barge's headings of 30 degrees do not resolve waves of less than 6.6 s, a part of this sea: that is told, and nothing else.
+    let said: Vec<String> = about_data.filter(|said| said.contains("hydro")).collect();
+    assert!(said.iter().all(|said| said.contains("do not resolve")), "{said:?}");
+    assert!(said.len() <= 1, "{said:?}");
 }
 
 /// A step that her own motions cannot be followed in: heave and pitch of 3.6 s.
@@ -176,15 +179,16 @@ fn in_calm_water_a_moored_ship_never_gains_energy() {
     }
 }
 
-/// An hour in waves of all frequencies and the first headings of the data: her energy is never more than the waves gave. 1 % of the most.
+/// An hour in waves of all frequencies of the data at two headings: her energy is never more than the waves gave. 1 % of the most.
 #[test]
 fn in_waves_a_moored_ship_never_has_more_energy_than_they_gave() {
     for (name, scenario) in accepted() {
         let ship = scenario.setup.world.vessels[0].seakeeping.clone().expect("data");
-        for heading in [1, 3] {
+        for towards_deg in [30.0_f64, 90.0] {
             let frequencies: Vec<f64> = ship.data.radiation().map(|(w, ..)| w).collect();
+            let towards_rad = towards_deg.to_radians();
             let forces: Vec<_> =
-                frequencies.iter().map(|w| ship.data.excitation_at(*w, heading)).collect();
+                frequencies.iter().map(|w| ship.data.excitation_towards(*w, towards_rad)).collect();
             let force = |t_s: f64| {
                 let mut sum = [0.0; 6];
                 for (k, (w, force)) in frequencies.iter().zip(&forces).enumerate() {
@@ -207,7 +211,7 @@ fn in_waves_a_moored_ship_never_has_more_energy_than_they_gave() {
                 }
             });
             println!(
-                "{name}, heading {heading}: over {:.2e}, most {most_j:.3e} J",
+                "{name}, heading {towards_deg}: over {:.2e}, most {most_j:.3e} J",
                 over_j / most_j
             );
             assert!(over_j <= 0.01 * most_j, "{name}: {over_j} J more than were given");

@@ -164,7 +164,7 @@ fn the_force_of_a_long_wave_is_that_of_the_panel_code_in_its_longest_waves() {
             data.radiation().find(|(at, ..)| (at - w).abs() < 1e-9).expect("a frequency");
         let number = wave_number(w, 20.0);
         let long_n = (data.mass_kg() + added[0][0]) * w * w / (number * 20.0);
-        let panels = data.excitation_at(w, 0)[0];
+        let panels = data.excitation_towards(w, 0.0)[0];
         let panels_n = panels.re.hypot(panels.im);
         let half = 0.5 * number * 80.0;
         println!(

@@ -211,6 +211,9 @@ fn fulls() -> Vec<Json> {
         } },
         "body": { "barge": {
             "vessel": "barge", "outline": [[-40, -10], [40, -10], [40, 10], [-40, 10]]
+        } },
+        "tug": { "tug": {
+            "vessel": "barge", "bollard_pull": "60 tf", "push_at": [0, -10], "above_water": "4 m"
         } }
     });
     let mut anchored = full();

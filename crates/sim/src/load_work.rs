@@ -51,15 +51,16 @@ impl LoadedStep<'_> {
             works.tugs_j += self.of_force(vessel, self.attitude(vessel), self.tugs[tug].force);
         }
         for &line in &self.order.lines {
-            for end in self.world.lines[line].ends_on(&self.lines[line], &self.world.bollards) {
-                works.lines_j += self.of_line_end(end);
+            let of = &self.world.lines[line];
+            for (body, lever, force_n) in of.pulls(&self.lines[line], &self.world.bollards) {
+                works.lines_j += self.of_line_end(body, lever.at_m, force_n);
             }
         }
         for &anchor in &self.order.anchors {
             let of = &self.world.anchors[anchor];
-            let [north_n, east_n, _] = self.anchors[anchor].load.on_ship_n;
+            let AnchorAtWork { load, lever, .. } = &self.anchors[anchor];
             let body = self.world.vessels[of.vessel].body;
-            works.anchors_j += self.of_line_end((body, of.hawse_m, vec2(north_n, east_n)));
+            works.anchors_j += self.of_line_end(body, lever.at_m, load.on_ship_n);
         }
         works.piles_j += self.dolphins.iter().map(|dolphin| dolphin.pile.work_j).sum::<f64>();
         works
@@ -112,11 +113,11 @@ impl LoadedStep<'_> {
     }
 
     /// Work of the force of a line or a chain on the body at one of its ends.
-    fn of_line_end(&self, (body, at_m, force_n): (usize, Vec2, Vec2)) -> f64 {
+    fn of_line_end(&self, body: usize, at_m: Vec2, [north_n, east_n, _]: [f64; 3]) -> f64 {
         if self.inertias[body].fixed {
             return 0.0;
         }
         let arm_m = self.before[body].pose().rotation.apply(at_m);
-        force_n.dot(self.mean[body].at(arm_m)) * self.step_s
+        vec2(north_n, east_n).dot(self.mean[body].at(arm_m)) * self.step_s
     }
 }

@@ -1,14 +1,15 @@
 //! Vessels with hydrodynamic data.
 
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use fenderline_sim::attitude::{Hydrostatics, Oscillator};
-use fenderline_sim::seakeeping::Seakeeping;
+use fenderline_sim::seakeeping::{Hydrodynamics, Seakeeping};
 use fenderline_sim::{Environment, Float};
 
 use super::vessel::Kind;
 use super::{Assembly, Checked};
-use crate::checked::Table;
+use crate::checked::{Item, Table};
 use crate::error::Notice;
 use crate::hydrodynamics;
 use crate::printable::printable_number;
@@ -19,6 +20,8 @@ const ROLL_DAMPING: f64 = 0.05;
 const MASS: f64 = 0.03;
 /// The shortest period over the step that a step can follow: 2π/√6.
 const SHORTEST_PERIOD: f64 = 2.565;
+/// From which share of the energy of the sea waves that the data do not resolve are told of.
+const TOLD: f64 = 0.05;
 
 impl Assembly<'_, '_> {
     /// The hydrodynamic data that a kind of vessel names, with her centre of gravity, if any.
@@ -80,6 +83,7 @@ impl Assembly<'_, '_> {
                 ),
             });
         }
+        self.note_unresolved(table, item, (&**data, kind.length_m()), environment);
         let (mass, restoring) = (data.total_mass(), data.restoring());
         // For reports: natural periods without coupling, with the added mass at infinite frequency.
         let oscillator = |k: usize, damping: f64| Oscillator {
@@ -97,5 +101,51 @@ impl Assembly<'_, '_> {
             draught_m,
         };
         Ok(Some((seakeeping, float)))
+    }
+
+    /// Tells what share of the energy of the sea the data do not resolve.
+    fn note_unresolved(
+        &mut self,
+        table: &Table,
+        item: &Item,
+        (data, length_m): (&Hydrodynamics, f64),
+        environment: &Environment,
+    ) {
+        let Some(sea) = &environment.sea else { return };
+        let unresolved = data.unresolved(sea, length_m);
+        if unresolved.sum() < TOLD {
+            return;
+        }
+        let percent = |share: f64| printable_number((100.0 * share).round());
+        let mut parts = Vec::new();
+        if unresolved.by_headings > 0.0 {
+            parts.push(format!(
+                "{} % in waves of less than {} s, for which the headings of the data are too far apart (up to {} degrees)",
+                percent(unresolved.by_headings),
+                printable_number((100.0 * TAU / data.resolved_to_radps(length_m)).round() / 100.0),
+                printable_number(data.widest_heading_step_rad().to_degrees().round()),
+            ));
+        }
+        if unresolved.by_frequencies > 0.0 {
+            let share = percent(unresolved.by_frequencies);
+            parts.push(format!("{share} % where the frequencies of the data are too far apart"));
+        }
+        if unresolved.beyond > 0.0 {
+            let share = percent(unresolved.beyond);
+            parts.push(format!("{share} % beyond the frequencies of the data"));
+        }
+        let message = format!(
+            "of the energy of the sea {} % is in waves that the hydrodynamic data do not resolve: {}",
+            percent(unresolved.sum()),
+            parts.join("; ")
+        );
+        let message = format!(
+            "{message}. Make data with smaller steps of heading and frequency: docs/guides/hydrodynamics.md has the rule"
+        );
+        self.notices.push(Notice {
+            place: self.sources.place(&item.span),
+            key: table.path_of("hydrodynamics"),
+            message,
+        });
     }
 }

@@ -134,6 +134,11 @@ impl Kind {
         self.data.ship.particulars.draught_m
     }
 
+    /// Length between perpendiculars (m).
+    pub(super) fn length_m(&self) -> f64 {
+        self.data.ship.particulars.length_m
+    }
+
     /// Length and beam (m).
     pub(super) fn size_m(&self) -> [f64; 2] {
         let hull = &self.data.ship.particulars;

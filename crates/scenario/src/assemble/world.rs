@@ -85,7 +85,12 @@ impl Assembly<'_, '_> {
                     direction_lag_s: number("lag"),
                 };
                 tug.check().map_err(|error| self.wrong(table, &error))?;
-                Ok(TugSetup { vessel, tug })
+                let height = table.given("above_water");
+                if !height.is_default && vessels[vessel].seakeeping.is_none() {
+                    let message = "the height of her force heels a vessel with `hydrodynamics` only, and this one has none";
+                    return Err(self.refused(table, height, &message));
+                }
+                Ok(TugSetup { vessel, tug, above_water_m: *height.number() })
             })
             .collect()
     }

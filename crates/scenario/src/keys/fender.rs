@@ -185,7 +185,8 @@ pub(crate) static FENDER: TableSpec = TableSpec {
             Kind::Curve(&CURVE),
             Means("by `returned_energy` or the type"),
             "The unloading curve: rows of deflection and reaction, the first [0, 0], with straight lines between; \
-                  nowhere above its `curve` or `stiffness`. Coupled method only.",
+                  nowhere above its `curve` or `stiffness`. The reaction comes down to it within the first tenth of the difference in \
+                  energy, so a loop loses 4.45 % less than the area between both curves. Coupled method only.",
             &["[[0, 0], [\"0.3 m\", \"250 kN\"], [\"0.8 m\", \"600 kN\"]]"],
         ),
         key(

@@ -33,6 +33,14 @@ pub(super) static TUG: TableSpec = TableSpec {
             "The fairlead of her line, from midship.",
             &["[140, 0]"],
         ),
+        key(
+            "above_water",
+            Kind::Quantity(PLACE),
+            Is("2"),
+            "Height above the still water at which she pushes, and of the fairlead of her line: it heels and trims a vessel with \
+             `hydrodynamics`, and belongs to her. 2 m is assumed.",
+            &["\"4 m\""],
+        ),
         key("length", Kind::Quantity(LENGTH), Is("32"), "Her length.", &["\"32 m\""]),
         key("beam", Kind::Quantity(LENGTH), Is("13"), "Her beam.", &["\"13 m\""]),
         key("draught", Kind::Quantity(LENGTH), Is("4.5"), "Her draught.", &["\"4.5 m\""]),

@@ -10,6 +10,8 @@
 //! | `retardation.rs` | the retardation function, and added mass from damping |
 //! | `memory.rs` | the memory of the water as a bank of resonators |
 //! | `least_squares.rs`, `matrix.rs` | linear algebra |
+//! | `between.rs` | forces between the headings and frequencies of the data |
+//! | `resolution.rs` | the waves that the data do not resolve |
 //! | `forces.rs` | excitation, mean drift and slow drift of a sea |
 //! | `motion.rs` | the time step |
 //! | `sub_steps.rs` | when loads act, where contact takes several sub-steps |
@@ -17,6 +19,7 @@
 //!
 //! `docs/design/at_the_berth.md` has the reasons.
 
+mod between;
 mod check;
 mod data;
 mod error;
@@ -27,6 +30,7 @@ mod memory;
 mod motion;
 mod passive;
 mod place;
+mod resolution;
 mod retardation;
 mod sub_steps;
 mod waves_check;
@@ -39,6 +43,7 @@ pub(crate) use forces::{DriftSource, WaveForces, WaveLoad};
 pub use memory::Memory;
 pub use motion::{Motion, MotionState, StepLoad};
 pub(crate) use place::SlowPlace;
+pub use resolution::Unresolved;
 pub use retardation::Retardation;
 pub(crate) use sub_steps::SubSteps;
 

@@ -4,6 +4,7 @@ use fenderline_contact::{BodyState, Vec2, Wrench, vec2};
 
 use super::environment::Environment;
 use super::event::{WorldEvent, WorldEventKind};
+use super::seaway::Lever;
 use super::setup::WorldSetup;
 use super::shore::Shore;
 use crate::anchor::{
@@ -44,6 +45,8 @@ pub struct AnchorAtWork {
     pub state: AnchorState,
     /// Its forces in the last step.
     pub load: AnchorLoad,
+    /// Where its chain pulled at the ship in the last step.
+    pub(crate) lever: Lever,
 }
 
 impl AnchorSetup {
@@ -90,7 +93,7 @@ impl AnchorAtWork {
             Some(start) => AnchorState::on_bottom(start.at_m, start.chain_m),
             None => AnchorState::housed(),
         };
-        AnchorAtWork { state, load: AnchorLoad::default() }
+        AnchorAtWork { state, load: AnchorLoad::default(), lever: Lever::default() }
     }
 
     /// Checks that an order can be carried out now.
@@ -169,9 +172,10 @@ impl AnchorAtWork {
         self.load = of.gear.step(&mut self.state, &hawse, given, &mut |event| {
             events.push(WorldEvent { who: index, kind: WorldEventKind::Anchor(event) });
         });
+        self.lever = shore.lever(body, of.hawse_m, of.hawse_above_water_m);
         let [north_n, east_n, _] = self.load.on_ship_n;
         let force_n = vec2(north_n, east_n);
-        let arm_m = states[body].pose().rotation.apply(of.hawse_m);
+        let arm_m = states[body].pose().rotation.apply(self.lever.at_m);
         loads[body].force_n += force_n;
         loads[body].moment_nm += arm_m.cross(force_n);
     }

@@ -5,6 +5,7 @@ use fenderline_contact::{BodyState, Vec2, Wrench, vec2};
 
 use super::bollard::BollardSetup;
 use super::event::{WorldEvent, WorldEventKind};
+use super::seaway::Lever;
 use super::shore::Shore;
 use crate::mooring::{
     InboardEnd, InitialLength, Line, LineEnds, LineLoad, LineSetup, LineState, WinchOrder,
@@ -69,6 +70,8 @@ pub struct Mooring {
     /// When it is hauled in after it was let go (s).
     hauled_in_s: f64,
     rendering: bool,
+    /// Where it pulled at the bodies at its two ends in the last step.
+    levers: [Lever; 2],
 }
 
 /// A line on its way to a bollard.
@@ -101,6 +104,7 @@ impl Mooring {
             sent: None,
             hauled_in_s: 0.0,
             rendering: false,
+            levers: [Lever::default(); 2],
         }
     }
 
@@ -195,8 +199,10 @@ impl Mooring {
             events.push(WorldEvent { who: index, kind: WorldEventKind::LineRenders });
         }
         self.rendering = renders;
-        for (body, at_m, force_n) in setup.ends_on(self, bollards) {
-            let arm_m = states[body].pose().rotation.apply(at_m);
+        self.levers = setup.levers(end, shore);
+        for (body, lever, [north_n, east_n, _]) in setup.pulls(self, bollards) {
+            let force_n = vec2(north_n, east_n);
+            let arm_m = states[body].pose().rotation.apply(lever.at_m);
             loads[body].force_n += force_n;
             loads[body].moment_nm += arm_m.cross(force_n);
         }
@@ -204,37 +210,29 @@ impl Mooring {
 }
 
 impl MooringSetup {
-    /// The bodies at both ends, with position in the body's frame (m) and force on the body in the last step (N).
-    pub(crate) fn ends_on(
-        &self,
-        mooring: &Mooring,
-        bollards: &[BollardSetup],
-    ) -> impl Iterator<Item = (usize, Vec2, Vec2)> {
-        let LineLoad { on_ship_n, on_shore_n, .. } = mooring.load;
-        let flat = |force_n: [f64; 3]| vec2(force_n[0], force_n[1]);
-        let far = match mooring.end(self, bollards) {
-            Some(LineEnd::OnBody { body, at_m, .. }) => Some((body, at_m, flat(on_shore_n))),
-            Some(LineEnd::Fixed(_)) | None => None,
-        };
-        core::iter::once((self.ship, self.fairlead_m, flat(on_ship_n))).chain(far)
-    }
-
-    /// The bodies at both ends, with position in the body's frame and height above the water (m), and the force on the body in the
-    /// last step: north, east, up (N).
+    /// The bodies at both ends, with the lever and the force on the body in the last step: north, east, up (N).
     pub(crate) fn pulls(
         &self,
         mooring: &Mooring,
         bollards: &[BollardSetup],
-    ) -> impl Iterator<Item = (usize, Vec2, f64, [f64; 3])> {
+    ) -> impl Iterator<Item = (usize, Lever, [f64; 3])> {
         let LineLoad { on_ship_n, on_shore_n, .. } = mooring.load;
+        let [near, far] = mooring.levers;
         let far = match mooring.end(self, bollards) {
-            Some(LineEnd::OnBody { body, at_m, above_water_m }) => {
-                Some((body, at_m, above_water_m, on_shore_n))
-            }
+            Some(LineEnd::OnBody { body, .. }) => Some((body, far, on_shore_n)),
             Some(LineEnd::Fixed(_)) | None => None,
         };
-        let near = (self.ship, self.fairlead_m, self.fairlead_above_water_m, on_ship_n);
-        core::iter::once(near).chain(far)
+        core::iter::once((self.ship, near, on_ship_n)).chain(far)
+    }
+
+    /// The levers of both ends, as the bodies lie. That of a fixed end has no use.
+    fn levers(&self, end: LineEnd, shore: Shore<'_>) -> [Lever; 2] {
+        let near = shore.lever(self.ship, self.fairlead_m, self.fairlead_above_water_m);
+        let far = match end {
+            LineEnd::Fixed(_) => Lever::default(),
+            LineEnd::OnBody { body, at_m, above_water_m } => shore.lever(body, at_m, above_water_m),
+        };
+        [near, far]
     }
 
     /// Positions of both ends. Heave, roll and pitch are those of vessels with hydrodynamic data; others are taken as upright.

@@ -27,12 +27,12 @@ mod vessel;
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use fenderline_contact::{BodyState, Contact, Rotation, Wrench};
+use fenderline_contact::{BodyState, Contact, Rotation, Wrench, vec2};
 
 use self::azimuth_pilot::Stream;
 pub(crate) use self::backup::WorldBackup;
 use self::pilot::{Abilities, PilotWork};
-use self::seaway::{Afloat, Seaway};
+use self::seaway::{Afloat, Given, Lever, Seaway};
 pub(crate) use self::shore::Shore;
 use crate::anchor::AnchorEvent;
 use crate::attitude::AttitudeLoad;
@@ -333,32 +333,38 @@ impl World {
             let (vessel, own) = (&setup.vessels[index], &mut self.vessels[index]);
             let Some(float) = &vessel.float else { continue };
             let (body, forces) = (&states[vessel.body], &mut self.forces[index]);
-            let mut upright = vessel.attitude_load(forces, float);
+            let Some(afloat) = &self.afloat[vessel.body] else { continue };
+            let upright = AttitudeLoad::default();
+            let mut given = Given { load: &loads[vessel.body], upright, moved_nm: 0.0 };
+            given.add_own(afloat, vessel.forces_by_height(forces, float));
             for &line in &self.order.lines {
                 let (of, mooring) = (&setup.lines[line], &self.lines[line]);
-                for (body_of, at_m, above_m, force_n) in of.pulls(mooring, &setup.bollards) {
+                for (body_of, lever, force_n) in of.pulls(mooring, &setup.bollards) {
                     if body_of == vessel.body {
-                        let above_gravity_m = above_m - float.gravity_above_water_m;
-                        let place = (at_m, above_gravity_m);
-                        seaway::add_line(&mut upright, body.heading_rad, place, force_n);
+                        given.add_force(body.heading_rad, lever, force_n);
                     }
                 }
             }
             for &anchor in &self.order.anchors {
-                let of = &setup.anchors[anchor];
-                if of.vessel == index {
-                    let above_gravity_m = of.hawse_above_water_m - float.gravity_above_water_m;
-                    let force_n = self.anchors[anchor].load.on_ship_n;
-                    let place = (of.hawse_m, above_gravity_m);
-                    seaway::add_line(&mut upright, body.heading_rad, place, force_n);
+                if setup.anchors[anchor].vessel == index {
+                    let AnchorAtWork { load, lever, .. } = &self.anchors[anchor];
+                    given.add_force(body.heading_rad, *lever, load.on_ship_n);
                 }
             }
-            let stream_mps = self.water_inertia[index].current_mps;
-            let load = &mut loads[vessel.body];
-            let given = (&*load, &upright, stream_mps);
+            let ahead_m = vessel.ship.particulars.centre_of_gravity_m;
+            for &tug in &self.order.tugs {
+                let (of, at_work) = (&setup.tugs[tug], &self.tugs[tug]);
+                if of.vessel == index {
+                    let at_m = at_work.at_m - vec2(ahead_m, 0.0);
+                    let lever = afloat.lever(at_m, of.above_water_m);
+                    let Force { surge_n, sway_n, .. } = at_work.force;
+                    given.add_at(at_m, lever, vec2(surge_n, sway_n));
+                }
+            }
+            let given = (&given, self.water_inertia[index].current_mps);
             let sub_steps = SubSteps::of(step_s, lags_s[vessel.body]);
             let times = (t_s, acts_s, sub_steps);
-            *load = seaway.load((vessel, own, forces), body, given, times);
+            loads[vessel.body] = seaway.load((vessel, own, forces), body, given, times);
         }
     }
 
@@ -531,25 +537,34 @@ impl World {
                     _ => continue,
                 };
                 // Fenders act at their height, outlines at the waterline.
-                let height_m = contact
-                    .fender
-                    .map_or(0.0, |id| shore.fender_above_water_m(&fenders[id.0 as usize]));
+                let fender = contact.fender.map(|id| &fenders[id.0 as usize]);
+                let height_m = fender.map_or(0.0, |fender| shore.fender_at_work_m(fender));
                 let own = attitude.apply_inverse(contact.force_on_body_1_n() * sign);
-                // Squat lowers her centre of gravity, but not the fender.
-                let gravity_m = float.gravity_above_water_m - self.vessels[index].squat_m;
+                // Squat and heave lower her centre of gravity, but not the fender of another body.
+                let afloat = self.afloat.get(vessel.body).copied().flatten();
+                let sunk_m =
+                    self.vessels[index].squat_m + afloat.map_or(0.0, |afloat| afloat.heave_m());
+                let gravity_m = float.gravity_above_water_m - sunk_m;
                 let Some(touch) = touches.get(index_of_contact).copied().flatten() else {
                     load.add(own.x, own.y, height_m - gravity_m);
                     continue;
                 };
                 // A side that leans out over the fender is pushed up, and the fender's own body down.
                 let up_n = contact.normal_force_n * touch.slope;
-                if contact.fender.is_some_and(|id| fenders[id.0 as usize].body == vessel.body) {
+                if fender.is_some_and(|fender| fender.body == vessel.body) {
                     load.add(own.x, own.y, height_m - gravity_m);
                     load.add_upward(-up_n, place_m(contact, vessel.body, state));
                 } else {
-                    let keel_m = -float.draught_m;
-                    load.add(own.x, own.y, touch.height_m + keel_m - float.gravity_above_water_m);
-                    load.add_upward(up_n, touch.place_m);
+                    let above_water_m = touch.height_m - float.draught_m;
+                    let lever = match afloat {
+                        Some(afloat) => afloat.lever(touch.place_m, above_water_m),
+                        None => Lever {
+                            at_m: touch.place_m,
+                            above_gravity_m: above_water_m - float.gravity_above_water_m,
+                        },
+                    };
+                    load.add(own.x, own.y, lever.above_gravity_m);
+                    load.add_upward(up_n, lever.at_m);
                 }
             }
             let state = &mut self.vessels[index];

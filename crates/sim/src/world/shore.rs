@@ -2,7 +2,7 @@
 
 use fenderline_contact::Vec2;
 
-use super::seaway::Afloat;
+use super::seaway::{Afloat, Lever};
 use crate::fender::FenderSetup;
 
 /// The fixed bodies and the water level.
@@ -29,6 +29,23 @@ impl Shore<'_> {
             Some(afloat) => afloat.place(at_m, height_m),
             None => (at_m, self.above_water_m(body, height_m)),
         }
+    }
+
+    /// The lever about the centre of gravity of a point of a body. On a body that does not feel heave, roll and pitch it is the place
+    /// alone.
+    pub(crate) fn lever(&self, body: usize, at_m: Vec2, height_m: f64) -> Lever {
+        match self.afloat.get(body).copied().flatten() {
+            Some(afloat) => afloat.lever(at_m, height_m),
+            None => Lever { at_m, above_gravity_m: 0.0 },
+        }
+    }
+
+    /// Height above the water (m) of the middle of the face of a fender that heaves, rolls and pitches with its body.
+    pub(crate) fn fender_at_work_m(&self, fender: &FenderSetup) -> f64 {
+        let upright_m = self.fender_above_water_m(fender);
+        let afloat =
+            if fender.floating { None } else { self.afloat.get(fender.body).copied().flatten() };
+        upright_m - afloat.map_or(0.0, |afloat| afloat.sinkage_m(fender.position_m))
     }
 
     /// Height of the middle of a fender's face above the water (m).

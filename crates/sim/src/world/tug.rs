@@ -18,6 +18,9 @@ pub struct TugSetup {
     pub vessel: usize,
     /// The tug.
     pub tug: VectorTug,
+    /// Height above the still water at which she pushes, and of the fairlead of her line (m). It heels and trims a vessel with
+    /// hydrodynamic data.
+    pub above_water_m: f64,
 }
 
 /// The state of a vector tug: plain data.

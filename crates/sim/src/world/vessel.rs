@@ -608,6 +608,19 @@ impl VesselSetup {
     /// centroid of her lateral area.
     pub(crate) fn attitude_load(&self, forces: &VesselForces, float: &Float) -> AttitudeLoad {
         let mut load = AttitudeLoad::default();
+        for (part, above_gravity_m) in self.forces_by_height(forces, float) {
+            load.add(part.surge_n, part.sway_n, above_gravity_m);
+        }
+        load
+    }
+
+    /// Her own forces, each with its height above the centre of gravity (m): those of hull and appendages at half the draught, that of
+    /// the bottom at the keel, that of the wind at the height of the centroid of her lateral area.
+    pub(crate) fn forces_by_height(
+        &self,
+        forces: &VesselForces,
+        float: &Float,
+    ) -> impl Iterator<Item = (Force, f64)> {
         let gravity_m = float.gravity_above_water_m;
         let water_m = -0.5 * float.draught_m - gravity_m;
         let below = [
@@ -619,12 +632,10 @@ impl VesselSetup {
             forces.banks,
             forces.passing,
         ];
-        for part in below {
-            load.add(part.surge_n, part.sway_n, water_m);
-        }
         let air_m = self.windage.as_ref().map_or(0.0, |w| w.centroid_height_m) - gravity_m;
-        load.add(forces.wind.surge_n, forces.wind.sway_n, air_m);
-        load
+        let keel_m = -float.draught_m - gravity_m;
+        let ends = [(forces.bottom, keel_m), (forces.wind, air_m)];
+        below.into_iter().map(move |part| (part, water_m)).chain(ends)
     }
 }
 

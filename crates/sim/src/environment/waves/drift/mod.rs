@@ -73,6 +73,24 @@ impl DriftHull {
         self.sum(&reflected, number_radpm, direction_rad)
     }
 
+    /// [`DriftHull::coefficients`] at several directions, for any wave number: what does not depend on it is found once.
+    pub(crate) fn at_directions(
+        &self,
+        directions_rad: impl Iterator<Item = f64>,
+    ) -> impl Fn(f64) -> Vec<[f64; 3]> {
+        let hull = *self;
+        let waterline = Waterline::of(self);
+        let reflected: Vec<(f64, [f64; 3])> = directions_rad
+            .map(|direction_rad| (direction_rad, waterline.reflection(direction_rad)))
+            .collect();
+        move |number_radpm| {
+            let of = |(direction_rad, reflected): &(f64, [f64; 3])| {
+                hull.sum(reflected, number_radpm, *direction_rad)
+            };
+            reflected.iter().map(of).collect()
+        }
+    }
+
     /// Sum of reflection, with its draught factor, and motion. Surge and sway have different draught factors: see [`depth`].
     fn sum(&self, reflected: &[f64; 3], number_radpm: f64, direction_rad: f64) -> [f64; 3] {
         let along = depth::along(self, number_radpm);

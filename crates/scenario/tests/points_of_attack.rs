@@ -1,0 +1,249 @@
+//! A barge with hydrodynamic data held by forces whose points of attack move with her: her roll in beam waves against a linear solve whose stiffness
+//! is the derivative of the exact forces and levers in six degrees of freedom.
+
+#![allow(clippy::disallowed_methods, reason = "expected values may use std")]
+#![allow(clippy::needless_range_loop, reason = "matrices by index read as their equations")]
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+use std::fs;
+use std::path::Path;
+
+use fenderline_scenario::Scenario;
+use fenderline_sim::Simulation;
+use fenderline_sim::seakeeping::Motion;
+
+const BARGE: &str = r#"
+[time]
+step = "0.1 s"
+duration = "20 min"
+
+[environment]
+depth = "20 m"
+squat = "none"
+waves = WAVES
+
+[vessel.barge]
+length_bp = "80 m"
+beam = "20 m"
+draught = "5 m"
+block_coefficient = 1.0
+gyradius = "20 m"
+hydrodynamics = "barge_20m.hydro"
+roll_damping = 0.05
+
+[body.barge]
+vessel = "barge"
+outline = [[-40, -10], [40, -10], [40, 10], [-40, 10]]
+position = [0, 0]
+
+"#;
+/// Four ropes of nylon abeam, square to the hull, from 5 m above the water at her corners.
+const PIERS: &str = r#"
+[body.piers]
+fixed = true
+outline = [[-1, -1], [1, -1], [1, 1], [-1, 1]]
+position = [0, 200]
+
+"#;
+const SEVERAL: [f64; 6] = [0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
+
+fn scenario(omega_radps: f64, held: &str) -> Scenario {
+    let waves = format!(
+        "{{ height = 1e-4, period = {}, from = \"270 deg\", regular = true }}",
+        TAU / omega_radps
+    );
+    let text = BARGE.replace("WAVES", &waves) + held;
+    let mut files = |name: &str| {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../hydrodynamics").join(name);
+        Ok(fs::read_to_string(path).expect("a file of the repository"))
+    };
+    Scenario::parse_among(&text, "held.toml", &[], &mut files)
+        .unwrap_or_else(|error| panic!("{error}"))
+}
+
+type Six = [f64; 6];
+
+/// A point of the ship (forward, to starboard, up of her centre of gravity) after a motion: surge, sway, heave down, roll, pitch and yaw, with
+/// exact rotations. Forward, to starboard, down.
+fn moved([x, y, up]: [f64; 3], motion: &Six) -> [f64; 3] {
+    let z = -up;
+    let [roll, pitch, yaw] = [motion[3], motion[4], motion[5]];
+    let (y, z) = (y * roll.cos() - z * roll.sin(), y * roll.sin() + z * roll.cos());
+    let (x, z) = (x * pitch.cos() + z * pitch.sin(), z * pitch.cos() - x * pitch.sin());
+    let (x, y) = (x * yaw.cos() - y * yaw.sin(), x * yaw.sin() + y * yaw.cos());
+    [x + motion[0], y + motion[1], z + motion[2]]
+}
+
+/// Adds a force at a place to a load about the centre of gravity after a motion.
+fn add(load: &mut Six, place: [f64; 3], force: [f64; 3], motion: &Six) {
+    let [x, y, z] = [place[0] - motion[0], place[1] - motion[1], place[2] - motion[2]];
+    let [fx, fy, fz] = force;
+    let all = [fx, fy, fz, y * fz - z * fy, z * fx - x * fz, x * fy - y * fx];
+    for (sum, part) in load.iter_mut().zip(all) {
+        *sum += part;
+    }
+}
+
+/// −dF/dξ by central differences.
+fn stiffness(of: impl Fn(&Six) -> Six) -> [Six; 6] {
+    let mut matrix = [[0.0; 6]; 6];
+    for column in 0..6 {
+        let by = 1e-5;
+        let mut motion = [0.0; 6];
+        motion[column] = by;
+        let after = of(&motion);
+        motion[column] = -by;
+        let before = of(&motion);
+        for row in 0..6 {
+            matrix[row][column] = -(after[row] - before[row]) / (2.0 * by);
+        }
+    }
+    matrix
+}
+
+/// Solves a complex system, as real pairs.
+fn solve(matrix: [[(f64, f64); 6]; 6], right: [(f64, f64); 6]) -> [(f64, f64); 6] {
+    let mut a = [[0.0; 13]; 12];
+    for i in 0..6 {
+        for j in 0..6 {
+            let (re, im) = matrix[i][j];
+            (a[i][j], a[i][j + 6], a[i + 6][j], a[i + 6][j + 6]) = (re, -im, im, re);
+        }
+        (a[i][12], a[i + 6][12]) = right[i];
+    }
+    for column in 0..12 {
+        let pivot = (column..12).max_by(|&i, &j| a[i][column].abs().total_cmp(&a[j][column].abs()));
+        a.swap(column, pivot.expect("a row"));
+        for row in 0..12 {
+            if row != column {
+                let factor = a[row][column] / a[column][column];
+                for k in column..13 {
+                    a[row][k] -= factor * a[column][k];
+                }
+            }
+        }
+    }
+    std::array::from_fn(|i| (a[i][12] / a[i][i], a[i + 6][12] / a[i + 6][i + 6]))
+}
+
+/// Amplitude of roll over that of the wave by the linear solve.
+fn roll_by_solve(scenario: &Scenario, w: f64, held: &[Six; 6]) -> f64 {
+    let ship = scenario.setup.world.vessels[0].seakeeping.as_ref().expect("data");
+    let data = &ship.data;
+    let (_, added, damping) =
+        data.radiation().find(|(at, ..)| (at - w).abs() < 1e-9).expect("a frequency of the data");
+    let motion = Motion::new(ship, 0.1);
+    let critical = 2.0 * (data.restoring()[3][3] * motion.mass()[3][3]).sqrt();
+    let matrix = std::array::from_fn(|i| {
+        std::array::from_fn(|j| {
+            let inert = -w * w * (data.rigid_mass()[i][j] + added[i][j]);
+            let viscous = if i == 3 && j == 3 { ship.roll_damping * critical } else { 0.0 };
+            (inert + data.restoring()[i][j] + held[i][j], w * (damping[i][j] + viscous))
+        })
+    });
+    let force = data.excitation_towards(w, FRAC_PI_2).map(|part| (part.re, part.im));
+    let (re, im) = solve(matrix, force)[3];
+    re.hypot(im)
+}
+
+/// The same by the program: a sine beside a parabola through ten minutes.
+fn roll_by_run(scenario: Scenario, w: f64) -> f64 {
+    let mut simulation = Simulation::new(scenario.setup).expect("a good set-up");
+    let mut a = [[0.0; 6]; 5];
+    while simulation.time_s() < 900.0 {
+        let record = simulation.step().expect("a good step");
+        let roll = record.vessels[0].attitude.roll.value / 0.5e-4;
+        let t = simulation.time_s();
+        if t < 400.0 {
+            continue;
+        }
+        let s = (t - 650.0) / 250.0;
+        let basis = [1.0, s, s * s, (w * t).cos(), (w * t).sin(), roll];
+        for i in 0..5 {
+            for j in 0..6 {
+                a[i][j] += basis[i] * basis[j];
+            }
+        }
+    }
+    for column in 0..5 {
+        let pivot = a[column];
+        for (row, line) in a.iter_mut().enumerate() {
+            if row != column {
+                let factor = line[column] / pivot[column];
+                for (value, own) in line.iter_mut().zip(pivot) {
+                    *value -= factor * own;
+                }
+            }
+        }
+    }
+    f64::hypot(a[3][5] / a[3][3], a[4][5] / a[4][4])
+}
+
+fn compare(what: &str, held: &str, force: impl Fn(&Six) -> Six) {
+    let stiffness = stiffness(force);
+    for w in SEVERAL {
+        let wanted = roll_by_solve(&scenario(w, held), w, &stiffness);
+        let found = roll_by_run(scenario(w, held), w);
+        let off = found / wanted - 1.0;
+        println!("{what}, {w} rad/s: roll {found:.5} rad/m, {wanted:.5} by the solve, {off:+.4}");
+        assert!(off.abs() < 0.01, "{what}, {w} rad/s: {found} {wanted}");
+    }
+}
+
+/// Their pull turns her upright: T y of each line is a tenth of her own restoring in all.
+#[test]
+fn a_barge_on_four_taut_lines_rolls_as_the_linear_solve_says() {
+    let (tension_n, span_m) = (800e3, 60.0);
+    let mut held = PIERS.to_owned();
+    for (name, x, y) in [("a", 35, 10), ("b", -35, 10), ("c", 35, -10), ("d", -35, -10)] {
+        let bollard_y = if y > 0 { 70 } else { -70 } - 200;
+        held += &format!(
+            "[line.{name}]\nfrom = \"barge\"\nfairlead = [{x}, {y}]\nfairlead_height = \"5 m\"\nto = \"piers\"\n\
+             bollard = [{x}, {bollard_y}]\nbollard_height = \"5 m\"\nrope = \"nylon\"\nbreak_load = \"4000 kN\"\n\
+             pretension = \"800 kN\"\n\n"
+        );
+    }
+    // Nylon: 15 % at half of the break load.
+    let axial_n = 4000e3 * 0.5 / 0.15;
+    let length_m = span_m / (1.0 + tension_n / axial_n);
+    compare("four lines", &held, |motion| {
+        let mut load = [0.0; 6];
+        for (x, y) in [(35.0, 10.0), (-35.0, 10.0), (35.0, -10.0), (-35.0, -10.0_f64)] {
+            let place = moved([x, y, 5.0], motion);
+            let bollard = [x, 70.0_f64.copysign(y), -5.0];
+            let d: [f64; 3] = std::array::from_fn(|k| bollard[k] - place[k]);
+            let stretched_m = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt();
+            let pull_n = axial_n * (stretched_m / length_m - 1.0);
+            add(&mut load, place, d.map(|part| pull_n * part / stretched_m), motion);
+        }
+        load
+    });
+}
+
+/// A tug that pulls outwards from a fairlead 8 m above the water, against a steady load at the centre of gravity.
+#[test]
+fn a_barge_with_a_tug_on_a_line_rolls_as_the_linear_solve_says() {
+    let held = r#"
+[tug.puller]
+vessel = "barge"
+bollard_pull = "3000 kN"
+push_at = [0, 10]
+above_water = "8 m"
+delay = 0
+lag = 0
+
+[[order]]
+tug = "puller"
+pull = "2500 kN"
+direction = "90 deg"
+
+[[load]]
+body = "barge"
+force = ["0 kN", "-2500 kN"]
+"#;
+    compare("a tug", held, |motion| {
+        let mut load = [0.0; 6];
+        add(&mut load, moved([0.0, 10.0, 8.0], motion), [0.0, 2500e3, 0.0], motion);
+        load
+    });
+}

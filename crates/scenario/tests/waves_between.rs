@@ -1,0 +1,175 @@
+//! Free hulls in waves between the headings and frequencies of the shipped data, against panel runs at the very heading and frequency.
+//!
+//! `python3 validation/independent/waves_between.py` makes the table.
+
+#![allow(clippy::disallowed_methods, reason = "expected values may use std")]
+#![allow(clippy::needless_range_loop, reason = "matrices by index read as their equations")]
+
+use std::f64::consts::TAU;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use fenderline_scenario::Scenario;
+use fenderline_sim::Simulation;
+
+/// What counts: motions above this share of the wave's amplitude, rotations by the way of a side, bow or stern.
+const FELT: f64 = 0.02;
+/// The largest vector error over the amplitude.
+const TOLERANCE: f64 = 0.02;
+/// Sway, roll and yaw are not compared in open water for waves this near the ship's axis (deg): from dead ahead or astern there are none, and what a panel
+/// run has there is the noise of a lid that is not quite alike to both sides (1.1e4 N m of roll from astern where 10 degrees have 1.2e7).
+const ALONG: f64 = 2.0;
+
+const BARGE: &str = r#"
+[vessel.free]
+length_bp = "80 m"
+beam = "20 m"
+draught = "5 m"
+block_coefficient = 1.0
+gyradius = "20 m"
+"#;
+const SHIP: &str = r#"
+[vessel.free]
+from = "container-ship"
+"#;
+
+fn repository() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// A row of the table.
+struct Row {
+    data: String,
+    omega_radps: f64,
+    heading_deg: f64,
+    motions: [(f64, f64); 6],
+}
+
+fn table() -> Vec<Row> {
+    let path = repository().join("validation/independent/waves_between.csv");
+    let text = fs::read_to_string(path).expect("a file of the repository");
+    let row = |line: &str| {
+        let cells: Vec<&str> = line.split(',').collect();
+        let number = |k: usize| cells[k].parse::<f64>().expect("a number");
+        Row {
+            data: cells[0].to_owned(),
+            omega_radps: number(1),
+            heading_deg: number(2),
+            motions: std::array::from_fn(|k| (number(3 + 2 * k), number(4 + 2 * k))),
+        }
+    };
+    text.lines().skip(1).map(row).collect()
+}
+
+fn simulation(row: &Row) -> Simulation {
+    let (kind, rest) = row.data.split_once('_').expect("hull and depth");
+    let depth = rest.split('_').next().expect("a depth").trim_end_matches('m');
+    let vessel = if kind == "barge" { BARGE } else { SHIP };
+    let text = format!(
+        "[time]\nstep = \"0.2 s\"\nduration = \"20 min\"\n[environment]\ndepth = \"{depth} m\"\nsquat = \"none\"\n\
+         waves = {{ height = 1e-4, period = {}, from = \"{} deg\", regular = true }}\n{vessel}\
+         hydrodynamics = \"{}.hydro\"\nroll_damping = 0.05\n[body.free]\nvessel = \"free\"\n\
+         outline = [[-40, -10], [40, -10], [40, 10], [-40, 10]]\nposition = [0, 0]\n",
+        TAU / row.omega_radps,
+        row.heading_deg + 180.0,
+        row.data,
+    );
+    let mut files = |name: &str| {
+        let path = repository().join("hydrodynamics").join(name);
+        Ok(fs::read_to_string(path).expect("a file of the repository"))
+    };
+    let scenario = Scenario::parse_among(&text, "free.toml", &[], &mut files);
+    Simulation::new(scenario.unwrap_or_else(|error| panic!("{error}")).setup)
+        .expect("a good set-up")
+}
+
+/// Complex amplitude at a frequency of a record, beside a parabola: least squares by normal equations.
+fn harmonic(record: &[(f64, f64)], w: f64) -> (f64, f64) {
+    let middle = record[record.len() / 2].0;
+    let mut a = [[0.0; 6]; 5];
+    for &(t, y) in record {
+        let s = (t - middle) / 100.0;
+        let basis = [1.0, s, s * s, (w * t).cos(), -(w * t).sin(), y];
+        for i in 0..5 {
+            for j in 0..6 {
+                a[i][j] += basis[i] * basis[j];
+            }
+        }
+    }
+    for column in 0..5 {
+        let pivot = a[column];
+        for (row, line) in a.iter_mut().enumerate() {
+            if row != column {
+                let factor = line[column] / pivot[column];
+                for (value, own) in line.iter_mut().zip(pivot) {
+                    *value -= factor * own;
+                }
+            }
+        }
+    }
+    (a[3][5] / a[3][3], a[4][5] / a[4][4])
+}
+
+/// Amplitudes of the six motions over that of the wave, as the program moves her.
+fn found(row: &Row) -> [(f64, f64); 6] {
+    let mut simulation = simulation(row);
+    let mut records: [Vec<(f64, f64)>; 6] = Default::default();
+    while simulation.time_s() < 600.0 {
+        let record = simulation.step().expect("a good step");
+        let (body, attitude) = (record.states_after[0], record.vessels[0].attitude);
+        let motion = [
+            body.position_m.x,
+            body.position_m.y,
+            attitude.heave.value,
+            attitude.roll.value,
+            attitude.pitch.value,
+            body.heading_rad,
+        ];
+        let t_s = simulation.time_s();
+        if t_s > 300.0 {
+            for (record, value) in records.iter_mut().zip(motion) {
+                record.push((t_s, value / 0.5e-4));
+            }
+        }
+    }
+    records.map(|record| harmonic(&record, row.omega_radps))
+}
+
+/// The largest vector error of the motions that count; what is wrong is printed.
+fn worst(row: &Row) -> f64 {
+    let (side_m, end_m) = if row.data.starts_with("barge") { (10.0, 40.0) } else { (23.0, 142.5) };
+    let arms = [1.0, 1.0, 1.0, side_m, end_m, end_m];
+    let found = found(row);
+    let mut worst: f64 = 0.0;
+    for (k, name) in ["surge", "sway", "heave", "roll", "pitch", "yaw"].iter().enumerate() {
+        let (wanted, own) = (row.motions[k], found[k]);
+        let size = f64::hypot(wanted.0, wanted.1);
+        let off = f64::hypot(own.0 - wanted.0, own.1 - wanted.1);
+        let is_along = row.heading_deg.to_radians().sin().abs() < ALONG.to_radians().sin();
+        let is_noise = is_along && !row.data.ends_with("quay") && [1, 3, 5].contains(&k);
+        if is_noise || size * arms[k] <= FELT {
+            continue;
+        }
+        worst = worst.max(off / size);
+        if off > TOLERANCE * size {
+            println!(
+                "{} {} rad/s {}°: {name} {own:?}, panels {wanted:?}: {:.1} %, of {:.3} of the wave",
+                row.data,
+                row.omega_radps,
+                row.heading_deg,
+                100.0 * off / size,
+                size * arms[k]
+            );
+        }
+    }
+    worst
+}
+
+/// Every row: 25 runs take two seconds.
+#[test]
+fn hulls_move_between_the_headings_and_frequencies_of_the_data_as_panel_runs_say() {
+    let all: Vec<f64> = table().iter().map(worst).collect();
+    let bad = all.iter().filter(|off| **off > TOLERANCE).count();
+    println!("{} rows, the worst {:.4}", all.len(), all.iter().fold(0.0, |a: f64, b| a.max(*b)));
+    assert_eq!(bad, 0, "rows above {TOLERANCE}");
+}

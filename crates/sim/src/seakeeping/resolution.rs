@@ -1,0 +1,102 @@
+//! The waves of a sea that hydrodynamic data do not resolve: their headings or frequencies are too far apart for them, or end before them.
+//!
+//! The force in a wave has phases of ±½kL at bow and stern. From one heading to the next they turn by up to ½kLΔμ, from one frequency to the
+//! next by ½LΔk. `super::between` follows them up to kLΔμ = 4 and LΔk = 2.5; data with headings all round may be those at a wall, whose image makes
+//! the hull wider, and are followed up to kLΔμ = 3. Free motions of the ship in 20 m of water, and of the barge at a quay, begin to differ from panel runs at
+//! the very heading by more than 2 % at kLΔμ of 4.1 and 3.1, with headings thinned to every 12 degrees.
+
+use fenderline_contact::number::greater;
+
+use super::between::widest_step;
+use super::data::Hydrodynamics;
+use crate::environment::waves::Sea;
+
+/// The largest kLΔμ that is resolved: with headings from 0 to 180 degrees, and all round.
+const HEADINGS: [f64; 2] = [4.0, 3.0];
+/// The largest LΔk that is resolved.
+const FREQUENCIES: f64 = 2.5;
+
+/// Shares of a sea's energy, from 0 to 1, in waves that data do not resolve.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Unresolved {
+    /// In waves within the frequencies, for which the headings are too far apart.
+    pub by_headings: f64,
+    /// In waves for which the headings are fine enough and the frequencies are too far apart.
+    pub by_frequencies: f64,
+    /// In waves longer than that of the first frequency or shorter than that of the last.
+    pub beyond: f64,
+}
+
+impl Unresolved {
+    /// The share in all of them.
+    #[must_use]
+    pub fn sum(&self) -> f64 {
+        self.by_headings + self.by_frequencies + self.beyond
+    }
+}
+
+impl Hydrodynamics {
+    /// The shares of a sea's energy that the data do not resolve for a ship of a length (m).
+    #[must_use]
+    pub fn unresolved(&self, sea: &Sea, length_m: f64) -> Unresolved {
+        let most_radpm = self.resolved_number_radpm(length_m);
+        let axis = &self.wave_frequencies_radps;
+        let last = axis.len() - 1;
+        let mut of = Unresolved::default();
+        let mut all = 0.0;
+        for wave in sea.components() {
+            let w = wave.frequency_radps;
+            let energy = wave.amplitude_m * wave.amplitude_m;
+            all += energy;
+            if w < axis[0] || w > axis[last] {
+                of.beyond += energy;
+                continue;
+            }
+            let above = axis.partition_point(|at| *at <= w).clamp(1, last);
+            let number_step = self.wave_number(axis[above]) - self.wave_number(axis[above - 1]);
+            if self.wave_number(w) > most_radpm {
+                of.by_headings += energy;
+            } else if axis[above - 1] != w && number_step * length_m > FREQUENCIES {
+                of.by_frequencies += energy;
+            }
+        }
+        let scale = if all > 0.0 { 1.0 / all } else { 0.0 };
+        Unresolved {
+            by_headings: of.by_headings * scale,
+            by_frequencies: of.by_frequencies * scale,
+            beyond: of.beyond * scale,
+        }
+    }
+
+    /// The widest step of the headings (rad).
+    #[must_use]
+    pub fn widest_heading_step_rad(&self) -> f64 {
+        widest_step(&self.headings_rad, self.is_mirrored)
+    }
+
+    /// The largest k for which the headings are fine enough (rad/m).
+    fn resolved_number_radpm(&self, length_m: f64) -> f64 {
+        let most = if self.is_mirrored { HEADINGS[0] } else { HEADINGS[1] };
+        most / (length_m * self.widest_heading_step_rad())
+    }
+
+    /// The shortest wave whose headings are fine enough for a ship of a length (m): its frequency (rad/s), at most the last of the data.
+    #[must_use]
+    pub fn resolved_to_radps(&self, length_m: f64) -> f64 {
+        let most = self.resolved_number_radpm(length_m);
+        let (mut low, mut high) =
+            (0.0, self.wave_frequencies_radps.iter().copied().fold(0.0, greater));
+        if self.wave_number(high) <= most {
+            return high;
+        }
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if self.wave_number(middle) <= most {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        low
+    }
+}
