@@ -13,9 +13,10 @@ Mean drift is by the momentum far away (Kochin functions), of the ship who float
 At a wall the momentum far away is that of hull and wall, so there is none.
 """
 
-import importlib.util
+import importlib
 import sys
 import time
+import types
 from pathlib import Path
 
 import capytaine as cpt
@@ -232,12 +233,11 @@ def drift(results, data, size, volume):
 
 def converters():
     """`fenderline.hydrodynamics`, without the compiled part of the package."""
-    path = ROOT / "crates/python/python/fenderline/hydrodynamics.py"
-    spec = importlib.util.spec_from_file_location("hydrodynamics", path)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules["hydrodynamics"] = module
-    spec.loader.exec_module(module)
-    return module
+    if "fenderline" not in sys.modules:
+        package = types.ModuleType("fenderline")
+        package.__path__ = [str(ROOT / "crates/python/python/fenderline")]
+        sys.modules["fenderline"] = package
+    return importlib.import_module("fenderline.hydrodynamics")
 
 
 def solve(name, omegas, headings, drifts=True):

@@ -5,7 +5,7 @@
 - :func:`run_many`: thousands of variants on all cores; :class:`Fleet`: many simulations in lockstep.
 - :mod:`fenderline.campaign`: runs with values drawn from distributions, on one machine or many.
 - :mod:`fenderline.plot`: figures of results.
-- :mod:`fenderline.hydrodynamics`: hydrodynamic data of Capytaine, WAMIT and Nemoh for ships in waves.
+- :mod:`fenderline.hydrodynamics`: hydrodynamic data of Capytaine, WAMIT, HAMS, Nemoh and AQWA for ships in waves.
 - :mod:`fenderline.docking`: a Gymnasium environment, ``fenderline/Docking-v0``; :mod:`fenderline.tugs`: two tugs, for PettingZoo.
 
 Lengths are in metres, angles in radians, forces in newtons, times in seconds. x points north, y east, headings are
