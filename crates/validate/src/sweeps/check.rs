@@ -1,6 +1,7 @@
 //! The one place that judges sweeps: continuity, mirror image, laws, growth, references.
 
 use fenderline_contact::number::{greater, lesser};
+use fenderline_report::plot::plain;
 
 use super::reference::{Is, Reference, References};
 use super::sweep::{Curve, Function, Law, Sweep};
@@ -136,10 +137,12 @@ fn judge_curve(
         let of_all = margins.iter().map(|m| m.abs()).fold(0.0, greater);
         let (worst, at) = least([xs, &margins]);
         let holds = worst >= -greater(1e-9, curve.noise) * greater(of_all, 1e-3 * largest);
-        let by = if of_all > 0.0 { 100.0 * worst.abs() / of_all } else { 0.0 };
         let found = match holds {
             true => "holds".to_owned(),
-            false => format!("broken by {by:.2} % of the greatest margin"),
+            false => {
+                let (by, value) = (plain(worst.abs(), 3), plain((curve.at)(at), 3));
+                format!("BROKEN by {by} where the value is {value}")
+            }
         };
         add(says, holds, found, at);
     }

@@ -5,6 +5,9 @@ use fenderline_report::plot::{Axis, Chart, Point, Series};
 use super::Swept;
 use super::check::Compared;
 
+/// Narrower bands are not drawn: between marks far apart they would be a stroke beside the curve.
+const DRAWN_BAND: f64 = 0.05;
+
 /// Of the sampled places, every second one is drawn.
 const EVERY: usize = 2;
 
@@ -12,7 +15,7 @@ const EVERY: usize = 2;
 pub(super) fn chart(swept: &Swept) -> Chart {
     let Swept { sweep, judged } = swept;
     let mut series: Vec<Series> = Vec::new();
-    for compared in &judged.compared {
+    for compared in judged.compared.iter().filter(|compared| compared.band >= DRAWN_BAND) {
         series.push(band(compared).styled(style_of(swept, &compared.curve)));
     }
     for (index, (curve, values)) in sweep.curves.iter().zip(&judged.values).enumerate() {
@@ -21,19 +24,23 @@ pub(super) fn chart(swept: &Swept) -> Chart {
         series.push(Series::line(&curve.name, points.collect()).styled(index));
     }
     let mut next = sweep.curves.len();
-    for compared in &judged.compared {
+    for (index, compared) in judged.compared.iter().enumerate() {
+        let is_another = |before: &Compared| before.curve == compared.curve && !before.is_line;
+        let has_another = judged.compared[..index].iter().any(is_another);
         let name = match sweep.curves.len() {
             1 => compared.short.clone(),
             _ => format!("{}: {}", compared.curve, compared.short),
         };
         let points = compared.points.iter().map(|&[x, y, _]| Point { x, y }).collect();
-        series.push(match compared.is_line {
-            true => {
-                next += 1;
-                Series::line(&name, points).styled(next - 1)
-            }
-            false => Series::marks(&name, points).styled(style_of(swept, &compared.curve)),
-        });
+        // The first marks of a curve have its colour, others their own.
+        let style = if compared.is_line || has_another {
+            next += 1;
+            next - 1
+        } else {
+            style_of(swept, &compared.curve)
+        };
+        let drawn = if compared.is_line { Series::line } else { Series::marks };
+        series.push(drawn(&name, points).styled(style));
     }
     let [label, unit] = sweep.value;
     Chart {

@@ -87,7 +87,8 @@ impl Sweeps {
         let named = references.iter().map(|reference| &reference.sweep);
         let unknown = named.chain(none.iter().map(|none| &none.sweep));
         let unknown = unknown.filter(|key| found(key).is_none());
-        let unknown = unknown.map(|key| format!("validation/sweeps.toml: no sweep is called {key}"));
+        let unknown =
+            unknown.map(|key| format!("validation/sweeps.toml: no sweep is called {key}"));
         let idle = known_faults.iter().filter(|known| {
             let has_it = |swept: &Swept| {
                 let mut findings = swept.judged.findings.iter();

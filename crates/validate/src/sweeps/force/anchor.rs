@@ -1,5 +1,6 @@
 //! An anchor: distance, depth, direction, and the angle at which the chain lifts the shank.
 
+use fenderline_contact::number::lesser;
 use fenderline_contact::vec2;
 use fenderline_sim::ChainGrade;
 use fenderline_sim::anchor::{
@@ -66,7 +67,7 @@ fn by_distance() -> Sweep {
         subject: SUBJECT,
         title: "Stockless anchor of 10 t, six shackles in 20 m of water: pull by distance"
             .to_owned(),
-        axis: Axis::new("distance of the hawse pipe", "m", 0.0, 175.0),
+        axis: Axis::new("distance of the hawse pipe", "m", 100.0, 172.0),
         value: ["horizontal pull", "kN"],
         curves: vec![
             curve("holding", true).jumping("an anchor that breaks out holds half as much"),
@@ -124,9 +125,12 @@ fn by_direction() -> Sweep {
 }
 
 fn uplift() -> Sweep {
-    let share = Curve::of("share", |degrees: f64| uplift_share(libm::sin(degrees.to_radians())))
+    let at = |degrees: f64| uplift_share(libm::sin(degrees.to_radians()));
+    let share = Curve::of("share", at)
         .never_negative("it holds, and never pushes")
-        .falling("a steeper chain never holds more", 0.05);
+        .law("a steeper chain never holds more", move |degrees| {
+            at(degrees) - at(lesser(degrees + 0.05, 90.0))
+        });
     Sweep {
         key: "anchor_uplift",
         subject: SUBJECT,

@@ -54,9 +54,8 @@ pub(super) fn sweeps() -> Vec<Sweep> {
             |off_m| Place { off_m, ..ABREAST },
             true,
         ),
-        turns("bank_gap_yaw", "Yaw moment by distance", distance(), |off_m| Place {
-            off_m,
-            ..ABREAST
+        turns("bank_gap_yaw", "Yaw moment by distance, 5° towards the wall", distance(), |off_m| {
+            Place { off_m, heading_deg: 5.0, ..ABREAST }
         }),
         pulls(
             "bank_depth",
@@ -142,7 +141,7 @@ fn turns(key: &'static str, title: &str, axis: Axis, place: fn(f64) -> Place) ->
         value: ["yaw moment", "MN·m"],
         curves: curves(place, |forces| 1e-6 * forces.banks.yaw_nm).collect(),
         lines: Vec::new(),
-        note: "As above. Negative: the bow is turned away from the wall, which an image of potential flow does not do.",
+        note: "As above. Negative: the bow is turned away from the wall, which an image of potential flow does not do to a ship along it.",
     }
 }
 

@@ -13,6 +13,9 @@ const SUBJECT: &str = "Current";
 const STREAM_MPS: f64 = 2.0 * KNOT_MPS;
 const DEPTH_M: f64 = 30.0;
 
+/// A part of a force.
+type Part = fn(&Force) -> f64;
+
 pub(super) fn sweeps() -> Vec<Sweep> {
     vec![over_draught(), over_grid(), at_rest_and_adrift()]
 }
@@ -74,7 +77,7 @@ fn over_grid() -> Sweep {
 /// The tanker at rest in a stream from an angle, and the same tanker adrift in still water: one force.
 fn at_rest_and_adrift() -> Sweep {
     let stage = Stage::of(&format!("[environment]\ndepth = \"28.8 m\"\n{TANKER}"));
-    let parts: [(&str, fn(&Force) -> f64); 3] = [
+    let parts: [(&str, Part); 3] = [
         ("longitudinal force", |f| 1e-3 * f.surge_n),
         ("side force", |f| 1e-3 * f.sway_n),
         ("yaw moment / 100 m", |f| 1e-5 * f.yaw_nm),

@@ -16,29 +16,38 @@ const PULLS: &str = "it pulls, and never pushes";
 const STIFFENS: &str = "more stretch never gives less tension";
 
 pub(super) fn sweeps() -> Vec<Sweep> {
-    vec![by_strain(), by_span(), by_direction(), cable(), cable_on_bottom()]
-}
-
-fn ropes() -> [(&'static str, RopeCurve); 4] {
-    [
-        ("wire", RopeCurve::wire()),
-        ("HMPE", RopeCurve::hmpe()),
-        ("polyester", RopeCurve::polyester()),
-        ("nylon", RopeCurve::nylon()),
+    vec![
+        by_strain(
+            "line_stiff",
+            "Stiff ropes by strain, slack to beyond the break",
+            Axis::new("strain", "%", -0.5, 4.0),
+            [("wire", RopeCurve::wire()), ("HMPE", RopeCurve::hmpe())],
+        ),
+        by_strain(
+            "line_soft",
+            "Soft ropes by strain, slack to beyond the break",
+            Axis::new("strain", "%", -2.0, 28.0),
+            [("polyester", RopeCurve::polyester()), ("nylon", RopeCurve::nylon())],
+        ),
+        by_span(),
+        by_direction(),
+        cable(),
+        cable_on_bottom(),
     ]
 }
 
-fn by_strain() -> Sweep {
-    let curves = ropes().map(|(name, rope)| {
+/// Ropes of one kind, from slack to beyond the break.
+fn by_strain(key: &'static str, title: &str, axis: Axis, ropes: [(&str, RopeCurve); 2]) -> Sweep {
+    let curves = ropes.map(|(name, rope)| {
         Curve::of(name, move |percent| rope.share(0.01 * percent))
             .never_negative(PULLS)
             .rising(STIFFENS, 0.01)
     });
     Sweep {
-        key: "line_rope",
+        key,
         subject: SUBJECT,
-        title: "Ropes by strain, slack to beyond the break".to_owned(),
-        axis: Axis::new("strain", "%", -2.0, 30.0),
+        title: title.to_owned(),
+        axis,
         value: ["tension / break load", ""],
         curves: curves.into(),
         lines: Vec::new(),
@@ -138,12 +147,12 @@ fn cables(rise_m: f64) -> Vec<Curve> {
     let tension =
         move |span_m: f64| 1e-3 * catenary(&cable, span_m, rise_m, true).upper_tension_n();
     let horizontal = move |span_m: f64| 1e-3 * catenary(&cable, span_m, rise_m, true).horizontal_n;
-    let weight_kn = 1e-3 * cable.weight_npm;
+    // What hangs straight down is stretched by its own weight.
+    let straight_n = cable.weight_npm * rise_m;
+    let hanging_kn = 1e-3 * straight_n / (1.0 + straight_n / cable.axial_stiffness_n);
     let curves = vec![
         Curve::of("tension", tension)
-            .value_law("no less than the weight that hangs", move |_, value| {
-                value - weight_kn * rise_m
-            })
+            .value_law("no less than the weight that hangs", move |_, value| value - hanging_kn)
             .rising(STIFFENS, 0.05)
             .noisy(1e-9),
         Curve::of("horizontal", horizontal)

@@ -129,6 +129,9 @@ fn by_depth() -> Sweep {
         Curve::of(name, at)
             .value_law("shallow water never lessens it", |_, value| value - 1.0)
             .falling("less water never pushes less", 0.01)
+            .value_law("ten draughts of water are deep", |ratio, value| {
+                if ratio < 10.0 { 0.0 } else { 1.1 - value }
+            })
     });
     Sweep {
         key: "passing_depth",

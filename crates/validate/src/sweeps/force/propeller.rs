@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use fenderline_report::plot::plain;
 use fenderline_sim::constants::KNOT_MPS;
 use fenderline_sim::hydro::{Controls, Propeller, Series, Velocity, Water};
 
@@ -166,7 +167,7 @@ fn by_revolutions() -> Sweep {
             let controls = Controls { shaft_rps: rpm / 60.0, rudder_rad: 0.0 };
             1e-3 * ship.parts(&velocity, &controls, Water::SEA).propeller.surge_n
         };
-        let curve = Curve::of(format!("{knots} kn"), at);
+        let curve = Curve::of(format!("{} kn", plain(knots, 3)), at);
         match knots {
             _ if knots == 0.0 => curve
                 .value_law("at the bollard it pushes as it turns", |rpm, value| value * rpm)

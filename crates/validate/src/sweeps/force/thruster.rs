@@ -1,5 +1,6 @@
 //! Thrusters: a tunnel by speed, an azimuth unit by angle and speed.
 
+use fenderline_report::plot::plain;
 use fenderline_sim::constants::KNOT_MPS;
 use fenderline_sim::hydro::{AzimuthThruster, Propeller, Series, TunnelThruster, Velocity, Water};
 
@@ -42,7 +43,7 @@ fn tunnel_by_order() -> Sweep {
     let thruster = TunnelThruster { bollard_n: 200.0, along_m: 100.0 };
     let curves = [0.0, 3.0, 8.0].map(|knots| {
         let at = move |order: f64| thruster.force(order, &ahead(knots)).sway_n;
-        Curve::of(format!("{knots} kn"), at)
+        Curve::of(format!("{} kn", plain(knots, 3)), at)
             .odd()
             .value_law("it pushes to the ordered side", |order, value| order * value)
             .growing_at_most(1.0)
@@ -82,7 +83,7 @@ fn azimuth_by_angle() -> Sweep {
             let force = unit.force(FULL_RPS, degrees.to_radians(), &ahead(knots), Water::SEA);
             1e-3 * force.sway_n
         };
-        Curve::of(format!("{knots} kn"), at)
+        Curve::of(format!("{} kn", plain(knots, 3)), at)
             .odd()
             .value_law("it pushes where it points", |degrees, value| {
                 value * libm::sin(degrees.to_radians())

@@ -218,7 +218,7 @@ fn by_speed() -> Sweep {
     Sweep {
         key: "wind_speed",
         subject: SUBJECT,
-        title: "The same tanker: size of the force by speed of the wind".to_owned(),
+        title: "Loaded tanker of 250,000 dwt: size of the force by speed of the wind".to_owned(),
         axis: Axis::new("wind", "kn", 0.0, 80.0),
         value: ["force", "kN"],
         curves: curves.into(),
