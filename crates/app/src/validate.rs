@@ -65,7 +65,10 @@ fn print_table(
 
 fn write_files(folder: &Path, files: &[(String, String)]) -> Result<(), Failure> {
     make_folder(folder)?;
-    files.iter().try_for_each(|(name, text)| write_whole(&folder.join(name), text.as_bytes()))
+    for (name, text) in files {
+        write_whole(&folder.join(name), text.as_bytes())?;
+    }
+    Ok(())
 }
 
 fn failed(what: &str, complaints: &[String]) -> Result<(), Failure> {

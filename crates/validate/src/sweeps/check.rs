@@ -27,7 +27,7 @@ impl Resolution {
     /// Steps that are halved again and again in search of a jump: those where the curve bends the most.
     fn searched(self) -> usize {
         match self {
-            Resolution::Reduced => 4,
+            Resolution::Reduced => 6,
             Resolution::Full => 16,
         }
     }
@@ -207,10 +207,10 @@ fn most_bent(ys: &[f64], count: usize) -> Vec<usize> {
     let step = |k: usize| ys[k + 1] - ys[k];
     let last = ys.len() - 2;
     let bend = |k: usize| {
-        let before = if k > 0 { (step(k) - step(k - 1)).abs() } else { f64::INFINITY };
-        let after = if k < last { (step(k + 1) - step(k)).abs() } else { f64::INFINITY };
-        // A jump bends on both sides. The ends have one side.
-        lesser(before, after)
+        let before = if k > 0 { (step(k) - step(k - 1)).abs() } else { 0.0 };
+        let after = if k < last { (step(k + 1) - step(k)).abs() } else { 0.0 };
+        // The steps beside a jump bend as much as the one that has it, on one side.
+        greater(before, after)
     };
     let mut order: Vec<usize> = (0..=last).collect();
     order.sort_by(|&a, &b| bend(b).total_cmp(&bend(a)));
@@ -333,5 +333,55 @@ fn compare(sweep: &Sweep, reference: &Reference, resolution: Resolution) -> Comp
         worst_at: worst.1,
         holds: worst.0 <= 1.0 + 1e-9,
         known: (!known.is_empty()).then(|| known.clone()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::sweep::Axis;
+    use super::*;
+
+    /// The checks that fail for a curve over −1 to 1.
+    fn failing(curve: Curve) -> Vec<String> {
+        let sweep = Sweep {
+            key: "test",
+            subject: "Test",
+            title: String::new(),
+            axis: Axis::new("x", "", -1.0, 1.0),
+            value: ["y", ""],
+            curves: vec![curve],
+            lines: Vec::new(),
+            note: "",
+        };
+        let none = References { references: vec![], none: vec![], known_faults: vec![] };
+        let judged = judge(&sweep, &none, Resolution::Reduced);
+        let failing = judged.findings.into_iter().filter(|finding| !finding.holds);
+        failing.map(|finding| finding.check).collect()
+    }
+
+    #[test]
+    fn a_jump_fails_and_a_steep_or_bent_curve_does_not() {
+        let steps =
+            |size: f64| Curve::of("jump", move |x: f64| x * x + if x > 0.123 { size } else { 0.0 });
+        assert_eq!(failing(steps(0.5)), ["continuity"]);
+        assert_eq!(failing(steps(1e-3)), ["continuity"]);
+        assert!(failing(steps(0.5).jumping("by its law")).is_empty());
+        assert_eq!(failing(steps(0.0).jumping("by its law")), ["continuity"], "there is none");
+        assert!(failing(Curve::of("root", |x: f64| x.abs().sqrt())).is_empty());
+        assert!(failing(Curve::of("corner", |x: f64| (x - 0.3).abs())).is_empty());
+        let steep = Curve::of("steep", |x: f64| libm::tanh(2e3 * (x - 0.1)));
+        assert!(failing(steep).is_empty());
+        assert_eq!(failing(Curve::of("pole", |x: f64| 1.0 / x)), ["finite"]);
+    }
+
+    #[test]
+    fn an_asymmetry_a_wrong_sign_and_a_fast_growth_fail() {
+        assert!(failing(Curve::of("cubic", |x| x * x * x).odd()).is_empty());
+        assert_eq!(failing(Curve::of("cubic", |x| x * x * x + 1e-9).odd()), ["mirror"]);
+        let drag = |power: f64| Curve::of("drag", move |x: f64| -x * libm::pow(x.abs(), power));
+        let says = "it is against the motion";
+        assert!(failing(drag(1.0).value_law(says, |x, y| -x * y).growing_at_most(2.0)).is_empty());
+        assert_eq!(failing(drag(1.0).value_law(says, |x, y| x * y)), [says]);
+        assert_eq!(failing(drag(1.2).growing_at_most(2.0)), ["growth at most as the power 2"]);
     }
 }
