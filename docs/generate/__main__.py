@@ -1,9 +1,10 @@
 """Writes the generated pages and figures of the book into docs/_generated, which git ignores.
 
-    python docs/generate PROGRAM VALIDATION.json COLUMNS.json
+    python docs/generate PROGRAM VALIDATION.json SWEEPS.json COLUMNS.json
 
-PROGRAM is the built `fenderline`, VALIDATION.json what `fenderline validate --out` wrote, and COLUMNS.json what
-`fenderline columns --json` printed. `cargo xtask book` calls this script.
+PROGRAM is the built `fenderline`, VALIDATION.json what `fenderline validate --out` wrote, SWEEPS.json what `fenderline
+validate --sweeps --out` wrote, with its pictures beside it, and COLUMNS.json what `fenderline columns --json` printed.
+`cargo xtask book` calls this script.
 """
 
 import shutil
@@ -15,6 +16,7 @@ import commands
 import figures
 import keys
 import pages
+import sweeps
 import validation
 import worked
 
@@ -22,7 +24,7 @@ FOLDER = Path(__file__).resolve().parent.parent / "_generated"
 
 
 def main() -> None:
-    program, validation_json, columns_json = sys.argv[1:4]
+    program, validation_json, sweeps_json, columns_json = sys.argv[1:5]
     if FOLDER.exists():
         shutil.rmtree(FOLDER)
     for made in ["reference", "figures"]:
@@ -32,6 +34,7 @@ def main() -> None:
         "reference/columns.md": columns.page(columns_json),
         "reference/commands.md": commands.page(program),
         "validation.md": validation.page(validation_json),
+        "sweeps.md": sweeps.page(sweeps_json, FOLDER / "figures"),
         "worked_examples.md": worked.page(validation_json),
         **pages.from_repository(),
     }.items():

@@ -32,13 +32,15 @@ fn book() -> Result<Done, String> {
     let program = program()?;
     let data = target.join(DATA);
     run_quietly(Command::new(&program).args(["validate", "--out"]).arg(&data))?;
+    run_quietly(Command::new(&program).args(["validate", "--sweeps", "--out"]).arg(&data))?;
     let columns = data.join("columns.json");
     std::fs::write(&columns, run_quietly(Command::new(&program).args(["columns", "--json"]))?)
         .map_err(|e| format!("{}: {e}", columns.display()))?;
 
     let mut generate = Command::new(&python);
     generate.args(["-B", "docs/generate"]).arg(&program);
-    run(generate.arg(data.join("validation.json")).arg(&columns))?;
+    generate.args([data.join("validation.json"), data.join("sweeps.json")]);
+    run(generate.arg(&columns))?;
     let book = target.join("book");
     let mut sphinx = Command::new(&python);
     sphinx.args(["-B", "-m", "sphinx", "--builder", "html", "--fail-on-warning", "--quiet"]);

@@ -293,7 +293,9 @@ fn same_bits_in(folder: &Path) -> Result<(), String> {
 }
 
 fn validate() -> Result<Done, String> {
-    run(Command::new(built::program("dev")?).arg("validate"))?;
+    let program = built::program("dev")?;
+    run(Command::new(&program).arg("validate"))?;
+    run(Command::new(&program).args(["validate", "--sweeps"]))?;
     Ok(Done::Good)
 }
 

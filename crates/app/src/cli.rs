@@ -543,7 +543,12 @@ pub(crate) struct StatisticsArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ValidateArgs {
-    /// Folder for validation.html, validation.csv and validation.json [default: none]
+    /// Sweep every force over its whole domain instead: continuity, mirror image, laws of physics, ratios to references; exit code 1 if
+    /// one fails
+    #[arg(long)]
+    pub(crate) sweeps: bool,
+    /// Folder for validation.html, validation.csv and validation.json; with --sweeps for sweeps.html, sweeps.csv, sweeps.json and a
+    /// picture of each sweep [default: none]
     #[arg(long, value_name = "DIR", value_parser = output_folder())]
     pub(crate) out: Option<PathBuf>,
     /// Print JSON instead of tables

@@ -2,7 +2,7 @@
 //!
 //! `published` reads the published numbers (`validation/*.toml`), `play` runs the scenarios, `quantity` takes values from a
 //! run, `computed` has all other values, and `row` compares them. `estimate_errors` has the errors of ships that are estimated
-//! from main particulars. `printed`, `files`, `page` and `figures` write the results. All cases are compiled in, so that an
+//! from main particulars. `sweeps` has every force over its whole domain. `printed`, `files`, `page` and `figures` write the results. All cases are compiled in, so that an
 //! installed program validates anywhere; nothing is read or written.
 #![forbid(unsafe_code)]
 
@@ -16,12 +16,15 @@ mod printed;
 mod published;
 mod quantity;
 mod row;
+mod sweeps;
+mod table;
 
 use computed::{SUBJECTS, Values};
 pub use estimate_errors::errors_of;
 use play::play_all;
 use published::Source;
 use row::{Row, Runs, evaluate};
+pub use sweeps::{Resolution, Sweeps};
 
 /// A file under `validation/`: name and text.
 macro_rules! published {

@@ -1,9 +1,9 @@
 //! Published numbers and statements, from the files in `validation/`.
 
-use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::DeTable;
 
 use super::quantity::Quantity;
+use super::table::Table;
 
 /// A publication, with the numbers and statements that are compared with it.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,7 +35,7 @@ pub(super) enum Standing {
 }
 
 impl Standing {
-    const ALL: [Standing; 4] =
+    pub(super) const ALL: [Standing; 4] =
         [Standing::Published, Standing::Computed, Standing::Recalled, Standing::ClosedForm];
 
     /// Its name in the files.
@@ -332,13 +332,19 @@ fn origin(table: &Table<'_, '_>) -> Result<(Origin, String), String> {
         }
         return Ok((Origin::Computed(table.text("computed")?), unit));
     }
-    let quantity = table.quantity()?;
+    let quantity = quantity(table)?;
     let relative_to = table.has("relative_to").then(|| table.text("relative_to")).transpose()?;
     let expected = if relative_to.is_some() { "" } else { quantity.unit() };
     if unit != expected {
         return Err(table.error(&format!("unit: \"{unit}\" where \"{expected}\" is meant")));
     }
     Ok((Origin::Run { run: table.text("run")?, quantity, relative_to }, unit))
+}
+
+/// The quantity that a row compares.
+fn quantity(table: &Table<'_, '_>) -> Result<Quantity, String> {
+    let name = table.text("quantity")?;
+    Quantity::named(&name).ok_or_else(|| table.error(&format!("no quantity is called {name}")))
 }
 
 /// Whether a mismatch is known, and the note, which must then give the reason.
@@ -379,102 +385,11 @@ fn statement(table: &Table<'_, '_>) -> Result<Statement, String> {
         place: table.text("place")?,
         says: table.text("says")?,
         runs: table.texts("runs")?,
-        quantity: table.quantity()?,
+        quantity: quantity(table)?,
         rule,
         known_mismatch,
         note,
     })
-}
-
-/// A table of the file, with a name for messages.
-struct Table<'t, 'i> {
-    name: String,
-    table: &'t DeTable<'i>,
-}
-
-impl<'t, 'i> Table<'t, 'i> {
-    fn error(&self, what: &str) -> String {
-        format!("{}: {what}", self.name)
-    }
-
-    fn find(&self, key: &str) -> Option<&'t DeValue<'i>> {
-        let entry = self.table.iter().find(|(name, _)| name.get_ref() == key);
-        entry.map(|(_, value)| value.get_ref())
-    }
-
-    fn has(&self, key: &str) -> bool {
-        self.find(key).is_some()
-    }
-
-    /// Refuses keys that are not in `known`, so that no key is ignored.
-    fn allow(&self, known: &[&str]) -> Result<(), String> {
-        let unknown = self.table.keys().find(|key| !known.contains(&key.get_ref().as_ref()));
-        unknown.map_or(Ok(()), |key| Err(self.error(&format!("unknown key {}", key.get_ref()))))
-    }
-
-    fn get<T>(
-        &self,
-        key: &str,
-        what: &str,
-        take: impl FnOnce(&'t DeValue<'i>) -> Option<T>,
-    ) -> Result<T, String> {
-        let value = self.find(key).ok_or_else(|| self.error(&format!("{key} is missing")))?;
-        take(value).ok_or_else(|| self.error(&format!("{key} is no {what}")))
-    }
-
-    fn text(&self, key: &str) -> Result<String, String> {
-        self.get(key, "text", |value| value.as_str().map(str::to_owned))
-    }
-
-    fn text_or_empty(&self, key: &str) -> Result<String, String> {
-        if self.has(key) { self.text(key) } else { Ok(String::new()) }
-    }
-
-    fn flag(&self, key: &str) -> Result<bool, String> {
-        self.get(key, "true or false", DeValue::as_bool)
-    }
-
-    fn float(&self, key: &str) -> Result<f64, String> {
-        let number = self.get(key, "number", |value| match value {
-            DeValue::Integer(integer) => integer.as_str().parse::<f64>().ok(),
-            DeValue::Float(float) => float.as_str().parse().ok(),
-            _ => None,
-        })?;
-        if number.is_finite() {
-            Ok(number)
-        } else {
-            Err(self.error(&format!("{key} is not finite")))
-        }
-    }
-
-    fn texts(&self, key: &str) -> Result<Vec<String>, String> {
-        self.get(key, "list of texts", |value| {
-            let items = value.as_array()?.iter();
-            items.map(|item| item.get_ref().as_str().map(str::to_owned)).collect()
-        })
-    }
-
-    fn quantity(&self) -> Result<Quantity, String> {
-        let name = self.text("quantity")?;
-        Quantity::named(&name).ok_or_else(|| self.error(&format!("no quantity is called {name}")))
-    }
-
-    /// The tables of an array of tables, each named by its case; none if the key is missing.
-    fn tables(&self, key: &str) -> Result<Vec<Table<'t, 'i>>, String> {
-        if !self.has(key) {
-            return Ok(Vec::new());
-        }
-        self.get(key, "array of tables", |value| {
-            let tables = value.as_array()?.iter().map(Spanned::get_ref).map(|item| {
-                let table = item.as_table()?;
-                let unnamed = Table { name: key.to_owned(), table };
-                let named = unnamed.text("case").or_else(|_| unnamed.text("name"));
-                let name = named.unwrap_or(unnamed.name);
-                Some(Table { name, table })
-            });
-            tables.collect()
-        })
-    }
 }
 
 #[cfg(test)]

@@ -38,7 +38,7 @@ pub struct Reference {
     pub value: f64,
 }
 
-const WIDTH: f64 = 720.0;
+pub(super) const WIDTH: f64 = 720.0;
 /// Four charts go on a page of A4.
 const HEIGHT: f64 = 216.0;
 /// Of a tall chart.
@@ -108,7 +108,6 @@ impl Chart {
 
     fn render_of(&self, height: f64, class: &str) -> Markup {
         let area = Area::of(self, height);
-        let is_empty = self.series.iter().all(|s| s.points.is_empty());
         html! {
             figure class=(class) {
                 figcaption { (self.title) }
@@ -118,40 +117,47 @@ impl Chart {
                     data-x=(format!("{} {} {:.2} {:.2}", area.x.lo, area.x.hi, area.left, area.right()))
                     data-y=(format!("{} {} {:.2} {:.2}", area.y.lo, area.y.hi, area.base(), TOP))
                     data-xunit=(self.x.unit()) data-unit=(self.y.unit()) {
-                    (self.axes(&area))
-                    @for reference in &self.references { (reference_line(reference, &area)) }
-                    @for (index, series) in self.series.iter().enumerate() {
-                        (drawn_series(series, series.style.unwrap_or(index), &area))
-                    }
-                    @if is_empty {
-                        text x=((area.left + area.right()) / 2.0) y=((TOP + area.base()) / 2.0)
-                            text-anchor="middle" { "no data" }
-                    }
+                    (self.drawing(&area))
                 }
                 @if !self.note.is_empty() { p class="note" { (self.note) } }
             }
         }
     }
 
+    /// What is within the picture: axes, reference lines, series.
+    fn drawing(&self, area: &Area) -> Markup {
+        let is_empty = self.series.iter().all(|s| s.points.is_empty());
+        html! {
+            (self.axes(area))
+            @for reference in &self.references { (reference_line(reference, area)) }
+            @for (index, series) in self.series.iter().enumerate() {
+                (drawn_series(series, series.style.unwrap_or(index), area))
+            }
+            @if is_empty {
+                text x=((area.left + area.right()) / 2.0) y=((TOP + area.base()) / 2.0)
+                    text-anchor="middle" { "no data" }
+            }
+        }
+    }
+
+    /// The drawing of a given height without title, legend and note, as wide as [`WIDTH`].
+    pub(super) fn bare(&self, height: f64) -> Markup {
+        self.drawing(&Area::of(self, height))
+    }
+
+    /// The series with a name, each with its style: a series without a name belongs to the one before.
+    pub(super) fn named(&self) -> impl Iterator<Item = (usize, &Series)> {
+        let styled = self.series.iter().enumerate();
+        styled.map(|(index, s)| (s.style.unwrap_or(index), s)).filter(|(_, s)| !s.name.is_empty())
+    }
+
     fn legend(&self) -> Markup {
         html! {
             ul class="legend" {
-                // A series without a name belongs to the one before.
-                @for (index, series) in self.series.iter().enumerate().filter(|(_, s)| !s.name.is_empty()) {
-                    @let style = series.style.unwrap_or(index);
+                @for (style, series) in self.named() {
                     li {
                         svg width="30" height="12" viewBox="0 0 30 12" aria-hidden="true" {
-                            @if series.drawn == Drawn::Band {
-                                rect class="band" x="1" y="1" width="28" height="10" fill=(colour(style)) {}
-                            }
-                            @if series.drawn == Drawn::Dots {
-                                path class="dots" d="M5,8h0M14,4h0M24,7h0" stroke=(colour(style)) {}
-                            }
-                            @if matches!(series.drawn, Drawn::Line | Drawn::LineAndMarks) {
-                                path d="M1,6H29" fill="none" stroke=(colour(style))
-                                    stroke-width="1.8" stroke-dasharray=(dash(style)) {}
-                            }
-                            @if matches!(series.drawn, Drawn::Marks | Drawn::LineAndMarks) { (mark(style, 15.0, 6.0)) }
+                            (key_of(series, style))
                         }
                         (series.name)
                     }
@@ -193,6 +199,23 @@ impl Chart {
             text class="axis" text-anchor="middle"
                 transform=(format!("translate(12 {middle:.1}) rotate(-90)")) { (self.y.title()) }
         }
+    }
+}
+
+/// How a series is drawn, 30 px wide and 12 px high.
+pub(super) fn key_of(series: &Series, style: usize) -> Markup {
+    html! {
+        @if series.drawn == Drawn::Band {
+            rect class="band" x="1" y="1" width="28" height="10" fill=(colour(style)) {}
+        }
+        @if series.drawn == Drawn::Dots {
+            path class="dots" d="M5,8h0M14,4h0M24,7h0" stroke=(colour(style)) {}
+        }
+        @if matches!(series.drawn, Drawn::Line | Drawn::LineAndMarks) {
+            path d="M1,6H29" fill="none" stroke=(colour(style))
+                stroke-width="1.8" stroke-dasharray=(dash(style)) {}
+        }
+        @if matches!(series.drawn, Drawn::Marks | Drawn::LineAndMarks) { (mark(style, 15.0, 6.0)) }
     }
 }
 

@@ -13,6 +13,7 @@ mod plan;
 mod rose;
 mod series;
 mod stacked;
+mod stand_alone;
 mod system;
 mod timeline;
 mod tornado;

@@ -16,7 +16,7 @@ mod propeller;
 mod sea;
 mod seakeeping;
 mod shallow;
-mod ships;
+pub(crate) mod ships;
 mod wind;
 mod worked;
 

@@ -5,7 +5,7 @@ use fenderline_sim::hydro::Particulars;
 use fenderline_sim::hydro::vessels::Vessel;
 
 /// A vessel of the data, ready for manoeuvres.
-pub(super) fn vessel(name: &str) -> Vessel {
+pub(crate) fn vessel(name: &str) -> Vessel {
     data(name).trial()
 }
 

@@ -1,0 +1,387 @@
+//! The one place that judges sweeps: continuity, mirror image, laws, growth, references.
+
+use fenderline_contact::number::{greater, lesser};
+use fenderline_report::plot::plain;
+
+use super::reference::{Is, Reference, References};
+use super::sweep::{Curve, Function, Law, Sweep};
+
+/// How finely sweeps are sampled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Resolution {
+    /// For a test: few places.
+    Reduced,
+    /// For the page.
+    Full,
+}
+
+impl Resolution {
+    /// Steps along an axis; continuity also looks at twice as many.
+    pub(super) fn steps(self) -> u32 {
+        match self {
+            Resolution::Reduced => 60,
+            Resolution::Full => 360,
+        }
+    }
+
+    /// Steps that are halved again and again in search of a jump: those where the curve bends the most.
+    fn searched(self) -> usize {
+        match self {
+            Resolution::Reduced => 6,
+            Resolution::Full => 16,
+        }
+    }
+}
+
+/// A step is halved this many times towards the half over which the value changes more: to 10⁻¹² of it.
+const HALVINGS: u32 = 40;
+/// What may be left of a step of a continuous function, as a share of the largest value.
+const LEFT: f64 = 1e-6;
+/// What rounding may do to a mirror image, as a share of the largest value.
+const MIRROR: f64 = 1e-11;
+/// Where the size of a value is below this share of the largest, its growth is not judged.
+const SMALL: f64 = 1e-6;
+/// Where a reference is below this share of its largest value, a difference is a share of that.
+const NEAR_ZERO: f64 = 0.25;
+
+/// A curve with its values, and what the checks found.
+pub(super) struct Judged {
+    /// Places on the axis.
+    pub(super) places: Vec<f64>,
+    /// The values of each curve there.
+    pub(super) values: Vec<Vec<f64>>,
+    pub(super) findings: Vec<Finding>,
+    pub(super) compared: Vec<Compared>,
+}
+
+/// What a check found of a curve.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Finding {
+    pub(super) curve: String,
+    /// The check, as `known_fault` names it.
+    pub(super) check: String,
+    pub(super) holds: bool,
+    /// In words and figures.
+    pub(super) found: String,
+    /// The place on the axis that is worst.
+    pub(super) at: f64,
+    /// Why it is known to fail.
+    pub(super) known: Option<String>,
+}
+
+/// A reference beside a curve.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Compared {
+    pub(super) curve: String,
+    pub(super) short: String,
+    /// Places, values of the reference, and what they may differ by.
+    pub(super) points: Vec<[f64; 3]>,
+    pub(super) is_line: bool,
+    /// Ours over the reference, the least and the greatest, where the reference is not near zero.
+    pub(super) ratio: [f64; 2],
+    /// The band.
+    pub(super) band: f64,
+    /// The greatest difference over what is allowed, and its place.
+    pub(super) worst: f64,
+    pub(super) worst_at: f64,
+    pub(super) holds: bool,
+    /// Why it is known not to hold.
+    pub(super) known: Option<String>,
+}
+
+/// Samples and judges a sweep.
+pub(super) fn judge(sweep: &Sweep, references: &References, resolution: Resolution) -> Judged {
+    let fine = sweep.axis.places(2 * resolution.steps());
+    let (mut values, mut findings) = (Vec::new(), Vec::new());
+    for curve in &sweep.curves {
+        let ys: Vec<f64> = fine.iter().map(|&x| (curve.at)(x)).collect();
+        judge_curve(curve, [&fine, &ys], resolution, &mut findings);
+        values.push(ys);
+    }
+    for finding in &mut findings {
+        let known = references.known_faults.iter().find(|known| {
+            known.sweep == sweep.key && known.curve == finding.curve && known.check == finding.check
+        });
+        finding.known = known.map(|known| known.note.clone());
+    }
+    let of_it = references.references.iter().filter(|reference| reference.sweep == sweep.key);
+    let compared = of_it.map(|reference| compare(sweep, reference, resolution)).collect();
+    Judged { places: fine, values, findings, compared }
+}
+
+fn judge_curve(
+    curve: &Curve,
+    [xs, ys]: [&[f64]; 2],
+    resolution: Resolution,
+    findings: &mut Vec<Finding>,
+) {
+    let mut add = |check: &str, holds: bool, found: String, at: f64| {
+        let (curve, check) = (curve.name.clone(), check.to_owned());
+        findings.push(Finding { curve, check, holds, found, at, known: None });
+    };
+    if let Some(bad) = ys.iter().position(|y| !y.is_finite()) {
+        add("finite", false, format!("{} at {}", ys[bad], xs[bad]), xs[bad]);
+        return;
+    }
+    let largest = ys.iter().map(|y| y.abs()).fold(0.0, greater);
+    let (holds, found, at) = continuity(curve, [xs, ys], largest, resolution);
+    add("continuity", holds, found, at);
+    for (what, image) in &curve.images {
+        let (off, at) = asymmetry(image, [xs, ys]);
+        let share = if largest > 0.0 { off / largest } else { off };
+        let holds = share <= greater(MIRROR, curve.noise);
+        add(what, holds, format!("{share:.0e} of the largest value"), at);
+    }
+    for Law { says, margin } in &curve.laws {
+        let margins: Vec<f64> = xs.iter().map(|&x| margin(x)).collect();
+        let of_all = margins.iter().map(|m| m.abs()).fold(0.0, greater);
+        let (worst, at) = least([xs, &margins]);
+        let holds = worst >= -greater(1e-9, curve.noise) * greater(of_all, 1e-3 * largest);
+        let found = match holds {
+            true => "holds".to_owned(),
+            false => {
+                let (by, value) = (plain(worst.abs(), 3), plain((curve.at)(at), 3));
+                format!("BROKEN by {by} where the value is {value}")
+            }
+        };
+        add(says, holds, found, at);
+    }
+    if let Some(power) = curve.growth {
+        let (fastest, at) = fastest_growth([xs, ys], largest);
+        let holds = fastest <= power + greater(1e-6, 1e3 * curve.noise);
+        let found = match fastest.is_finite() {
+            true => format!("as the power {fastest:.2} of the axis, at most"),
+            false => "does not grow".to_owned(),
+        };
+        add(&format!("growth at most as the power {power}"), holds, found, at);
+    }
+}
+
+/// The largest step, with half the spacing, over that with the whole; and what is left of the steps when they are halved on.
+fn continuity(
+    curve: &Curve,
+    [xs, ys]: [&[f64]; 2],
+    largest: f64,
+    resolution: Resolution,
+) -> (bool, String, f64) {
+    if largest == 0.0 {
+        return (true, "zero everywhere".to_owned(), xs[0]);
+    }
+    let step = |from: usize, by: usize| (ys[from + by] - ys[from]).abs();
+    let fine = (0..ys.len() - 1).map(|k| step(k, 1)).fold(0.0, greater);
+    let coarse = (0..ys.len() - 2).step_by(2).map(|k| step(k, 2)).fold(0.0, greater);
+    let (mut left, mut at) = (0.0, xs[0]);
+    for index in most_bent(ys, resolution.searched()) {
+        let (rest, place) =
+            halved_on(&curve.at, [xs[index], xs[index + 1]], [ys[index], ys[index + 1]]);
+        if rest > left {
+            (left, at) = (rest, place);
+        }
+    }
+    let share = left / largest;
+    let is_continuous = share <= greater(LEFT, curve.noise);
+    let steps = format!(
+        "largest step {:.2} % of the largest value, {:.2} % at twice the resolution",
+        100.0 * coarse / largest,
+        100.0 * fine / largest,
+    );
+    match (is_continuous, curve.jump) {
+        (true, None) => (true, steps, at),
+        (true, Some(why)) => (false, format!("no jump, though the law has one: {why}"), at),
+        (false, Some(why)) => {
+            (true, format!("jumps by {:.1} %, by its law: {why}", 100.0 * share), at)
+        }
+        (false, None) => (
+            false,
+            format!(
+                "a JUMP of {:.3} % of the largest value that no halving lessens; {steps}",
+                100.0 * share
+            ),
+            at,
+        ),
+    }
+}
+
+/// The steps where the slope changes the most, and the largest step.
+fn most_bent(ys: &[f64], count: usize) -> Vec<usize> {
+    let step = |k: usize| ys[k + 1] - ys[k];
+    let last = ys.len() - 2;
+    let bend = |k: usize| {
+        let before = if k > 0 { (step(k) - step(k - 1)).abs() } else { 0.0 };
+        let after = if k < last { (step(k + 1) - step(k)).abs() } else { 0.0 };
+        // The steps beside a jump bend as much as the one that has it, on one side.
+        greater(before, after)
+    };
+    let mut order: Vec<usize> = (0..=last).collect();
+    order.sort_by(|&a, &b| bend(b).total_cmp(&bend(a)));
+    order.truncate(count);
+    let steepest =
+        (0..=last).fold(0, |most, k| if step(k).abs() > step(most).abs() { k } else { most });
+    order.push(steepest);
+    order
+}
+
+/// What is left of the change over a step when it is halved on towards the half that has more of it, and where.
+fn halved_on(
+    at: &Function,
+    [mut low, mut high]: [f64; 2],
+    [mut y_low, mut y_high]: [f64; 2],
+) -> (f64, f64) {
+    for _ in 0..HALVINGS {
+        let middle = low.midpoint(high);
+        if middle <= low || middle >= high {
+            break;
+        }
+        let y = at(middle);
+        if (y - y_low).abs() > (y_high - y).abs() {
+            (high, y_high) = (middle, y);
+        } else {
+            (low, y_low) = (middle, y);
+        }
+    }
+    ((y_high - y_low).abs(), low)
+}
+
+fn asymmetry(mirrored: &Function, [xs, ys]: [&[f64]; 2]) -> (f64, f64) {
+    let mut worst = (0.0, xs[0]);
+    for (&x, &y) in xs.iter().zip(ys) {
+        let off = (mirrored(x) - y).abs();
+        if off > worst.0 || off.is_nan() {
+            worst = (off, x);
+        }
+    }
+    worst
+}
+
+/// The least value and its place.
+fn least([xs, ys]: [&[f64]; 2]) -> (f64, f64) {
+    let mut least = (f64::INFINITY, xs[0]);
+    for (&x, &y) in xs.iter().zip(ys) {
+        if y < least.0 || y.is_nan() {
+            least = (y, x);
+        }
+    }
+    least
+}
+
+/// The greatest exponent with which the size of the value grows from one place to the next, away from zero.
+fn fastest_growth([xs, ys]: [&[f64]; 2], largest: f64) -> (f64, f64) {
+    let mut fastest = (f64::NEG_INFINITY, xs[0]);
+    for k in 1..xs.len() {
+        let (near, far) = if xs[k - 1].abs() < xs[k].abs() { (k - 1, k) } else { (k, k - 1) };
+        let (x0, x1) = (xs[near].abs(), xs[far].abs());
+        let (y0, y1) = (ys[near].abs(), ys[far].abs());
+        let is_one_side = xs[near] * xs[far] > 0.0 && ys[near] * ys[far] > 0.0;
+        if !is_one_side || y0 < SMALL * largest {
+            continue;
+        }
+        let power = libm::log(y1 / y0) / libm::log(x1 / x0);
+        if power > fastest.0 {
+            fastest = (power, xs[near]);
+        }
+    }
+    fastest
+}
+
+/// A reference beside the curve that it names.
+///
+/// # Panics
+/// The sweep has no such curve, or no such formula: a mistake in `validation/sweeps.toml`.
+fn compare(sweep: &Sweep, reference: &Reference, resolution: Resolution) -> Compared {
+    let curve = sweep.curves.iter().find(|curve| curve.name == reference.curve);
+    let curve = curve
+        .unwrap_or_else(|| panic!("sweeps.toml: {} has no curve {}", sweep.key, reference.curve));
+    let pairs: Vec<[f64; 2]> = match &reference.is {
+        Is::Points(points) => points.clone(),
+        Is::Line { from, to } => {
+            let line = sweep
+                .lines
+                .iter()
+                .find(|line| line.short == reference.short && line.curve == reference.curve);
+            let line = line.unwrap_or_else(|| {
+                panic!("sweeps.toml: {} has no formula {}", sweep.key, reference.short)
+            });
+            let places = sweep.axis.places(resolution.steps());
+            let within = places.into_iter().filter(|x| (*from..=*to).contains(x));
+            within.map(|x| [x, (line.at)(x)]).collect()
+        }
+    };
+    let largest = pairs.iter().map(|[_, y]| y.abs()).fold(0.0, greater);
+    let (mut ratio, mut worst) = ([f64::INFINITY, f64::NEG_INFINITY], (0.0, pairs[0][0]));
+    let mut points = Vec::with_capacity(pairs.len());
+    for [x, theirs] in pairs {
+        let ours = (curve.at)(x);
+        let allowed = reference.band * greater(theirs.abs(), NEAR_ZERO * largest);
+        points.push([x, theirs, allowed]);
+        let off = (ours - theirs).abs() / allowed;
+        if off > worst.0 || off.is_nan() {
+            worst = (off, x);
+        }
+        if theirs.abs() >= NEAR_ZERO * largest {
+            ratio = [lesser(ratio[0], ours / theirs), greater(ratio[1], ours / theirs)];
+        }
+    }
+    let known = &reference.known_mismatch;
+    Compared {
+        curve: reference.curve.clone(),
+        short: reference.short.clone(),
+        points,
+        is_line: matches!(reference.is, Is::Line { .. }),
+        ratio,
+        band: reference.band,
+        worst: worst.0,
+        worst_at: worst.1,
+        holds: worst.0 <= 1.0 + 1e-9,
+        known: (!known.is_empty()).then(|| known.clone()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::sweep::Axis;
+    use super::*;
+
+    /// The checks that fail for a curve over −1 to 1.
+    fn failing(curve: Curve) -> Vec<String> {
+        let sweep = Sweep {
+            key: "test",
+            subject: "Test",
+            title: String::new(),
+            axis: Axis::new("x", "", -1.0, 1.0),
+            value: ["y", ""],
+            curves: vec![curve],
+            lines: Vec::new(),
+            note: "",
+        };
+        let none = References { references: vec![], none: vec![], known_faults: vec![] };
+        let judged = judge(&sweep, &none, Resolution::Reduced);
+        let failing = judged.findings.into_iter().filter(|finding| !finding.holds);
+        failing.map(|finding| finding.check).collect()
+    }
+
+    #[test]
+    fn a_jump_fails_and_a_steep_or_bent_curve_does_not() {
+        let steps =
+            |size: f64| Curve::of("jump", move |x: f64| x * x + if x > 0.123 { size } else { 0.0 });
+        assert_eq!(failing(steps(0.5)), ["continuity"]);
+        assert_eq!(failing(steps(1e-3)), ["continuity"]);
+        assert!(failing(steps(0.5).jumping("by its law")).is_empty());
+        assert_eq!(failing(steps(0.0).jumping("by its law")), ["continuity"], "there is none");
+        assert!(failing(Curve::of("root", |x: f64| x.abs().sqrt())).is_empty());
+        assert!(failing(Curve::of("corner", |x: f64| (x - 0.3).abs())).is_empty());
+        let steep = Curve::of("steep", |x: f64| libm::tanh(2e3 * (x - 0.1)));
+        assert!(failing(steep).is_empty());
+        assert_eq!(failing(Curve::of("pole", |x: f64| 1.0 / x)), ["finite"]);
+    }
+
+    #[test]
+    fn an_asymmetry_a_wrong_sign_and_a_fast_growth_fail() {
+        assert!(failing(Curve::of("cubic", |x| x * x * x).odd()).is_empty());
+        assert_eq!(failing(Curve::of("cubic", |x| x * x * x + 1e-9).odd()), ["mirror"]);
+        let drag = |power: f64| Curve::of("drag", move |x: f64| -x * libm::pow(x.abs(), power));
+        let says = "it is against the motion";
+        assert!(failing(drag(1.0).value_law(says, |x, y| -x * y).growing_at_most(2.0)).is_empty());
+        assert_eq!(failing(drag(1.0).value_law(says, |x, y| x * y)), [says]);
+        assert_eq!(failing(drag(1.2).growing_at_most(2.0)), ["growth at most as the power 2"]);
+    }
+}

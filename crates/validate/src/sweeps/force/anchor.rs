@@ -1,0 +1,144 @@
+//! An anchor: distance, depth, direction, and the angle at which the chain lifts the shank.
+
+use fenderline_contact::number::lesser;
+use fenderline_contact::vec2;
+use fenderline_sim::ChainGrade;
+use fenderline_sim::anchor::{
+    AnchorFaults, AnchorGear, AnchorLoad, AnchorState, Hawse, Windlass, uplift_share,
+};
+use fenderline_sim::{ChainLink, ChainSize};
+
+use crate::sweeps::sweep::{Axis, Curve, Sweep};
+
+const SUBJECT: &str = "Anchor";
+const WATER_KGPM3: f64 = 1025.0;
+const CHAIN_M: f64 = 165.0;
+const DEPTH_M: f64 = 20.0;
+
+pub(super) fn sweeps() -> Vec<Sweep> {
+    vec![by_distance(), by_depth(), by_direction(), uplift()]
+}
+
+/// A stockless anchor of 10 t on a chain of 81 mm.
+fn gear() -> AnchorGear {
+    let chain = ChainSize { diameter_m: 0.081, grade: ChainGrade::U3, link: ChainLink::Stud };
+    AnchorGear {
+        name: "anchor".to_owned(),
+        mass_kg: 10e3,
+        chain_diameter_m: chain.diameter_m,
+        chain_grade: chain.grade,
+        chain_length_m: 330.0,
+        holding_factor: 3.0,
+        dragging_factor: AnchorGear::DRAGGING_FACTOR,
+        chain_friction: AnchorGear::CHAIN_FRICTION,
+        windlass: Windlass::of_rules(&chain),
+    }
+}
+
+/// What anchor and chain do in a first step, at rest on the bottom at the origin. `bites` is false for an anchor that only drags.
+fn load(distance_m: f64, bearing_rad: f64, above_bottom_m: f64, bites: bool) -> AnchorLoad {
+    let mut state = AnchorState::on_bottom(vec2(0.0, 0.0), CHAIN_M);
+    state.faults = AnchorFaults { does_not_bite: !bites, ..AnchorFaults::default() };
+    let (sin, cos) = libm::sincos(bearing_rad);
+    let hawse = Hawse {
+        at_m: vec2(distance_m * cos, distance_m * sin),
+        above_bottom_m: Some(above_bottom_m),
+    };
+    gear().step(&mut state, &hawse, (0.0, WATER_KGPM3, 0.1), &mut |_| {})
+}
+
+fn horizontal_kn(load: &AnchorLoad) -> f64 {
+    let [north_n, east_n, _] = load.on_ship_n;
+    1e-3 * libm::hypot(north_n, east_n)
+}
+
+fn by_distance() -> Sweep {
+    let curve = |name: &str, bites: bool| {
+        Curve::of(name, move |m| horizontal_kn(&load(m, 0.0, DEPTH_M + 8.0, bites)))
+            .never_negative("it pulls, and never pushes")
+            .law("never more than anchor and chain hold", move |m| {
+                let load = load(m, 0.0, DEPTH_M + 8.0, bites);
+                1e-3 * load.holding_n - horizontal_kn(&load) + 1e-3
+            })
+            .noisy(1e-6)
+    };
+    Sweep {
+        key: "anchor_distance",
+        subject: SUBJECT,
+        title: "Stockless anchor of 10 t, six shackles in 20 m of water: pull by distance"
+            .to_owned(),
+        axis: Axis::new("distance of the hawse pipe", "m", 100.0, 172.0),
+        value: ["horizontal pull", "kN"],
+        curves: vec![
+            curve("holding", true).jumping("an anchor that breaks out holds half as much"),
+            curve("dragging", false),
+        ],
+        lines: Vec::new(),
+        note: "Chain of 81 mm, hawse pipe 8 m above the water. Each place is a first step: the anchor has not yet followed.",
+    }
+}
+
+fn by_depth() -> Sweep {
+    let curves = [120.0, 150.0].map(|distance_m| {
+        Curve::of(format!("{distance_m} m off"), move |depth_m| {
+            horizontal_kn(&load(distance_m, 0.0, depth_m + 8.0, false))
+        })
+        .never_negative("it pulls, and never pushes")
+        .noisy(1e-6)
+    });
+    Sweep {
+        key: "anchor_depth",
+        subject: SUBJECT,
+        title: "The same anchor, that does not bite: pull by depth".to_owned(),
+        axis: Axis::new("depth", "m", 0.0, 90.0),
+        value: ["horizontal pull", "kN"],
+        curves: curves.into(),
+        lines: Vec::new(),
+        note: "With more depth the pull rises until the anchor drags, and then falls as less chain lies on the bottom.",
+    }
+}
+
+fn by_direction() -> Sweep {
+    let part = |name: &str, index: usize, sign: f64| {
+        let at = move |degrees: f64| {
+            1e-3 * load(150.0, degrees.to_radians(), DEPTH_M + 8.0, true).on_ship_n[index]
+        };
+        Curve::of(name, at).mirrored(move |degrees| sign * at(-degrees)).noisy(1e-8)
+    };
+    Sweep {
+        key: "anchor_direction",
+        subject: SUBJECT,
+        title: "The same anchor, 150 m off: force on the ship by her bearing from it".to_owned(),
+        axis: Axis::new("bearing of the ship", "°", -180.0, 180.0),
+        value: ["force", "kN"],
+        curves: vec![
+            part("to the north", 0, 1.0).value_law("towards the anchor", |degrees, value| {
+                -value * libm::cos(degrees.to_radians())
+            }),
+            part("to the east", 1, -1.0).value_law("towards the anchor", |degrees, value| {
+                -value * libm::sin(degrees.to_radians())
+            }),
+        ],
+        lines: Vec::new(),
+        note: "",
+    }
+}
+
+fn uplift() -> Sweep {
+    let at = |degrees: f64| uplift_share(libm::sin(degrees.to_radians()));
+    let share = Curve::of("share", at)
+        .never_negative("it holds, and never pushes")
+        .law("a steeper chain never holds more", move |degrees| {
+            at(degrees) - at(lesser(degrees + 0.05, 90.0))
+        });
+    Sweep {
+        key: "anchor_uplift",
+        subject: SUBJECT,
+        title: "Share of the holding power by the angle between shank and bottom".to_owned(),
+        axis: Axis::new("angle", "°", 0.0, 90.0),
+        value: ["share", ""],
+        curves: vec![share],
+        lines: Vec::new(),
+        note: "",
+    }
+}

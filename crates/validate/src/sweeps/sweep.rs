@@ -1,0 +1,218 @@
+//! What a sweep is: one force along one axis, by several curves, with the laws that it must obey.
+
+use std::rc::Rc;
+
+use fenderline_contact::number::greater;
+
+/// A force, or its coefficient, along the axis of a sweep.
+pub(super) type Function = Rc<dyn Fn(f64) -> f64>;
+
+/// One force along one axis.
+pub(super) struct Sweep {
+    /// Names it in `validation/sweeps.toml` and in file names.
+    pub(super) key: &'static str,
+    /// The force: the heading that it stands under.
+    pub(super) subject: &'static str,
+    pub(super) title: String,
+    pub(super) axis: Axis,
+    /// Name and unit of the values.
+    pub(super) value: [&'static str; 2],
+    pub(super) curves: Vec<Curve>,
+    /// References that are formulas.
+    pub(super) lines: Vec<Line>,
+    pub(super) note: &'static str,
+}
+
+/// The axis of a sweep.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Axis {
+    pub(super) name: &'static str,
+    pub(super) unit: &'static str,
+    pub(super) from: f64,
+    pub(super) to: f64,
+    /// The same ratio from one place to the next, not the same step.
+    pub(super) is_geometric: bool,
+}
+
+impl Axis {
+    pub(super) const fn new(name: &'static str, unit: &'static str, from: f64, to: f64) -> Axis {
+        Axis { name, unit, from, to, is_geometric: false }
+    }
+
+    /// With the same ratio from one place to the next.
+    pub(super) const fn geometric(mut self) -> Axis {
+        self.is_geometric = true;
+        self
+    }
+
+    /// Angles from one side of the bow to the stern (°).
+    pub(super) const fn off_the_bow(name: &'static str) -> Axis {
+        Axis::new(name, "°", 0.0, 180.0)
+    }
+
+    /// `count` + 1 places from one end to the other.
+    pub(super) fn places(&self, count: u32) -> Vec<f64> {
+        let place = |index: u32| {
+            let share = f64::from(index) / f64::from(count);
+            match index {
+                0 => self.from,
+                _ if index == count => self.to,
+                _ if self.is_geometric => self.from * libm::pow(self.to / self.from, share),
+                _ => self.from + (self.to - self.from) * share,
+            }
+        };
+        (0..=count).map(place).collect()
+    }
+}
+
+/// One curve of a sweep, with what must be true of it.
+pub(super) struct Curve {
+    /// Its name in the legend; unique in the sweep.
+    pub(super) name: String,
+    pub(super) at: Function,
+    /// The same values from another situation, such as the mirrored one with the signs turned back: what it is, and the values.
+    pub(super) images: Vec<(&'static str, Function)>,
+    pub(super) laws: Vec<Law>,
+    /// The value grows at most as this power of the axis.
+    pub(super) growth: Option<f64>,
+    /// A jump that the law itself has, and why.
+    pub(super) jump: Option<&'static str>,
+    /// Numerical noise of an iteration, as a share of the largest value.
+    pub(super) noise: f64,
+}
+
+/// What physics asks of a curve.
+pub(super) struct Law {
+    /// In words, as it is printed.
+    pub(super) says: &'static str,
+    /// Not negative where the law holds.
+    pub(super) margin: Function,
+}
+
+/// A reference that is a formula.
+pub(super) struct Line {
+    /// Names its citation in `validation/sweeps.toml`.
+    pub(super) short: &'static str,
+    /// The curve that it is compared with.
+    pub(super) curve: String,
+    pub(super) at: Function,
+}
+
+/// Rounding, as a share of the largest value.
+const ROUNDING: f64 = 1e-12;
+
+impl Curve {
+    pub(super) fn of(name: impl Into<String>, at: impl Fn(f64) -> f64 + 'static) -> Curve {
+        Curve {
+            name: name.into(),
+            at: Rc::new(at),
+            images: Vec::new(),
+            laws: Vec::new(),
+            growth: None,
+            jump: None,
+            noise: ROUNDING,
+        }
+    }
+
+    /// With its mirror image.
+    pub(super) fn mirrored(self, at: impl Fn(f64) -> f64 + 'static) -> Curve {
+        self.same_as("mirror", at)
+    }
+
+    /// With another situation that gives the same values to rounding.
+    pub(super) fn same_as(
+        mut self,
+        what: &'static str,
+        at: impl Fn(f64) -> f64 + 'static,
+    ) -> Curve {
+        self.images.push((what, Rc::new(at)));
+        self
+    }
+
+    /// f(x) = f(−x): the mirror image is on the other side of the axis.
+    pub(super) fn even(self) -> Curve {
+        let at = self.at.clone();
+        self.mirrored(move |x| at(-x))
+    }
+
+    /// f(x) = −f(−x).
+    pub(super) fn odd(self) -> Curve {
+        let at = self.at.clone();
+        self.mirrored(move |x| -at(-x))
+    }
+
+    /// With a law: `margin` is not negative where it holds.
+    pub(super) fn law(
+        mut self,
+        says: &'static str,
+        margin: impl Fn(f64) -> f64 + 'static,
+    ) -> Curve {
+        self.laws.push(Law { says, margin: Rc::new(margin) });
+        self
+    }
+
+    /// With a law about its value.
+    pub(super) fn value_law(
+        self,
+        says: &'static str,
+        margin: impl Fn(f64, f64) -> f64 + 'static,
+    ) -> Curve {
+        let at = self.at.clone();
+        self.law(says, move |x| margin(x, at(x)))
+    }
+
+    /// Its value is never below zero.
+    pub(super) fn never_negative(self, says: &'static str) -> Curve {
+        self.value_law(says, |_, value| value)
+    }
+
+    /// Its value is never above zero.
+    pub(super) fn never_positive(self, says: &'static str) -> Curve {
+        self.value_law(says, |_, value| -value)
+    }
+
+    /// Its size is at most a limit.
+    pub(super) fn at_most(self, says: &'static str, limit: impl Fn(f64) -> f64 + 'static) -> Curve {
+        self.value_law(says, move |x, value| limit(x) - value.abs())
+    }
+
+    /// It never falls along the axis, from `from` on.
+    pub(super) fn rising(self, says: &'static str, step: f64) -> Curve {
+        let at = self.at.clone();
+        self.law(says, move |x| at(x + step) - at(x))
+    }
+
+    /// It never rises along the axis.
+    pub(super) fn falling(self, says: &'static str, step: f64) -> Curve {
+        let at = self.at.clone();
+        self.law(says, move |x| at(x) - at(x + step))
+    }
+
+    /// It grows at most as this power of the axis, on either side of zero.
+    pub(super) fn growing_at_most(mut self, power: f64) -> Curve {
+        self.growth = Some(power);
+        self
+    }
+
+    /// It jumps by its law.
+    pub(super) fn jumping(mut self, why: &'static str) -> Curve {
+        self.jump = Some(why);
+        self
+    }
+
+    /// Its values come from an iteration that leaves this share of the largest value.
+    pub(super) fn noisy(mut self, share: f64) -> Curve {
+        self.noise = greater(share, ROUNDING);
+        self
+    }
+}
+
+impl Line {
+    pub(super) fn of(
+        short: &'static str,
+        curve: impl Into<String>,
+        at: impl Fn(f64) -> f64 + 'static,
+    ) -> Line {
+        Line { short, curve: curve.into(), at: Rc::new(at) }
+    }
+}
