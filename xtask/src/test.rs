@@ -26,6 +26,7 @@ use crate::scenarios;
 use crate::slurm;
 use crate::step::{Done, Step};
 use crate::tools;
+use crate::workflows;
 use crate::wrappers;
 
 /// Folders of `target` that one cargo at a time writes.
@@ -44,7 +45,7 @@ const OWN: [Gated; 7] = [
 ];
 
 /// The steps that also need other tools, or compile everything once more. The longest come first.
-const MORE: [Gated; 28] = [
+const MORE: [Gated; 29] = [
     gated("release", "the program as users build it", release_built, &[], RELEASE),
     gated("lints", "lints", lints, &["build"], DEBUG),
     Gated { key: "pages", step: pages::CHECKED, after: &["release"], uses: Uses::Processor },
@@ -84,6 +85,7 @@ const MORE: [Gated; 28] = [
         Uses::Processor,
     ),
     Gated { key: "nautical", step: nautical::STEP, after: &["build"], uses: Uses::Processor },
+    Gated { key: "workflows", step: workflows::STEP, after: &[], uses: Uses::Processor },
     gated("licences", "licences and sources of dependencies", licences, &[], Uses::Processor),
     gated("passivity", "contacts make no energy", passive, &["release"], RELEASE),
     Gated { key: "dist", step: dist::CHEAP, after: &["release"], uses: RELEASE },

@@ -19,7 +19,7 @@ pub(super) fn now(simulation: &Simulation) -> Vec<AnchorNow> {
 }
 
 fn anchor_now(now: &AnchorAtWork, heading_rad: f64) -> AnchorNow {
-    let AnchorAtWork { state, load } = now;
+    let AnchorAtWork { state, load, .. } = now;
     let (windlass, to_m) = match state.order {
         WindlassOrder::Hold => ("hold", None),
         WindlassOrder::LetGo(to_m) => ("let_go", Some(to_m)),
@@ -49,7 +49,7 @@ fn anchor_now(now: &AnchorAtWork, heading_rad: f64) -> AnchorNow {
 
 /// What the forecastle reports: chain out, lead by the clock from the bow, and stay.
 fn report(now: &AnchorAtWork, heading_rad: f64) -> String {
-    let AnchorAtWork { state, load } = now;
+    let AnchorAtWork { state, load, .. } = now;
     match state.position {
         AnchorPosition::Housed => return "home".to_owned(),
         AnchorPosition::Lost(by) => {
@@ -102,7 +102,7 @@ mod tests {
         let (sine, cosine) = (libm::sin(-0.52), libm::cos(-0.52));
         let on_ship_n = [1e5 * cosine, 1e5 * sine, -1e5];
         let load = AnchorLoad { tension_n: 1.414e5, on_ship_n, ..AnchorLoad::default() };
-        let now = AnchorAtWork { state, load };
+        let now = AnchorAtWork { state, load, .. };
         assert_eq!(report(&now, 0.0), "2 shackles out, leads 11 o'clock, medium stay");
         assert_eq!(report(&now, -0.52), "2 shackles out, leads 12 o'clock, medium stay");
         let down = AnchorLoad { tension_n: 1e5, on_ship_n: [0.0, 0.0, -1e5], ..load };

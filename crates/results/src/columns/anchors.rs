@@ -26,7 +26,7 @@ pub(crate) struct AnchorRow {
 impl AnchorRow {
     /// The row of anchor number `anchor` of a ship with a heading.
     pub(crate) fn new(t_s: f64, anchor: usize, heading_rad: f64, now: &AnchorAtWork) -> AnchorRow {
-        let AnchorAtWork { state, load } = now;
+        let AnchorAtWork { state, load, .. } = now;
         let place_m = match state.position {
             AnchorPosition::OnBottom(at_m) => Some([at_m.x, at_m.y]),
             _ => None,

@@ -1,50 +1,45 @@
 //! Partial factors of the user in `summary.json`.
 
 use fenderline_sim::factors::Factored;
-use serde_json::{Map, Value, json};
 
+use crate::json::{Json, object};
 use crate::outcome::Outcome;
 
 /// Adds `factors`, if the scenario has some: each with the user's source, and what it makes of fenders and lines.
-pub(super) fn put_factors(whole: &mut Value, outcome: &Outcome<'_>) {
+pub(super) fn put_factors(whole: &mut Json, outcome: &Outcome<'_>) {
     let (setup, factors) = (outcome.setup, &outcome.setup.world.factors);
     if factors.is_empty() {
         return;
     }
-    let mut of = Map::new();
-    of.insert("source".to_owned(), json!(factors.source));
-    for (key, factor) in [
-        ("energy", factors.energy),
-        ("reaction", factors.reaction),
-        ("line_load", factors.line_load),
-    ] {
-        of.extend(factor.map(|factor| (key.to_owned(), json!(factor))));
-    }
-    let shown = |unit: &str, what: &str, of: Option<Factored>, one: &mut Map<String, Value>| {
-        let Some(of) = of else { return };
-        one.insert(format!("factored_{what}_{unit}"), json!(of.value));
-        one.extend(of.share().map(|share| (format!("share_with_{what}_factor"), json!(share))));
-    };
-    let fenders = outcome.fenders.iter().map(|fender| {
-        let mut one = Map::new();
-        one.insert("fender".to_owned(), json!(setup.fenders[fender.fender].name));
-        shown("j", "energy", factors.energy_of(fender), &mut one);
-        shown("n", "reaction", factors.reaction_of(fender), &mut one);
-        Value::Object(one)
-    });
+    let mut section = object!({ "source": factors.source });
+    section.put_if_any("energy", factors.energy);
+    section.put_if_any("reaction", factors.reaction);
+    section.put_if_any("line_load", factors.line_load);
     if factors.energy.or(factors.reaction).is_some() {
-        of.insert("fenders".to_owned(), fenders.collect());
+        let fenders = outcome.fenders.iter().map(|fender| {
+            let mut row = object!({ "fender": setup.fenders[fender.fender].name });
+            put_factored(&mut row, ("j", "energy"), factors.energy_of(fender));
+            put_factored(&mut row, ("n", "reaction"), factors.reaction_of(fender));
+            row
+        });
+        section.put("fenders", fenders.collect::<Json>());
     }
     if factors.line_load.is_some() {
-        of.insert("line_capacity".to_owned(), json!(factors.line_capacity.words()));
+        section.put("line_capacity", factors.line_capacity.words());
         let lines = setup.world.lines.iter().zip(&outcome.world.lines).map(|(line, totals)| {
-            let mut one = Map::new();
-            one.insert("line".to_owned(), json!(line.line.name));
+            let mut row = object!({ "line": line.line.name });
             let load = factors.line_load_of(&line.line.kind, totals.tension_n.value);
-            shown("n", "line_load", load, &mut one);
-            Value::Object(one)
+            put_factored(&mut row, ("n", "line_load"), load);
+            row
         });
-        of.insert("lines".to_owned(), lines.collect());
+        section.put("lines", lines.collect::<Json>());
     }
-    whole["factors"] = Value::Object(of);
+    whole.put("factors", section);
+}
+
+/// Adds a factored value, with its share of what the fender or line can bear where that is known.
+fn put_factored(row: &mut Json, (unit, what): (&str, &str), factored: Option<Factored>) {
+    let Some(factored) = factored else { return };
+    row.put(&format!("factored_{what}_{unit}"), factored.value);
+    row.put_if_any(&format!("share_with_{what}_factor"), factored.share());
 }

@@ -55,7 +55,7 @@ impl AnchorTotals {
     }
 
     pub(super) fn add(&mut self, (t_s, step_s): (f64, f64), now: &AnchorAtWork) {
-        let AnchorAtWork { state, load } = now;
+        let AnchorAtWork { state, load, .. } = now;
         self.tension_n.raise(greater(load.tension_n, load.lost_at_n.unwrap_or(0.0)), t_s);
         self.chain_m.raise(state.chain_m, t_s);
         self.on_bottom.count(matches!(state.position, AnchorPosition::OnBottom(_)), step_s);

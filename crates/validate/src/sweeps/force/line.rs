@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use fenderline_sim::constants::{SEA_WATER_KGPM3, STANDARD_GRAVITY_MPS2};
 use fenderline_sim::mooring::{
-    Cable, InboardEnd, InitialLength, Line as MooringLine, LineEnds, LineKind, LineLoad, LineSetup,
-    LineState, Rope, RopeCurve, Tail, Winch, WinchOrder, catenary,
+    Cable, InboardEnd, InitialLength, Line as MooringLine, LineDetails, LineEnds, LineKind,
+    LineLoad, LineSetup, LineState, Rope, RopeCurve, Tail, Winch, WinchOrder, catenary,
 };
 
 use crate::sweeps::sweep::{Axis, Curve, Sweep};
@@ -61,7 +61,11 @@ fn line(tail: bool, inboard_end: InboardEnd) -> (MooringLine, LineState) {
     let nylon = Rope { break_load_n: 1.25 * BREAK_N, curve: RopeCurve::nylon() };
     let setup = LineSetup {
         name: "line".to_owned(),
-        kind: LineKind::Light { main, tail: tail.then_some(Tail { rope: nylon, length_m: 11.0 }) },
+        kind: LineKind::Light {
+            main,
+            tail: tail.then_some(Tail { rope: nylon, length_m: 11.0 }),
+            details: LineDetails::default(),
+        },
         inboard_end,
         initial_length: InitialLength::Outboard(50.0),
     };

@@ -92,7 +92,8 @@ pub(super) fn sweeps() -> Vec<Sweep> {
 
 /// A coefficient by the angle off the bow to port, with the laws for all methods.
 fn curve(name: &str, ship: ShipWindage, part: Part) -> Curve {
-    let at = move |degrees: f64| part.of(&ship.coefficients(degrees.to_radians()));
+    let coefficients = ship.clone();
+    let at = move |degrees: f64| part.of(&coefficients.coefficients(degrees.to_radians()));
     let curve = Curve::of(name, at);
     match part {
         Part::Surge => curve.even().law(PUSHES_DOWNWIND, move |degrees| downwind_n(&ship, degrees)),
@@ -203,8 +204,8 @@ fn of_types((title, keys, types): &Group, part: Part) -> Sweep {
 }
 
 fn by_speed() -> Sweep {
-    let ship = tanker();
     let curves = [0.0, 45.0, 90.0, 180.0].map(|degrees: f64| {
+        let ship = tanker();
         let at = move |knots: f64| {
             let wind =
                 RelativeWind { speed_mps: knots * KNOT_MPS, angle_rad: degrees.to_radians() };
