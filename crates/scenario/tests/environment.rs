@@ -69,7 +69,7 @@ const AREAS: &str =
 fn windage(method: &str) -> ShipWindage {
     let lines = format!("windage = {{ {AREAS}, {method} }}");
     let scenario = good(&[("vessel", &lines)], &[]);
-    scenario.setup.world.vessels[0].windage.expect("she has wind areas")
+    scenario.setup.world.vessels[0].windage.clone().expect("she has wind areas")
 }
 
 /// The numbers of validation/independent/ship_formulas.py, to half of the last digit.

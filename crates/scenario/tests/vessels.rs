@@ -641,7 +641,7 @@ fn a_vessel_with_from_differs_only_in_the_given_keys() {
     assert_eq!(rate(&faster), [Standing::Given]);
     assert_eq!(rate(&plain.setup.world.vessels[0]), [Standing::Assumed]);
     let rest = |vessel: &fenderline_sim::VesselSetup| {
-        (vessel.ship, vessel.shaft, vessel.thrusters.clone(), vessel.windage, vessel.float)
+        (vessel.ship, vessel.shaft, vessel.thrusters.clone(), vessel.windage.clone(), vessel.float)
     };
     assert_eq!(rest(&faster), rest(&plain.setup.world.vessels[0]));
     assert_eq!(faster.rudder.stop, plain.setup.world.vessels[0].rudder.stop);

@@ -102,13 +102,13 @@ mod tests {
         let (sine, cosine) = (libm::sin(-0.52), libm::cos(-0.52));
         let on_ship_n = [1e5 * cosine, 1e5 * sine, -1e5];
         let load = AnchorLoad { tension_n: 1.414e5, on_ship_n, ..AnchorLoad::default() };
-        let now = AnchorAtWork { state, load, .. };
+        let now = AnchorAtWork::with(state, load);
         assert_eq!(report(&now, 0.0), "2 shackles out, leads 11 o'clock, medium stay");
         assert_eq!(report(&now, -0.52), "2 shackles out, leads 12 o'clock, medium stay");
         let down = AnchorLoad { tension_n: 1e5, on_ship_n: [0.0, 0.0, -1e5], ..load };
-        let now = AnchorAtWork { load: down, ..now };
+        let now = AnchorAtWork::with(state, down);
         assert_eq!(report(&now, 0.0), "2 shackles out, up and down");
-        let home = AnchorAtWork { state: AnchorState::housed(), load: AnchorLoad::default() };
+        let home = AnchorAtWork::with(AnchorState::housed(), AnchorLoad::default());
         assert_eq!(report(&home, 0.0), "home");
         assert_eq!([-3.1, -1.6, 0.0, 1.6, 3.1].map(clock), [6, 9, 12, 3, 6]);
     }

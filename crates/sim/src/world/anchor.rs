@@ -88,6 +88,12 @@ impl AnchorSetup {
 }
 
 impl AnchorAtWork {
+    /// An anchor in a state, with its forces; its chain has not pulled yet.
+    #[must_use]
+    pub fn with(state: AnchorState, load: AnchorLoad) -> AnchorAtWork {
+        AnchorAtWork { state, load, lever: Lever::default() }
+    }
+
     pub(crate) fn new(setup: &AnchorSetup) -> AnchorAtWork {
         let state = match setup.start {
             Some(start) => AnchorState::on_bottom(start.at_m, start.chain_m),
