@@ -4,7 +4,7 @@
 use std::hint::black_box;
 use std::path::PathBuf;
 
-use fenderline_campaign::{Runner, Runs, make};
+use fenderline_campaign::{RunNumbers, Runner, Runs, make};
 use fenderline_scenario::Campaign;
 use fenderline_sim::Simulation;
 
@@ -84,7 +84,7 @@ pub(crate) fn bench(rounds: usize) -> Result<Table, String> {
             black_box(runner.run(run, &|| false));
         }
     };
-    let numbers: Vec<u64> = (0..RUNS_ON_THREADS).collect();
+    let numbers = RunNumbers::from(0..RUNS_ON_THREADS);
     let on_threads = |threads: usize| {
         make(&runs, &numbers, threads, &|| false, &mut |row| {
             black_box(row);

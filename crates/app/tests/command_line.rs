@@ -291,7 +291,7 @@ fn a_terminal_shows_the_rate_and_the_time_left_and_colours() {
     assert_eq!(quiet, "");
     let validate = "TERM=xterm COLUMNS=100 \"$FENDERLINE\" validate";
     let shown = on_a_terminal(&place, validate).expect("as above");
-    contains_all(&shown, &["% of 30 parts, ", "parts/s, ", " left"]);
+    contains_all(&shown, &["% of 31 parts, ", "parts/s, ", " left"]);
     let bad = "\"$FENDERLINE\" check tug.toml --step -1";
     let coloured = on_a_terminal(&place, &format!("TERM=xterm {bad}")).expect("as above");
     contains_all(&coloured, &["\u{1b}[31merror:"]);

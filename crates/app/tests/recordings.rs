@@ -256,7 +256,7 @@ fn a_second_ctrl_c_ends_the_program_whatever_it_waits_for() {
         send.send(lines)
     });
     // Kept open and not read any more.
-    let _reader = greeted.recv_timeout(server::limited::LIMIT).expect("the greeting comes");
+    let _reader = greeted.recv_timeout(crate::support::limited::LIMIT).expect("the greeting comes");
     let id = child.id().to_string();
     let interrupt = || {
         assert!(Command::new("kill").args(["-INT", &id]).status().expect("kill").success());

@@ -301,7 +301,8 @@ fn survey_of_the_repository() {
         let scenario =
             case.read(&case.document).unwrap_or_else(|| panic!("{}: {}", case.name, case.why()));
         let (step_s, duration_s) = (scenario.setup.step_s, scenario.setup.duration_s);
-        case.document["time"]["duration"] = json!((100.0 * step_s).min(duration_s));
+        case.document["time"]["duration"] =
+            json!(if 100.0 * step_s < duration_s { 100.0 * step_s } else { duration_s });
     }
     print(&survey(&cases, usize::MAX));
 }

@@ -188,7 +188,7 @@ fn a_file_that_is_no_recording_is_refused_with_the_reason_when_it_is_served() {
     let served = |name: &str, bytes: &[u8]| {
         let file = folder.join(name);
         std::fs::write(&file, bytes).expect("written");
-        let output = server::limited::output(server::program().arg("serve").arg(&file));
+        let output = crate::support::limited::output(server::program().arg("serve").arg(&file));
         assert_eq!(output.status.code(), Some(2), "{name}");
         String::from_utf8_lossy(&output.stderr).into_owned()
     };

@@ -1,9 +1,6 @@
 //! The program as a server of its own for each test, on a free port.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
-#[path = "../support/limited.rs"]
-pub(crate) mod limited;
-
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs;
@@ -14,7 +11,7 @@ use std::process::{Child, Command, Stdio};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex};
 
-use limited::Lines;
+use crate::support::limited::{self, Lines};
 
 static NEXT: AtomicU32 = AtomicU32::new(0);
 

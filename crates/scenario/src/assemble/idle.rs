@@ -72,7 +72,7 @@ impl Assembly<'_, '_> {
             }
             let friction = *table.given("friction_static").number();
             let rolls = own.iter().filter_map(|(_, of)| resistance(of)).any(|of| of > 0.0);
-            if !rolls && !(slides && friction > 0.0) {
+            if !(rolls || slides && friction > 0.0) {
                 let why = "the material has no `friction_static`, and the shear spring carries no more than friction allows";
                 self.note_idle(table, "shear_stiffness", why);
             }
