@@ -100,6 +100,8 @@ fn found_of(verdict: &Value) -> impl Iterator<Item = &Value> {
 
 /// Files of long waves must reach to the end of the run, but a live session can go on after it; only the commands of the program start
 /// providers (`provider.rs`).
+/// The most findings that a report lists.
+const SHOWN_IN_A_REPORT: usize = 8;
 const NOT_IN_THE_TABLE: [Law; 2] = [Law::LongWavesHeld, Law::ProviderSilent];
 
 #[test]
@@ -204,7 +206,8 @@ fn the_verdict_on_a_known_case_is_the_same_everywhere() {
         // Report.
         let report = place.text("case/report.html");
         contains_all(&report, &[words]);
-        contains_all(&report, &findings);
+        // A report has the worst findings and says how many more there are.
+        contains_all(&report, &findings[..findings.len().min(SHOWN_IN_A_REPORT)]);
 
         // Live pages.
         let on_pages = case.on_pages(summary["steps"].as_u64().expect("steps"));
