@@ -17,6 +17,19 @@ struct Tried {
     set: Vec<&'static str>,
 }
 
+/// A command beside `run` with tables in CSV.
+#[derive(Clone, Copy)]
+enum Command {
+    Check,
+    Parquet,
+    Report,
+    Fmu,
+}
+
+impl Command {
+    const ALL: [Command; 4] = [Command::Check, Command::Parquet, Command::Report, Command::Fmu];
+}
+
 /// Forces of other programs need them at the master's machine: an FMU refuses such a scenario.
 const NO_FMU: &str = "drag_in_python";
 
@@ -183,8 +196,8 @@ impl Tried {
         place.run(&[&[command, &self.file], &set[..], more].concat())
     }
 
-    /// What is wrong with it; nothing in a sound repository.
-    fn faults(&self, place: &Workplace) -> Vec<String> {
+    /// What is wrong with it; nothing in a sound repository. Besides a run, which checks it, the commands of `more` are given it.
+    fn faults(&self, place: &Workplace, more: &[Command]) -> Vec<String> {
         let mut faults = Vec::new();
         let mut expect = |what: &str, run: &Run, codes: &[i32]| {
             if !codes.contains(&run.code) {
@@ -195,9 +208,8 @@ impl Tried {
         };
         let stem: String = self.name.replace([' ', '/'], "_");
         let out = |kind: &str| format!("out_{stem}_{kind}");
-        expect("check", &place.run(&["check", &self.file]), &[0]);
         // A verdict may be bad: the run is complete.
-        let (csv, parquet) = (out("csv"), out("parquet"));
+        let csv = out("csv");
         let told = self.run(place, "run", &["--out", &csv, "--allow-failures"]);
         if expect("run", &told, &[0]) {
             let summary = place.json(&format!("{csv}/summary.json"));
@@ -205,37 +217,54 @@ impl Tried {
             contains_all(&place.text(&format!("{csv}/bodies.csv")), &["t_s,"]);
             contains_all(&place.text(&format!("{csv}/report.html")), &["</html>"]);
         }
-        let of_parquet = ["--out", &parquet, "--format", "parquet", "--allow-failures", "--json"];
-        let told = self.run(place, "run", &of_parquet);
-        if expect("run --format parquet --json", &told, &[0]) {
-            let printed: serde_json::Value =
-                serde_json::from_str(&told.stdout).expect("the summary is JSON");
-            assert!(printed["bodies"].is_array(), "{}", self.name);
+        for command in more {
+            match command {
+                Command::Check => {
+                    expect("check", &place.run(&["check", &self.file]), &[0]);
+                }
+                Command::Parquet => {
+                    let parquet = out("parquet");
+                    let options =
+                        ["--out", &parquet, "--format", "parquet", "--allow-failures", "--json"];
+                    let told = self.run(place, "run", &options);
+                    if expect("run --format parquet --json", &told, &[0]) {
+                        let printed: serde_json::Value =
+                            serde_json::from_str(&told.stdout).expect("the summary is JSON");
+                        assert!(printed["bodies"].is_array(), "{}", self.name);
+                    }
+                }
+                Command::Report => {
+                    let page = format!("{stem}.html");
+                    let told = self.run(place, "report", &["--html", &page, "--allow-failures"]);
+                    expect("report", &told, &[0]);
+                }
+                Command::Fmu => {
+                    let fmu = format!("{stem}.fmu");
+                    let told = self.run(place, "fmu", &["--kind", "simulation", "-o", &fmu]);
+                    expect("fmu", &told, if self.name == NO_FMU { &[2] } else { &[0] });
+                }
+            }
         }
-        let page = format!("{stem}.html");
-        let told = self.run(place, "report", &["--html", &page, "--allow-failures"]);
-        expect("report", &told, &[0]);
-        let fmu = format!("{stem}.fmu");
-        let told = self.run(place, "fmu", &["--kind", "simulation", "-o", &fmu]);
-        expect("fmu", &told, if self.name == NO_FMU { &[2] } else { &[0] });
         faults
     }
 }
 
-#[test]
-fn everything_in_the_library_goes_through_each_command() {
-    let place = Workplace::new("whole_library");
+/// Tries everything; `more` tells the commands for the item of a number.
+fn try_everything(name: &str, more: impl Fn(usize) -> Vec<Command> + Sync) {
+    let place = Workplace::new(name);
     let mut all = of_library(&place);
     all.extend(of_examples(&place));
     all.extend(of_scenarios());
-    let left = Mutex::new(all.iter());
+    let left = Mutex::new(all.iter().enumerate());
     let faults = Mutex::new(Vec::new());
     std::thread::scope(|scope| {
         for _ in 0..std::thread::available_parallelism().map_or(2, usize::from) {
             scope.spawn(|| {
                 loop {
-                    let Some(tried) = left.lock().expect("no panic").next() else { break };
-                    let found = tried.faults(&place);
+                    let Some((number, tried)) = left.lock().expect("no panic").next() else {
+                        break;
+                    };
+                    let found = tried.faults(&place, &more(number));
                     faults.lock().expect("no panic").extend(found);
                 }
             });
@@ -243,4 +272,17 @@ fn everything_in_the_library_goes_through_each_command() {
     });
     let faults = faults.into_inner().expect("no panic");
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
+}
+
+/// The small form: everything is run, and given one command more in turn.
+#[test]
+fn everything_in_the_library_runs_and_goes_through_a_command_in_turn() {
+    try_everything("library_in_turn", |number| vec![Command::ALL[number % Command::ALL.len()]]);
+}
+
+/// `cargo test -p fenderline --test all whole_library:: -- --ignored`
+#[test]
+#[ignore = "long: the full form of the test above"]
+fn everything_in_the_library_goes_through_each_command() {
+    try_everything("whole_library", |_| Command::ALL.to_vec());
 }

@@ -165,6 +165,7 @@ const MAY_BE_IDLE: &[(&str, &str)] = &[
     ("fender_row.*.exception.*.stop", "the fender is not compressed that far"),
     ("fender_row.*.exception.*.type", "the value of the row"),
     ("fender_row.*.facing", "the value of an edge's own direction"),
+    ("material.*.friction_static", "the shear spring stays below the limit of friction"),
     ("fender_row.*.outline", "a shape is not met everywhere"),
     ("fender_row.*.stop", "the fender is not compressed that far"),
     ("limit.*.vessel", "the first vessel is meant without it"),

@@ -85,12 +85,13 @@ impl Assembly<'_, '_> {
         let vessels = &setup.world.vessels;
         if vessels.is_empty() {
             let why = "it acts on vessels, and no body has a `vessel`";
-            for key in ["wind", "current", "waves", "squat", "bank"] {
+            for key in ["wind", "air_density", "current", "waves", "squat", "bank"] {
                 self.note_idle(environment, key, why);
             }
         } else if vessels.iter().all(|vessel| vessel.windage.is_none()) {
             let why = "no vessel has wind areas (`windage`)";
             self.note_idle(environment, "wind", why);
+            self.note_idle(environment, "air_density", why);
         }
         if let Some(wind) = environment.item("wind").map(Item::table)
             && !wind.item("gusts").is_some_and(|item| *item.flag())
