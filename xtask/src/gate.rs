@@ -66,8 +66,8 @@ enum Outcome {
     Failed,
 }
 
-/// Runs `steps`. Where `CI` is set, a missing tool is a failure, so that no step is skipped unnoticed. After a failure no
-/// step begins.
+/// Runs `steps`. Where `CI` is set, a missing tool is a failure, so that no step is skipped unnoticed. What comes after
+/// a step that failed does not begin; all others do, so that one run shows all failures.
 pub(crate) fn run_gated(steps: &[Gated]) -> ExitCode {
     match run_steps(steps) {
         Ok(ended) => {
@@ -109,10 +109,12 @@ fn run_steps(steps: &[Gated]) -> Result<Vec<Ended>, String> {
     let mut running: Vec<Running> = Vec::new();
     let mut ended: Vec<Ended> = Vec::new();
     while !(waiting.is_empty() && running.is_empty()) {
-        let may_begin = ended.iter().all(|step| !is_failure(&step.outcome));
-        while let Some(place) = waiting
-            .iter()
-            .position(|&index| may_begin && is_ready(steps, index, &waiting, &running, at_once))
+        let failed = |key: &str| {
+            ended.iter().any(|step| steps[step.index].key == key && is_failure(&step.outcome))
+        };
+        waiting.retain(|&index| !steps[index].after.iter().any(|key| failed(key)));
+        while let Some(place) =
+            waiting.iter().position(|&index| is_ready(steps, index, &waiting, &running, at_once))
         {
             let index = waiting.remove(place);
             println!("-- {:>5.0} s: {} begins", began.elapsed().as_secs_f64(), steps[index].key);

@@ -5,6 +5,8 @@ use maud::{Markup, html};
 use fenderline_results::Outcome;
 use fenderline_sim::{Gravity, Verdict};
 
+use crate::words::with_code;
+
 /// Findings shown at most.
 const FINDINGS: usize = 8;
 
@@ -17,7 +19,7 @@ pub(super) fn headline(outcome: &Outcome<'_>) -> Markup {
             p class="headline" { span class="label" { "Verdict" } " " strong { (verdict.text()) } }
             @if !shown.is_empty() {
                 ul class="plain" {
-                    @for finding in shown { li { (finding.sentence(outcome.setup)) "." } }
+                    @for finding in shown { li { (with_code(&finding.sentence(outcome.setup))) "." } }
                     @if !rest.is_empty() { li { "And " (rest.len()) " more, in summary.json." } }
                 }
             }
