@@ -6,6 +6,7 @@
 
 mod branches;
 mod campaign;
+mod carried;
 mod check;
 mod cli;
 mod columns;

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use crate::fmu;
+use crate::carried;
 
 /// The commit, from the build script; empty where neither git nor the packager knows it.
 const COMMIT: &str = env!("FENDERLINE_COMMIT_OF_BUILD");
@@ -29,7 +29,7 @@ fn features() -> Vec<String> {
     if fenderline_serve::has_pages() {
         features.push("pages of `serve`".to_owned());
     }
-    let platforms = fmu::carried_platforms();
+    let platforms = carried::platforms();
     if !platforms.is_empty() {
         features.push(format!("libraries of FMUs for {}", platforms.join(", ")));
     }

@@ -11,18 +11,12 @@ use fenderline_fmu::{
 };
 use fenderline_scenario::read_bytes;
 
+use crate::carried::EMBEDDED;
 use crate::cli::FmuArgs;
 use crate::failure::Failure;
 
-include!(concat!(env!("OUT_DIR"), "/fmu_libraries.rs"));
-
 /// Largest library that is read (bytes). The project's has about 3 MiB, with debug information about 100.
 const LARGEST_LIBRARY: u64 = 1 << 30;
-
-/// Platforms for which this program carries a library, by their names in FMI 3.0.
-pub(crate) fn carried_platforms() -> Vec<&'static str> {
-    EMBEDDED.iter().map(|(platform, _)| *platform).collect()
-}
 
 /// A library for one platform.
 pub(super) struct Library {

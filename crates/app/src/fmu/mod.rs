@@ -4,7 +4,6 @@ mod libraries;
 
 use fenderline_fmu::{Bundle, BundleError, Fmi, Kind, Plan, PlanError, Platform, pack};
 
-pub(crate) use self::libraries::carried_platforms;
 use self::libraries::{Library, libraries};
 use crate::cli::{FmiVersion, FmuArgs, FmuKind};
 use crate::failure::Failure;
