@@ -33,6 +33,13 @@ use crate::wrappers;
 const DEBUG: Uses = Uses::Builds("debug");
 const RELEASE: Uses = Uses::Builds("release");
 
+/// The steps that begin first, as the browser takes longest.
+const FIRST: [Gated; 3] = [
+    gated("release", "the program as users build it", release_built, &[], RELEASE),
+    Gated { key: "pages", step: pages::CHECKED, after: &["release"], uses: Uses::Processor },
+    Gated { key: "browser", step: pages::DRIVEN, after: &["release", "pages"], uses: Uses::Waits },
+];
+
 /// The steps that need Rust alone: what a contributor runs.
 const OWN: [Gated; 7] = [
     gated("format", "format", format, &[], Uses::Processor),
@@ -44,12 +51,9 @@ const OWN: [Gated; 7] = [
     gated("cases", "published cases", validate, &["build"], Uses::Processor),
 ];
 
-/// The steps that also need other tools, or compile everything once more. The longest come first.
-const MORE: [Gated; 29] = [
-    gated("release", "the program as users build it", release_built, &[], RELEASE),
+/// The steps that also need other tools, or compile everything once more.
+const MORE: [Gated; 26] = [
     gated("lints", "lints", lints, &["build"], DEBUG),
-    Gated { key: "pages", step: pages::CHECKED, after: &["release"], uses: Uses::Processor },
-    Gated { key: "browser", step: pages::DRIVEN, after: &["release", "pages"], uses: Uses::Waits },
     Gated { key: "speed", step: pages::FAST, after: &["browser"], uses: Uses::Processor },
     gated("python", "the Python package", python_package, &["release"], RELEASE),
     Gated { key: "npm", step: browser::PACKAGE_TESTED, after: &["release"], uses: RELEASE },
@@ -145,7 +149,7 @@ const fn gated(
 
 /// `cargo xtask test [all | STEP...]`: without names the steps that need Rust alone.
 pub(crate) fn test_command(names: &[&str]) -> ExitCode {
-    let all = || OWN.into_iter().chain(MORE);
+    let all = || FIRST.into_iter().chain(OWN).chain(MORE);
     if let Some(unknown) =
         names.iter().find(|name| **name != "all" && all().all(|s| s.key != **name))
     {
@@ -163,7 +167,7 @@ pub(crate) fn test_command(names: &[&str]) -> ExitCode {
 
 /// `cargo xtask step NAME`: one step in this process, as `test` starts it.
 pub(crate) fn step_command(name: &str) -> ExitCode {
-    match OWN.into_iter().chain(MORE).find(|step| step.key == name) {
+    match FIRST.into_iter().chain(OWN).chain(MORE).find(|step| step.key == name) {
         Some(step) => run_one(&step),
         None => {
             eprintln!("there is no step `{name}`");
