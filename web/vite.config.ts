@@ -15,8 +15,8 @@ export default defineConfig({
           exclude: ["e2e/speed.e2e.ts"],
           testTimeout: 450_000,
           hookTimeout: 60_000,
-          // Most of the time they wait for the ship.
-          maxWorkers: 3,
+          // Much of the time they wait for the ship; more at once would draw too slowly on two processors.
+          maxWorkers: 2,
         },
       },
       {

@@ -37,8 +37,6 @@ pub(crate) enum Uses {
     Processor,
     /// A processor, and a folder of builds that one cargo at a time may write, such as `debug`.
     Builds(&'static str),
-    /// Mostly waits, for a browser or a clock: it runs beside all others.
-    Waits,
 }
 
 /// A step that runs.
@@ -178,10 +176,9 @@ fn is_ready(
         return false;
     }
     let uses = steps[index].uses;
-    let busy = running.iter().filter(|step| steps[step.index].uses != Uses::Waits).count();
+    let busy = running.len();
     let same_folder = |step: &Running| steps[step.index].uses == uses;
     match uses {
-        Uses::Waits => true,
         Uses::Processor => busy < at_once,
         Uses::Builds(_) => busy < at_once && !running.iter().any(same_folder),
     }
@@ -295,7 +292,7 @@ mod tests {
     const STEPS: [Gated; 3] = [
         step("build", &[], Uses::Builds("debug")),
         step("tests", &["build"], Uses::Processor),
-        step("browser", &["absent"], Uses::Waits),
+        step("browser", &["absent"], Uses::Processor),
     ];
 
     #[test]
@@ -307,8 +304,8 @@ mod tests {
     }
 
     #[test]
-    fn a_processor_is_needed_by_all_but_what_waits() {
+    fn no_step_begins_without_a_processor() {
         assert!(!is_ready(&STEPS, 1, &[2], &[], 0));
-        assert!(is_ready(&STEPS, 2, &[1], &[], 0));
+        assert!(!is_ready(&STEPS, 2, &[1], &[], 0));
     }
 }

@@ -37,7 +37,12 @@ const RELEASE: Uses = Uses::Builds("release");
 const FIRST: [Gated; 3] = [
     gated("release", "the program as users build it", release_built, &[], RELEASE),
     Gated { key: "pages", step: pages::CHECKED, after: &["release"], uses: Uses::Processor },
-    Gated { key: "browser", step: pages::DRIVEN, after: &["release", "pages"], uses: Uses::Waits },
+    Gated {
+        key: "browser",
+        step: pages::DRIVEN,
+        after: &["release", "pages"],
+        uses: Uses::Processor,
+    },
 ];
 
 /// The steps that need Rust alone: what a contributor runs.
@@ -61,7 +66,7 @@ const MORE: [Gated; 26] = [
         key: "page",
         step: browser::PAGE_DRIVEN,
         after: &["npm", "browser"],
-        uses: Uses::Waits,
+        uses: Uses::Processor,
     },
     gated("documentation", "documentation", documentation, &["lints"], DEBUG),
     Gated { key: "book", step: book::STEP, after: &["release"], uses: Uses::Processor },
