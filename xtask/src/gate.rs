@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitCode, Stdio};
 use std::time::{Duration, Instant};
 
+use crate::built;
 use crate::step::Step;
 use crate::virtual_environment::target_folder;
 
@@ -116,7 +117,10 @@ fn run_steps(steps: &[Gated]) -> Result<Vec<Ended>, String> {
         {
             let index = waiting.remove(place);
             println!("-- {:>5.0} s: {} begins", began.elapsed().as_secs_f64(), steps[index].key);
-            let child = start(&program, steps[index].key, &output(&folder, &steps[index]))?;
+            let done = ended.iter().filter(|step| step.outcome == Outcome::Good);
+            let done: Vec<&str> = done.map(|step| steps[step.index].key).collect();
+            let output = output(&folder, &steps[index]);
+            let child = start(&program, steps[index].key, &done.join(","), &output)?;
             running.push(Running { index, child, began: Instant::now() });
         }
         if running.is_empty() {
@@ -197,12 +201,18 @@ fn output(folder: &Path, step: &Gated) -> PathBuf {
     folder.join(step.key).with_extension("txt")
 }
 
-fn start(program: &Path, key: &str, output: &Path) -> Result<Child, String> {
+/// Starts a step; `done` names those that are done.
+fn start(program: &Path, key: &str, done: &str, output: &Path) -> Result<Child, String> {
     let failed = |e| format!("{}: {e}", output.display());
     let file = File::create(output).map_err(failed)?;
     let errors = file.try_clone().map_err(failed)?;
     let mut command = Command::new(program);
-    command.args(["step", key]).stdin(Stdio::null()).stdout(file).stderr(errors);
+    command
+        .args(["step", key])
+        .env(built::DONE, done)
+        .stdin(Stdio::null())
+        .stdout(file)
+        .stderr(errors);
     command.spawn().map_err(|e| format!("{key}: {e}"))
 }
 
