@@ -505,7 +505,8 @@ def test_the_files_of_the_repository_agree_with_their_depth_and_are_left_as_they
             twice = _check.contradiction(panel_of(data, 2.0 * data.depth_m))
             assert twice is not None and math.log(1.4) < twice[0] < math.log(1.9), path.name
         assert _sound.looked_through(panel, None, None, None) == ([], []), path.name
-        assert panel.notes == [], path.name
+        # Data that reach to short waves, which the panels do not resolve, have a doubt there; nothing is changed.
+        assert [note for note in panel.notes if not note.startswith("Doubt")] == [], path.name
 
 
 def test_a_file_is_read_back(hull: Hull, tmp_path: Path) -> None:

@@ -50,6 +50,10 @@ def dumps(tree: Mapping[str, object]) -> str:
     bodies = ["a", "b"]
     <BLANKLINE>
     """
+    # Callers without a type checker may give anything.
+    given: object = tree
+    if not isinstance(given, Mapping):
+        raise TypeError(f"tree: a scenario is a tree of dictionaries, not {given!r}")
     lines: list[str] = []
     _table(tree, "", lines)
     return "\n".join(lines) + "\n"
