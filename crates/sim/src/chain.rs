@@ -3,8 +3,6 @@
 //! A tension chain is part of the panel's law in the contact engine. Shear and weight chains follow from statics: they take
 //! their part of the forces that the engine computes, and do not change those.
 
-pub(crate) mod size;
-
 use fenderline_contact::number::greater;
 use fenderline_contact::{Contact, Friction, Material, PanelMotion, TensionChain};
 

@@ -4,13 +4,13 @@ use std::fmt;
 
 use fenderline_contact::{DisplayNumber, ModelError, StepError};
 
-use crate::anchor::AnchorError;
 use crate::berthing::BerthingError;
 use crate::change::ChangeError;
-use crate::environment::EnvironmentError;
-use crate::mooring::MooringError;
 use crate::order::OrderError;
-use crate::range::OutOfRange;
+use fenderline_ship::anchor::AnchorError;
+use fenderline_ship::environment::EnvironmentError;
+use fenderline_ship::mooring::MooringError;
+use fenderline_ship::range::OutOfRange;
 
 /// A set-up that cannot be simulated.
 #[derive(Clone, Debug, PartialEq)]

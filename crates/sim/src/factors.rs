@@ -4,8 +4,8 @@
 //! user's source in all outputs.
 
 use crate::fender::FenderSummary;
-use crate::mooring::LineKind;
-use crate::range::{OutOfRange, within};
+use fenderline_ship::mooring::LineKind;
+use fenderline_ship::range::{OutOfRange, within};
 
 /// Factors of the user's own on energies, reactions and line loads.
 #[derive(Clone, Debug, Default, PartialEq)]

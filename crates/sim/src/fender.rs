@@ -8,11 +8,11 @@ use fenderline_contact::{
 use crate::chain::{
     ChainKind, ChainLoad, ChainSetup, ChainSummary, ChainTension, add_others, add_tension,
 };
-use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::hull::{HullTouch, larger_force_n};
 use crate::panel::{ConeUse, PanelSummary};
 use crate::record::StepRecord;
 use crate::setup::NamedMaterial;
+use fenderline_ship::constants::STANDARD_GRAVITY_MPS2;
 
 /// A fender of a [`crate::Setup`].
 #[derive(Clone, Debug, PartialEq)]

@@ -166,23 +166,16 @@
 //! 6. `record`: summaries and the [`StepRecord`].
 #![forbid(unsafe_code)]
 
-pub mod anchor;
-pub mod attitude;
 pub mod berth;
 pub mod berthing;
-pub mod constants;
-pub mod control;
-pub mod environment;
 pub mod exercise;
 pub mod external;
-pub mod hydro;
 
 mod approach;
 mod chain;
 pub mod change;
 pub mod chart;
 mod contact_totals;
-pub mod distance;
 mod dolphin;
 mod error;
 pub mod factors;
@@ -195,34 +188,32 @@ mod integrate;
 mod ledger;
 mod load_work;
 mod mean_velocity;
-pub mod mooring;
 pub mod order;
 mod output_plan;
 mod panel;
-pub mod passing;
-mod random;
-mod range;
 mod record;
 mod rigid_body;
-pub mod seakeeping;
 mod setup;
 mod simulation;
 mod start;
 pub mod statistics;
 mod summary;
-pub mod track;
-pub mod tug;
 mod turning;
 mod verdict;
 mod world;
 
 pub use approach::{Approach, Side};
-pub use chain::size::{ChainGrade, ChainLink, ChainSize};
 pub use chain::{ChainKind, ChainSetup, ChainSummary, ChainTension};
 pub use change::{Change, ChangeError, PlannedChange};
 pub use dolphin::{DolphinMotion, DolphinSetup, DolphinSummary, SteelPiles};
 pub use error::{SetupError, SimError};
 pub use fender::{FenderSetup, FenderSource, FenderSummary, HullMet, HullPressure, Rated};
+pub use fenderline_ship::chain::{ChainGrade, ChainLink, ChainSize};
+pub use fenderline_ship::range::OutOfRange;
+pub use fenderline_ship::{
+    anchor, attitude, constants, control, distance, environment, hydro, mooring, passing,
+    seakeeping, track, tug,
+};
 pub use gain::EnergyGain;
 pub use hull::{HullByHeight, HullError, HullTouch, Level, SideMissed};
 pub use order::{
@@ -230,7 +221,6 @@ pub use order::{
 };
 pub use output_plan::{OutputPlan, OutputTable};
 pub use panel::{ConeSummary, ConeUse, PanelSummary};
-pub use range::OutOfRange;
 pub use record::{ContactEnergy, Energy, LoadWork, StepRecord};
 pub use setup::{
     BodySetup, BodyVelocity, Integrator, Load, MassProperties, Method, NamedMaterial, PairSetup,

@@ -4,11 +4,11 @@ use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
 use crate::dolphin::DolphinMotion;
 use crate::fixed_order::SumOrder;
-use crate::hydro::Force;
 use crate::mean_velocity::MeanVelocity;
 use crate::record::LoadWork;
 use crate::rigid_body::Inertia;
 use crate::world::{AnchorAtWork, Mooring, TugAtWork, VesselForces, WaterInertia, WorldSetup};
+use fenderline_ship::hydro::Force;
 
 /// Forces and motion of one step.
 pub(crate) struct LoadedStep<'a> {

@@ -35,7 +35,6 @@ use self::check::{
     berthing_study, check_anchors, check_flow, check_lines, check_load, count_steps,
 };
 use self::model::{Fenders, build_model, inertias};
-use crate::attitude::Attitude;
 use crate::berthing::{Study, StudyStep};
 use crate::change::Changes;
 use crate::contact_totals::ContactTotals;
@@ -54,6 +53,7 @@ use crate::statistics::Statistics;
 use crate::summary::Summaries;
 use crate::verdict::{Watch, starts_inside};
 use crate::world::{VesselSetup, VesselState, World, motions};
+use fenderline_ship::attitude::Attitude;
 
 /// A simulation run. A clone continues independently from the same state.
 #[derive(Clone, Debug)]

@@ -2,9 +2,9 @@
 
 use fenderline_contact::Vec2;
 
-use crate::environment::current::Current;
-use crate::environment::wind::Wind;
 use crate::setup::{BodySetup, BodyVelocity, Setup};
+use fenderline_ship::environment::current::Current;
+use fenderline_ship::environment::wind::Wind;
 
 /// The start of a run. [`crate::Simulation::restart`] starts a simulation again with it.
 #[derive(Clone, Debug, PartialEq)]

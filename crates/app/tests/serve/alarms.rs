@@ -202,8 +202,7 @@ fn of_two_who_acknowledge_at_once_one_does_and_what_is_no_alarm_is_refused() {
         let text = std::fs::read_to_string(server.recording()).expect("a recording");
         let recorded: Vec<&str> =
             text.lines().filter(|line| line.contains("\"do\":\"acknowledge\"")).collect();
-        let by_pilot =
-            recorded.iter().filter(|line| line.contains("\"who\":\"pilot 2\"")).count();
+        let by_pilot = recorded.iter().filter(|line| line.contains("\"who\":\"pilot 2\"")).count();
         assert!(!text.contains("titanic"), "{text}");
         assert_eq!((recorded.len(), by_pilot), (5, times_of_pilot), "{text}");
         server.stop_and_check();

@@ -1,7 +1,7 @@
 //! Range checks of the particulars.
 
 use super::error::BerthingError;
-use crate::range::{OutOfRange, within};
+use fenderline_ship::range::{OutOfRange, within};
 
 /// Name, unit and range of a particular. Ranges are wider than any real ship and exclude overflow and division by zero.
 pub(super) struct Range {

@@ -1,7 +1,7 @@
 //! A simulated berthing beside the berthing formulas.
 
 use super::formula::AddedMass;
-use crate::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
+use fenderline_ship::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
 
 /// The first contact of the ship with fenders: energies by the formulas and as simulated.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use crate::environment::EnvironmentError;
-use crate::range::OutOfRange;
+use fenderline_ship::environment::EnvironmentError;
+use fenderline_ship::range::OutOfRange;
 
 /// Why a change cannot be carried out.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,11 +7,11 @@ mod ramp;
 pub use self::error::ChangeError;
 pub(crate) use self::ramp::{Flow, Ramp, Ramps, fog_m};
 
-use crate::environment::current::Current;
-use crate::environment::wind::{MeanWind, WindProfile};
-use crate::range::within;
 use crate::setup::Setup;
 use crate::world::{Fault, Tripped};
+use fenderline_ship::environment::current::Current;
+use fenderline_ship::environment::wind::{MeanWind, WindProfile};
+use fenderline_ship::range::within;
 
 /// A change of a simulation. Indices are those of [`crate::WorldSetup`].
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,10 +7,10 @@ use super::arguments::{Arguments, Given, Value};
 use super::check::check;
 use super::error::OrderError;
 use super::table::{OrderName, TargetKind};
-use crate::mooring::WinchOrder;
 use crate::setup::Setup;
-use crate::tug::TugOrder;
 use crate::world::{Assist, Job, PushJob};
+use fenderline_ship::mooring::WinchOrder;
+use fenderline_ship::tug::TugOrder;
 
 /// An order at a time of the run.
 #[derive(Clone, Debug, PartialEq)]

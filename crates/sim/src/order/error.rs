@@ -4,7 +4,7 @@ use core::fmt;
 
 use fenderline_contact::DisplayNumber;
 
-use crate::anchor::{LostBy, SHACKLE_M};
+use fenderline_ship::anchor::{LostBy, SHACKLE_M};
 
 use super::table::{Argument, Gear, OrderName, TargetKind};
 use crate::world::NotAtTheSide;

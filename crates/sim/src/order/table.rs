@@ -2,9 +2,9 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use crate::constants::KNOT_MPS;
-use crate::mooring::InboardEnd;
 use crate::setup::Setup;
+use fenderline_ship::constants::KNOT_MPS;
+use fenderline_ship::mooring::InboardEnd;
 
 /// Who an order is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

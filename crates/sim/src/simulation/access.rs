@@ -4,11 +4,8 @@ use fenderline_contact::{BodyState, Contact, Memory, Model, Wrench};
 
 use super::Simulation;
 use super::check::whole_steps;
-use crate::anchor::{AnchorFaults, AnchorState};
 use crate::berthing::{BerthingError, BerthingOutcome};
 use crate::dolphin::DolphinSummary;
-use crate::environment::current::Current;
-use crate::environment::wind::Wind;
 use crate::error::SetupError;
 use crate::fender::FenderSummary;
 use crate::gain::{EnergyGain, REPORTED_GAIN};
@@ -20,6 +17,9 @@ use crate::statistics::Statistics;
 use crate::summary::PairSummary;
 use crate::verdict::{Finding, Verdict};
 use crate::world::{AnchorAtWork, Assist, Faults, Job, Mooring, TugAtWork, VesselState};
+use fenderline_ship::anchor::{AnchorFaults, AnchorState};
+use fenderline_ship::environment::current::Current;
+use fenderline_ship::environment::wind::Wind;
 
 impl Simulation {
     /// The set-up of the run.

@@ -9,9 +9,9 @@ use crate::error::SetupError;
 use crate::fender::FenderSetup;
 use crate::order::check_order;
 use crate::rigid_body::{Inertia, initial_state};
-use crate::seakeeping::Motion;
 use crate::setup::{BodySetup, Integrator, Method, Setup};
 use crate::world::{mass_matrix, motions};
+use fenderline_ship::seakeeping::Motion;
 
 impl Setup {
     /// The contact model of these bodies alone, for hosts that move their bodies themselves and use only the

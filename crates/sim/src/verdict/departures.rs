@@ -4,17 +4,18 @@ use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{Contact, EventKind, combined_angle_rad};
 
 use super::law::{Departure, Law, Subject};
-use crate::environment::current::Current;
-use crate::environment::waves::MotionResponse;
 use crate::fender::FenderSetup;
 use crate::gain::REPORTED_GAIN;
 use crate::hull::HullTouch;
-use crate::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
-use crate::hydro::{FASTEST_FROUDE, critical_mps};
-use crate::passing::{FULL_FLOW_GAP, HARDLY_SLENDER, NEARLY_CRITICAL, gap_in_beams};
 use crate::record::StepRecord;
 use crate::setup::Setup;
 use crate::world::Environment;
+use crate::world::passing::{FULL_FLOW_GAP, gap_in_beams};
+use fenderline_ship::environment::current::Current;
+use fenderline_ship::environment::waves::MotionResponse;
+use fenderline_ship::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
+use fenderline_ship::hydro::{FASTEST_FROUDE, critical_mps};
+use fenderline_ship::passing::{HARDLY_SLENDER, NEARLY_CRITICAL};
 
 /// The share of the sea's energy that may be at frequencies outside the data; our choice. A JONSWAP sea has 2 % of its energy above 2.9
 /// times the frequency of its peak.

@@ -2,9 +2,9 @@
 
 use super::Verdict;
 use super::law::Departure;
-use crate::anchor::LostBy;
 use crate::chain::ChainKind;
 use crate::setup::Setup;
+use fenderline_ship::anchor::LostBy;
 
 /// Something found in a run, with the body, fender, line or vessel that it is about: indices into the [`Setup`].
 #[derive(Clone, Debug, PartialEq)]

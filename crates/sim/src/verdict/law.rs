@@ -262,7 +262,7 @@ pub enum Subject {
     Ratio {
         /// The vessel.
         vessel: usize,
-        /// Index into [`crate::hydro::vessels::Origin::outside`].
+        /// Index into [`fenderline_ship::hydro::vessels::Origin::outside`].
         ratio: usize,
     },
     /// A passing ship.

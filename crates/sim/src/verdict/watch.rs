@@ -6,13 +6,13 @@ use super::departures::Departures;
 use super::factored::factored;
 use super::fender::above_catalogue;
 use super::finding::Finding;
-use crate::anchor::{AnchorPosition, LostBy};
 use crate::dolphin::DolphinSummary;
 use crate::fender::FenderSummary;
 use crate::hull::SideMissed;
 use crate::record::StepRecord;
 use crate::setup::Setup;
 use crate::world::{AnchorAtWork, Mooring, WorldEventKind};
+use fenderline_ship::anchor::{AnchorPosition, LostBy};
 
 /// The first time of a condition, and the number of steps in which it held.
 #[derive(Clone, Copy, Debug, Default)]

@@ -7,12 +7,12 @@ use super::event::{WorldEvent, WorldEventKind};
 use super::seaway::Lever;
 use super::setup::WorldSetup;
 use super::shore::Shore;
-use crate::anchor::{
+use crate::order::{AnchorAction, OrderError};
+use crate::setup::BodySetup;
+use fenderline_ship::anchor::{
     AnchorError, AnchorGear, AnchorLoad, AnchorPosition, AnchorState, Hawse, LostBy, WindlassOrder,
 };
-use crate::order::{AnchorAction, OrderError};
-use crate::range::within;
-use crate::setup::BodySetup;
+use fenderline_ship::range::within;
 
 /// An anchor of a set-up.
 #[derive(Clone, Debug, PartialEq)]

@@ -6,9 +6,9 @@ use fenderline_contact::number::{bounded, greater};
 use fenderline_contact::{BodyState, Contact, Outline, Vec2, vec2};
 
 use super::line::{LineEnd, Mooring, MooringSetup};
-use crate::control::Task;
 use crate::fender::FenderSetup;
 use crate::setup::BodySetup;
+use fenderline_ship::control::Task;
 
 /// An order to a vessel to assist a ship.
 #[derive(Clone, Copy, Debug, PartialEq)]

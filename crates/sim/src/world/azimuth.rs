@@ -2,8 +2,8 @@
 
 use fenderline_contact::number::bounded;
 
-use crate::hydro::actuator::{Lag, Order, Slewing};
-use crate::hydro::{AzimuthThruster, Force, TunnelThruster, Velocity, Water};
+use fenderline_ship::hydro::actuator::{Lag, Order, Slewing};
+use fenderline_ship::hydro::{AzimuthThruster, Force, TunnelThruster, Velocity, Water};
 
 /// A tunnel thruster of a vessel.
 #[derive(Clone, Debug, PartialEq)]

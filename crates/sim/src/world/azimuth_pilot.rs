@@ -7,11 +7,11 @@ use super::azimuth::{AzimuthOrder, AzimuthSetup};
 use super::line::{Mooring, MooringSetup};
 use super::pilot::Abilities;
 use super::vessel::{VesselForces, VesselSetup, VesselState};
-use crate::control::{
+use fenderline_ship::control::{
     AssistDemand, Demand, Handling, LateralDevice, Reach, Sway, Task, ThrustDevice, ThrustShares,
     assist as work,
 };
-use crate::hydro::{Force, Velocity, Water};
+use fenderline_ship::hydro::{Force, Velocity, Water};
 
 /// Time constant of the integral against the moment of the contact at a tug's bow (s).
 const INTEGRAL_S: f64 = 15.0;

@@ -3,7 +3,7 @@
 use fenderline_contact::Vec2;
 
 use super::line::LineEnd;
-use crate::range::{OutOfRange, within};
+use fenderline_ship::range::{OutOfRange, within};
 
 /// A bollard on a body: a quay, a dolphin, another ship.
 #[derive(Clone, Debug, PartialEq)]

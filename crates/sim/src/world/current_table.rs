@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use fenderline_contact::number::bounded;
 
-use crate::environment::{EnvironmentError, LoadTable};
-use crate::hydro::{Controls, Force, Mmg, Velocity, Water};
-use crate::range::within;
+use fenderline_ship::environment::{EnvironmentError, LoadTable};
+use fenderline_ship::hydro::{Controls, Force, Mmg, Velocity, Water};
+use fenderline_ship::range::within;
 
 /// A table of current forces on a hull, and the speeds through the water between which it hands over to the manoeuvring model.
 ///
@@ -102,7 +102,7 @@ mod tests {
     use core::f64::consts::PI;
 
     use super::*;
-    use crate::environment::Sides;
+    use fenderline_ship::environment::Sides;
 
     fn table() -> CurrentTable {
         let values = vec![[-50.0, 0.0, 0.0], [0.0, 4000.0, 1000.0], [70.0, 0.0, 0.0]];

@@ -1,15 +1,15 @@
 //! Wind, current and water of a run.
 
-use crate::constants::{AIR_KGPM3, SEA_WATER_KGPM3};
 use fenderline_contact::Vec2;
 use fenderline_contact::number::greater;
+use fenderline_ship::constants::{AIR_KGPM3, SEA_WATER_KGPM3};
 
-use crate::environment::current::Current;
-use crate::environment::waves::Sea;
-use crate::environment::wind::Wind;
-use crate::environment::{Bank, EnvironmentError, LongWaves, Tide};
-use crate::hydro::{self, Squat};
-use crate::range::within;
+use fenderline_ship::environment::current::Current;
+use fenderline_ship::environment::waves::Sea;
+use fenderline_ship::environment::wind::Wind;
+use fenderline_ship::environment::{Bank, EnvironmentError, LongWaves, Tide};
+use fenderline_ship::hydro::{self, Squat};
+use fenderline_ship::range::within;
 
 /// Wind, current and water of a [`crate::WorldSetup`].
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! Events of the world that are reported to the user.
 
-use crate::anchor::AnchorEvent;
+use fenderline_ship::anchor::AnchorEvent;
 
 /// An event in a step. States that last are reported once, when they begin.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,7 +7,7 @@ use super::bollard::BollardSetup;
 use super::event::{WorldEvent, WorldEventKind};
 use super::seaway::Lever;
 use super::shore::Shore;
-use crate::mooring::{
+use fenderline_ship::mooring::{
     InboardEnd, InitialLength, Line, LineEnds, LineLoad, LineSetup, LineState, WinchOrder,
 };
 
@@ -288,7 +288,7 @@ impl MooringSetup {
         &self,
         bodies: &[crate::BodySetup],
         level_m: f64,
-    ) -> Result<(), crate::mooring::MooringError> {
+    ) -> Result<(), fenderline_ship::mooring::MooringError> {
         let states: Vec<BodyState> = bodies.iter().map(crate::rigid_body::initial_state).collect();
         let fixed: Vec<bool> = bodies.iter().map(crate::BodySetup::is_fixed).collect();
         let shore = Shore { fixed: &fixed, level_m, afloat: &[] };

@@ -17,6 +17,7 @@ mod event;
 mod fault;
 mod line;
 mod line_work;
+pub(crate) mod passing;
 mod pilot;
 mod seaway;
 mod setup;
@@ -34,17 +35,16 @@ pub(crate) use self::backup::WorldBackup;
 use self::pilot::{Abilities, PilotWork};
 use self::seaway::{Afloat, Given, Lever, Seaway};
 pub(crate) use self::shore::Shore;
-use crate::anchor::AnchorEvent;
-use crate::attitude::AttitudeLoad;
-use crate::environment::wind::{ShipGusts, Wind};
 use crate::fender::FenderSetup;
 use crate::fixed_order::SumOrder;
 use crate::hull::{Heights, HullTouch, place_m};
-use crate::hydro::Force;
 use crate::order::{Action, LineAction, Order, OrderError};
-use crate::passing;
-use crate::seakeeping::{Motion, SubSteps};
 use crate::setup::BodySetup;
+use fenderline_ship::anchor::AnchorEvent;
+use fenderline_ship::attitude::AttitudeLoad;
+use fenderline_ship::environment::wind::{ShipGusts, Wind};
+use fenderline_ship::hydro::Force;
+use fenderline_ship::seakeeping::{Motion, SubSteps};
 
 pub use anchor::{AnchorAtWork, AnchorSetup, AnchorStart};
 pub use assist::{Assist, AssistPilot, Job, NotAtTheSide, PushJob};
@@ -297,7 +297,7 @@ impl World {
     }
 
     /// Finds where the bodies with hydrodynamic data are in the middle of the time for which loads act: see
-    /// [`crate::seakeeping::SubSteps`]. Lines pull there.
+    /// [`fenderline_ship::seakeeping::SubSteps`]. Lines pull there.
     fn look_ahead(
         &mut self,
         setup: &WorldSetup,

@@ -8,11 +8,11 @@ use super::assist::AssistPilot;
 use super::azimuth::AzimuthSetup;
 use super::azimuth_pilot::{Stream, largest_of_azimuths, share_with_azimuths};
 use super::vessel::{VesselSetup, VesselState, mass_matrix};
-use crate::control::{
+use crate::order::{Station, VesselAction};
+use fenderline_ship::control::{
     CoursePilot, Demand, Gains, LateralDevice, SpeedPilot, StationPilot, ThrustShares, allocate,
 };
-use crate::hydro::{Controls, Velocity, Water};
-use crate::order::{Station, VesselAction};
+use fenderline_ship::hydro::{Controls, Velocity, Water};
 
 /// The active pilots of a vessel: plain data.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

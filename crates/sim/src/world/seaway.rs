@@ -6,9 +6,9 @@ use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
 use super::environment::Environment;
 use super::vessel::{HullMotion, VesselForces, VesselSetup, VesselState};
-use crate::attitude::{Attitude, AttitudeLoad};
-use crate::hydro::Force;
-use crate::seakeeping::{
+use fenderline_ship::attitude::{Attitude, AttitudeLoad};
+use fenderline_ship::hydro::Force;
+use fenderline_ship::seakeeping::{
     DriftSource, Motion, MotionState, SlowPlace, StepLoad, SubSteps, WaveForces, WaveLoad,
 };
 

@@ -10,8 +10,8 @@ use crate::change::PlannedChange;
 use crate::chart::Chart;
 use crate::factors::PartialFactors;
 use crate::order::Order;
-use crate::passing::FlowSetup;
 use crate::statistics::StatisticsSetup;
+use fenderline_ship::passing::FlowSetup;
 
 /// Everything around the bodies of a [`crate::Setup`]; empty by default.
 #[derive(Clone, Debug, Default, PartialEq)]

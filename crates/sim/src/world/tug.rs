@@ -7,9 +7,9 @@ use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 use super::environment::Environment;
 use super::event::{WorldEvent, WorldEventKind};
 use super::vessel::VesselSetup;
-use crate::control::LateralDevice;
-use crate::hydro::Force;
-use crate::tug::{TugForce, TugOrder, TugState, VectorTug};
+use fenderline_ship::control::LateralDevice;
+use fenderline_ship::hydro::Force;
+use fenderline_ship::tug::{TugForce, TugOrder, TugState, VectorTug};
 
 /// A vector tug of a set-up.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! A ship in her water and wind: from her state and controls to the wrench on her body.
 
-use crate::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_contact::number::bounded;
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
+use fenderline_ship::constants::STANDARD_GRAVITY_MPS2;
 
 use super::azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
 use super::current_table::CurrentTable;
@@ -10,17 +10,17 @@ use super::environment::Environment;
 use super::fault::Faults;
 use super::pilot::Pilots;
 use super::seaway::SeawayState;
-use crate::attitude::{Attitude, AttitudeLoad, Hydrostatics, Motion};
-use crate::environment::waves::{
+use fenderline_ship::attitude::{Attitude, AttitudeLoad, Hydrostatics, Motion};
+use fenderline_ship::environment::waves::{
     DriftHull, FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion, mean_drift,
 };
-use crate::environment::wind::{RelativeWind, ShipGusts, ShipWindage};
-use crate::environment::{BankMethod, BankWater, ShipAtBank, Tide};
-use crate::hydro::actuator::{Lag, Order, RateLimited};
-use crate::hydro::shallow::SHALLOWEST_RATIO;
-use crate::hydro::vessels::Origin;
-use crate::hydro::{Controls, Force, Mmg, Velocity};
-use crate::seakeeping::Seakeeping;
+use fenderline_ship::environment::wind::{RelativeWind, ShipGusts, ShipWindage};
+use fenderline_ship::environment::{BankMethod, BankWater, ShipAtBank, Tide};
+use fenderline_ship::hydro::actuator::{Lag, Order, RateLimited};
+use fenderline_ship::hydro::shallow::SHALLOWEST_RATIO;
+use fenderline_ship::hydro::vessels::Origin;
+use fenderline_ship::hydro::{Controls, Force, Mmg, Velocity};
+use fenderline_ship::seakeeping::Seakeeping;
 
 /// Under-keel clearance from which a ship that was aground is afloat again (m); our choice.
 const REFLOATED_M: f64 = 0.02;
