@@ -1,7 +1,0 @@
-//! The forces of passing ships, of other vessels and of banks on each vessel, in a step, by the flow of [`fenderline_ship::passing`].
-
-mod act;
-mod banks;
-
-pub(crate) use act::{FULL_FLOW_GAP, act, gap_in_beams};
-pub(crate) use banks::act_of_banks;
