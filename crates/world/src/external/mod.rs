@@ -32,7 +32,7 @@ pub enum ForceReply {
 ///
 /// ```
 /// use fenderline_contact::{Wrench, vec2};
-/// use fenderline_sim::external::{ForceReply, ForceProvider, ForceRequest};
+/// use fenderline_world::external::{ForceReply, ForceProvider, ForceRequest};
 ///
 /// /// A drag proportional to the square of the speed.
 /// struct Drag;
