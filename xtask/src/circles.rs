@@ -14,13 +14,15 @@ use crate::step::{Done, Step};
 pub(crate) const STEP: Step = Step { name: "no circles of files", run: circles };
 
 /// Folders of the crates that are scanned.
-const CRATES: [&str; 20] = [
+const CRATES: [&str; 22] = [
     "crates/contact",
     "crates/ship",
     "crates/world",
     "crates/assess",
     "crates/sim",
+    "crates/keys",
     "crates/scenario",
+    "crates/author",
     "crates/results",
     "crates/embed",
     "crates/capi",

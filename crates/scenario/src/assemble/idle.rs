@@ -8,9 +8,9 @@ use fenderline_sim::statistics::Limited;
 use fenderline_sim::{ChainKind, Change, FenderSetup, Setup};
 
 use super::Assembly;
-use crate::checked::{Item, Table};
-use crate::error::NO_EFFECT;
-use crate::keys::anchor::BowSide;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::NO_EFFECT;
+use fenderline_keys::keys::anchor::BowSide;
 
 impl Assembly<'_, '_> {
     /// Notices of all keys that the set-up does not use.

@@ -5,7 +5,7 @@
 //! 1. A file in this folder: a struct with the method's own parameters, `check` for their ranges, `coefficients` for a
 //!    wind angle from 0 to π, and a unit test at the end. `blendermann.rs` is an example.
 //! 2. Here: `mod`, `pub use` and a variant of [`WindMethod`]; the compiler then points to the matches below.
-//! 3. `crates/scenario/src/keys/windage.rs`: the word for `method`, its keys and their documentation, from which the key
+//! 3. `crates/keys/src/keys/windage.rs`: the word for `method`, its keys and their documentation, from which the key
 //!    reference is generated.
 //! 4. `crates/scenario/src/assemble/windage.rs`: from the keys to the struct of step 1.
 
