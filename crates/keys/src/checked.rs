@@ -5,7 +5,7 @@ use fenderline_contact::Vec2;
 
 use crate::choices::Word;
 use crate::key_path;
-use crate::sources::Span;
+use crate::place::Span;
 use crate::spec::TableSpec;
 
 /// A table that has been read.

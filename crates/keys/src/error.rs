@@ -3,43 +3,9 @@
 use core::fmt;
 
 use crate::origin::Origin;
+pub use crate::place::Place;
+use crate::place::Snippet;
 use crate::printable::printable_line;
-
-/// Where an error or a notice points.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Place {
-    /// A place in a file.
-    File {
-        /// The name under which the caller passed the file.
-        name: String,
-        /// Line, from 1.
-        line: usize,
-        /// Column in characters, from 1.
-        column: usize,
-    },
-    /// A file as a whole.
-    WholeFile {
-        /// The name under which the caller passed the file.
-        name: String,
-    },
-    /// An option of the command line, as the user may have written it: `--set time.step=0.5`.
-    Option {
-        /// The option.
-        text: String,
-    },
-}
-
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Place::File { name, line, column } => {
-                write!(f, "{}:{line}:{column}", printable_line(name))
-            }
-            Place::WholeFile { name } => f.write_str(&printable_line(name)),
-            Place::Option { text } => f.write_str(&printable_line(text)),
-        }
-    }
-}
 
 /// A scenario that cannot be run: one mistake, where it is, and where possible what to write instead. Displays as
 /// several lines with the offending line of the file.
@@ -54,17 +20,6 @@ struct Content {
     help: Option<String>,
     note: Option<String>,
     snippet: Option<Snippet>,
-}
-
-/// A line of the file, cut to what a terminal shows.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Snippet {
-    /// The line as it was written.
-    pub line: String,
-    /// Characters of `line` before the marked ones.
-    pub before: usize,
-    /// Number of characters to mark.
-    pub marked: usize,
 }
 
 impl ScenarioError {

@@ -1,6 +1,6 @@
 //! Dotted key paths, as messages show them.
 
-use crate::sources::first;
+use crate::place::first;
 
 /// `parent.name`, the name in quotes where TOML needs them; cut where it is very long.
 pub fn join(parent: &str, name: &str) -> String {

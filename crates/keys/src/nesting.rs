@@ -1,6 +1,6 @@
 //! Finds where a TOML text is nested too deeply. The parser reports that it is, but not where.
 
-use crate::sources::Span;
+use crate::place::Span;
 
 /// The parser's limit, for brackets and braces as for names in a dotted key.
 const DEEPEST: usize = 80;

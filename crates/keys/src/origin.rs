@@ -1,7 +1,6 @@
 //! Where a key or value that is set from outside of a scenario's file comes from.
 
-use crate::error::{Place, Snippet};
-use crate::sources::cut;
+use crate::place::{Place, Snippet, cut};
 
 /// Where a key or a value of an [`Override`](crate::overrides::Override) comes from: a line of a campaign's file, a row of a table. Errors about
 /// the override point there.

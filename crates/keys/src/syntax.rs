@@ -4,7 +4,8 @@ use toml::de::DeTable;
 
 use crate::error::ScenarioError;
 use crate::nesting::too_deep;
-use crate::sources::{Sources, Span, quoted};
+use crate::place::{Span, quoted};
+use crate::sources::Sources;
 
 /// Largest file that is read, in bytes.
 const LARGEST_FILE: usize = 16 << 20;

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::Read;
+use super::kinds::Read;
 use fenderline_keys::checked::Table;
 use fenderline_keys::origin::Origin;
 use fenderline_keys::sources::Sources;

@@ -2,6 +2,7 @@
 
 mod downtime;
 mod keys;
+mod kinds;
 pub(crate) mod law;
 mod number;
 mod plan;
@@ -12,39 +13,17 @@ use std::path::{Path, PathBuf};
 
 pub use self::downtime::Downtime;
 pub(crate) use self::keys::CAMPAIGN_FILE;
-use self::law::LawFamily;
+use self::kinds::Read;
+pub use self::kinds::{MOST_CASES, Statistic};
 pub(crate) use self::plan::Limit;
-pub use self::plan::{Correlation, Design, Output, Plan, Statistic, Stop};
+pub use self::plan::{Correlation, Design, Output, Plan, Stop};
 use self::variable::changes;
 pub use self::variable::{Change, Choice, Draw, Target, TargetOrigins, Variable};
 use fenderline_keys::checked::{Item, Table};
-use fenderline_keys::error::ScenarioError;
 use fenderline_keys::reader;
 use fenderline_keys::sources::Sources;
 use fenderline_keys::syntax;
 use fenderline_scenario::{LoadError, read_text};
-
-type Read<T> = Result<T, ScenarioError>;
-
-/// Most cases of a full factorial.
-pub const MOST_CASES: usize = 1_000_000;
-
-/// The word of the key `plan`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum PlanKind {
-    FullFactorial,
-    MonteCarlo,
-    LatinHypercube,
-    Sobol,
-    Table,
-}
-
-/// The word of the key `distribution`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum FamilyKind {
-    Law(LawFamily),
-    Empirical,
-}
 
 /// Many runs of one scenario.
 ///

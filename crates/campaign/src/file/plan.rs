@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use super::downtime::Downtime;
 use super::keys::PLANS;
+use super::kinds::{MOST_CASES, PlanKind, Read, Statistic};
 use super::variable::{Draw, Variable};
-use super::{MOST_CASES, PlanKind, Read};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::choices::AnyChoices as _;
 use fenderline_keys::sources::{Sources, quoted};
@@ -92,15 +92,6 @@ pub struct Limit {
     pub output: String,
     /// Number and unit, as the file has them.
     pub text: String,
-}
-
-/// What a stop rule estimates.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Statistic {
-    /// The mean.
-    Mean,
-    /// A quantile.
-    Quantile,
 }
 
 /// When a campaign may end early.

@@ -5,8 +5,9 @@ use std::path::PathBuf;
 use toml::Spanned;
 use toml::de::DeValue;
 
+use super::kinds::{FamilyKind, PlanKind, Read};
 use super::law::{Law, LawFamily};
-use super::{FamilyKind, PlanKind, Read, number};
+use super::number;
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::origin::Origin;
 use fenderline_keys::overrides::Override;

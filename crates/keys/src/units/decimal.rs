@@ -1,6 +1,6 @@
 //! Decimal numbers and exact unit factors.
 
-use super::UnitError;
+use super::error::UnitError;
 
 /// A decimal number as written: `mantissa · 10^exponent`.
 #[derive(Clone, Debug, PartialEq, Eq)]

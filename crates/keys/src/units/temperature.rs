@@ -1,7 +1,7 @@
 //! Temperatures: degrees Celsius and Fahrenheit, which start from different zeros.
 
-use super::UnitError;
 use super::decimal::{Decimal, Scale};
+use super::error::UnitError;
 
 const CELSIUS: [&str; 2] = ["degC", "°C"];
 const FAHRENHEIT: [&str; 2] = ["degF", "°F"];

@@ -7,10 +7,10 @@ use fenderline_contact::{Pose, Rotation, Vec2, vec2};
 use fenderline_sim::{Approach, BodySetup, BodyVelocity, FenderSetup, Setup, Side};
 
 use self::sweep::{Face, are_apart, moved, travel_m};
+use super::assembly::listed;
+use super::assembly::{Assembly, Checked, Names};
 use super::pairs::Pairs;
 use super::rows::rounded;
-use super::unused::listed;
-use super::{Assembly, Checked, Names};
 use fenderline_keys::checked::{Item, Table, Value};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::row_names::number_in_row;

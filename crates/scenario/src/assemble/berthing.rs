@@ -4,7 +4,7 @@ use fenderline_sim::berthing::{AddedMass, BerthingSetup};
 use fenderline_sim::{Approach, BodySetup, BodyVelocity, Environment, FenderSetup, VesselSetup};
 
 use super::particulars::Taken;
-use crate::assemble::{Assembly, Checked, Names};
+use crate::assemble::assembly::{Assembly, Checked, Names};
 use fenderline_keys::checked::Table;
 use fenderline_keys::error::NO_EFFECT;
 

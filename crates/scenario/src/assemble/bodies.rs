@@ -4,8 +4,8 @@ use fenderline_contact::Outline;
 use fenderline_sim::chart::Chart;
 use fenderline_sim::{BodySetup, BodyVelocity, HullByHeight, MassProperties};
 
+use super::assembly::{Assembly, Checked};
 use super::vessel;
-use super::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::Notice;
 use fenderline_keys::sources::Span;

@@ -3,7 +3,7 @@
 use fenderline_contact::Panel;
 use fenderline_sim::{ChainGrade, ChainKind, ChainLink, ChainSetup, ChainSize};
 
-use super::{Assembly, Checked};
+use super::assembly::{Assembly, Checked};
 use crate::vessels::Belting;
 use fenderline_keys::checked::{Item, Table};
 

@@ -3,7 +3,7 @@
 use fenderline_contact::{Pose, Vec2};
 use fenderline_sim::chart::{Chart, ChartShape, GeographicPlace};
 
-use super::{Assembly, Checked};
+use super::assembly::{Assembly, Checked};
 use crate::chart::projection::Projected;
 use crate::chart::{Budget, Placing, read};
 use fenderline_keys::checked::{Item, Table};

@@ -1,6 +1,7 @@
 //! Wind and current coefficients of one's own: from a file and its convention to forces over dynamic pressure in this program's axes.
 
 mod angles;
+mod row;
 mod sense;
 
 use core::f64::consts::PI;
@@ -12,7 +13,8 @@ use fenderline_sim::hydro::Particulars;
 use fenderline_sim::{CurrentTable, Environment};
 
 use self::angles::{Angles, angles};
-use super::{Assembly, Checked};
+use self::row::{Flow, Row};
+use super::assembly::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::csv::{Csv, Layout};
 use fenderline_keys::error::Notice;
@@ -25,21 +27,6 @@ const FORCE: [f64; 2] = [-1e12, 1e12];
 /// Units of force and moment in the names of columns, in N and N m.
 const UNITS: [(&str, &str, f64); 3] =
     [("n", "nm", 1.0), ("kn", "knm", 1e3), ("tf", "tfm", 9806.65)];
-
-/// The flow of a table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Flow {
-    Wind,
-    Current,
-}
-
-/// A row in this program's axes: angle γ (deg) and [X, Y, N] over dynamic pressure (m², m², m³).
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Row {
-    pub(super) row: usize,
-    pub(super) angle_deg: f64,
-    pub(super) value: [f64; 3],
-}
 
 /// Where the numbers of a table are.
 struct Columns {

@@ -3,8 +3,8 @@
 use fenderline_contact::vec2;
 use fenderline_sim::environment::current::{Current, CurrentGrid, CurrentProfile};
 
+use super::assembly::{Assembly, Checked};
 use super::environment::{DIRECTIONS_DEG, TIMES_S, along};
-use super::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::csv::Csv;
 

@@ -2,7 +2,7 @@
 
 use fenderline_sim::{BodySetup, FenderSetup, Setup};
 
-use super::Assembly;
+use super::assembly::Assembly;
 use super::plausible::FAR_FROM_WATER_M;
 use super::rows::rounded;
 use fenderline_keys::checked::Table;

@@ -12,8 +12,8 @@ use fenderline_sim::environment::{Bank, BankMethod, EnvironmentError, Tide, Tide
 use fenderline_sim::hydro::Squat;
 use fenderline_sim::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
 
+use super::assembly::{Assembly, Checked};
 use super::vessel::Kinds;
-use super::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::csv::Csv;
 use fenderline_keys::error::{Notice, ScenarioError};

@@ -5,8 +5,8 @@ use fenderline_sim::Setup;
 use fenderline_sim::berth::Berth;
 use fenderline_sim::exercise::{AnchorPlace, Condition, ExerciseSetup, Limit, Measure};
 
-use super::unused::listed;
-use super::{Assembly, Checked, Names};
+use super::assembly::listed;
+use super::assembly::{Assembly, Checked, Names};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::keys::exercise::GoalWord;
 use fenderline_keys::sources::quoted;

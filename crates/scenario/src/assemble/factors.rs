@@ -2,7 +2,7 @@
 
 use fenderline_sim::factors::PartialFactors;
 
-use super::{Assembly, Checked};
+use super::assembly::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 
 impl Assembly<'_, '_> {

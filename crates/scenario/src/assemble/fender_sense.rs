@@ -3,8 +3,9 @@
 
 use fenderline_sim::FenderSetup;
 
+use super::assembly::Assembly;
 use super::rows::rounded;
-use super::{Assembly, FenderLibrary};
+use crate::library::FenderLibrary;
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::rating::odd_reaction;
 

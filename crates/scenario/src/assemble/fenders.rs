@@ -1,18 +1,26 @@
 //! Fenders: from their tables and the fender data to a set-up.
 
 use fenderline_contact::{Rotation, Stop, vec2};
-use fenderline_sim::{BodySetup, FenderSetup, HullPressure};
+use fenderline_sim::{BodySetup, FenderSetup, HullPressure, NamedMaterial};
 
+use super::assembly::{Assembly, Checked, Names};
 use super::edge::{facing_rad, is_inside};
 use super::performance::Performance;
 use super::rows::rounded;
-use super::vessel::Kind;
-use super::{Assembly, Checked, FenderParts, Names};
+use super::vessel::{Decks, Kind};
 use crate::library::FenderLibrary;
 use crate::vessels::Belting;
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::sources::quoted;
+
+/// What fenders refer to.
+pub(super) struct FenderParts<'p> {
+    pub(super) library: &'p FenderLibrary,
+    pub(super) materials: &'p [NamedMaterial],
+    pub(super) decks: &'p Decks<'p>,
+    pub(super) bodies: &'p [BodySetup],
+}
 
 impl Assembly<'_, '_> {
     pub(super) fn fenders(

@@ -2,8 +2,8 @@
 
 use fenderline_sim::{DolphinSetup, SteelPiles};
 
+use super::assembly::{Assembly, Checked};
 use super::plausible::figures;
-use super::{Assembly, Checked};
 use fenderline_keys::checked::Table;
 
 /// Keys of piles of steel, and keys that they give.

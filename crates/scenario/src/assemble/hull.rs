@@ -3,7 +3,8 @@
 use fenderline_contact::Outline;
 use fenderline_sim::{BodySetup, FenderSetup, HullByHeight, HullError, Level, Setup};
 
-use super::{Assembly, Checked, vessel};
+use super::assembly::{Assembly, Checked};
+use super::vessel;
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::{Notice, ScenarioError};
 use fenderline_keys::sources::quoted;

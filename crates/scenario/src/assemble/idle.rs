@@ -7,7 +7,7 @@ use fenderline_contact::FenderLaw;
 use fenderline_sim::statistics::Limited;
 use fenderline_sim::{ChainKind, Change, FenderSetup, Setup};
 
-use super::Assembly;
+use super::assembly::Assembly;
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::NO_EFFECT;
 use fenderline_keys::keys::anchor::BowSide;

@@ -3,7 +3,7 @@
 use fenderline_sim::VesselSetup;
 use fenderline_sim::statistics::{LimitSetup, Limited, StatisticsSetup};
 
-use super::{Assembly, Checked, Names};
+use super::assembly::{Assembly, Checked, Names};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::keys::limit::Subject;
 

@@ -6,9 +6,9 @@ use fenderline_sim::Environment;
 use fenderline_sim::environment::waves::{Realisation, RegularWave, Sea};
 use fenderline_sim::environment::{LongWaveSite, LongWaveSpectrum, LongWaves};
 
+use super::assembly::{Assembly, Checked};
 use super::environment::TIMES_S;
 use super::vessel::Kinds;
-use super::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::printable::printable_number;
 

@@ -3,7 +3,7 @@
 use fenderline_contact::Material;
 use fenderline_sim::NamedMaterial;
 
-use super::{Assembly, Checked};
+use super::assembly::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::Notice;
 

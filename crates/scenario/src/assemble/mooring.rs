@@ -8,8 +8,8 @@ use fenderline_sim::mooring::{
 };
 use fenderline_sim::{BodySetup, BollardSetup, LineEnd, LineHandling, MooringSetup};
 
+use super::assembly::{Assembly, Checked, Names};
 use super::vessel::Decks;
-use super::{Assembly, Checked, Names};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::keys::mooring::AT_THE_FAR_END;

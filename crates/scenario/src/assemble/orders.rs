@@ -7,7 +7,7 @@ use fenderline_sim::hydro::actuator::Telegraph;
 use fenderline_sim::order::{ArgumentKind, Arguments, Named, OrderName, TargetKind, Value};
 use fenderline_sim::{Order, OrderError, Setup};
 
-use super::{Assembly, Checked, Names};
+use super::assembly::{Assembly, Checked, Names};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::keys::order::{DIRECTION, Form, TELEGRAPH, form, words};

@@ -1,6 +1,6 @@
 //! What a run writes.
 
-use crate::assemble::{Assembly, Checked};
+use crate::assemble::assembly::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;

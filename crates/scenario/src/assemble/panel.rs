@@ -4,8 +4,8 @@ use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{FenderLaw, Panel, Unloading};
 use fenderline_sim::Rated;
 
+use super::assembly::{Assembly, Checked};
 use super::performance::Performance;
-use super::{Assembly, Checked};
 use crate::vessels::Belting;
 use fenderline_keys::checked::Table;
 

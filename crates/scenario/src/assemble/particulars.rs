@@ -4,7 +4,7 @@ use fenderline_contact::number::greater;
 use fenderline_sim::hydro::Particulars;
 use fenderline_sim::{BodySetup, Environment, VesselSetup};
 
-use super::{Assembly, Checked};
+use super::assembly::{Assembly, Checked};
 use crate::assemble::plausible::figures;
 use fenderline_keys::checked::Table;
 use fenderline_keys::sources::quoted;

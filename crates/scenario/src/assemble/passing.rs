@@ -10,9 +10,9 @@ use fenderline_sim::passing::{
 use fenderline_sim::track::{Pace, Path, Track};
 use fenderline_sim::{BodySetup, Environment, Setup, VesselSetup};
 
+use super::assembly::{Assembly, Checked};
 use super::rows::rounded;
 use super::vessel::Kinds;
-use super::{Assembly, Checked};
 use crate::vessels::{VesselData, VesselLibrary};
 use fenderline_keys::checked::Table;
 use fenderline_keys::keys::passing::SectionsBy;

@@ -6,7 +6,7 @@ use fenderline_contact::{FenderLaw, ReactionFactors, Unloading};
 use fenderline_sim::hydro::vessels::Standing;
 use fenderline_sim::{FenderSource, HullPressure, Rated};
 
-use crate::assemble::{Assembly, Checked};
+use crate::assemble::assembly::{Assembly, Checked};
 use crate::library::{CatalogueFender, FenderLibrary, LookUpError, unloading_curve};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::ScenarioError;

@@ -6,8 +6,8 @@ use fenderline_contact::{Rotation, vec2};
 use fenderline_sim::berthing::BerthingSetup;
 use fenderline_sim::{BodySetup, Environment, FenderSetup};
 
+use super::assembly::{Assembly, Checked};
 use super::rows::rounded;
-use super::{Assembly, Checked};
 use fenderline_keys::checked::Table;
 use fenderline_keys::sources::quoted;
 

@@ -4,7 +4,7 @@ use fenderline_sim::Float;
 use fenderline_sim::environment::waves::{BoxShip, Complex, MotionResponse, RaoTable};
 use fenderline_sim::hydro::Particulars;
 
-use super::{Assembly, Checked};
+use super::assembly::{Assembly, Checked};
 use fenderline_keys::checked::Table;
 use fenderline_keys::csv::Csv;
 use fenderline_keys::error::Notice;

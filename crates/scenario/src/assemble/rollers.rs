@@ -2,7 +2,7 @@
 
 use fenderline_sim::{FenderSetup, NamedMaterial};
 
-use super::{Assembly, Checked};
+use super::assembly::{Assembly, Checked};
 use fenderline_keys::checked::Table;
 
 impl Assembly<'_, '_> {

@@ -2,7 +2,7 @@
 
 use fenderline_sim::mooring::{Rope, RopeCurve};
 
-use super::{Assembly, Checked};
+use super::assembly::{Assembly, Checked};
 use fenderline_keys::checked::Table;
 use fenderline_keys::csv::Csv;
 use fenderline_keys::error::Notice;

@@ -3,6 +3,7 @@
 
 pub(super) mod keys;
 mod places;
+mod written;
 
 use std::collections::BTreeSet;
 
@@ -10,10 +11,11 @@ use fenderline_contact::{Vec2, vec2};
 use fenderline_sim::BodySetup;
 
 use self::places::Line;
+pub(super) use self::written::rounded;
+use self::written::shown;
+use super::assembly::{Assembly, Checked, Names};
 use super::edge::{direction_rad, edges_with, facing_rad};
-use super::{Assembly, Checked, Names};
 use fenderline_keys::checked::{Item, Table, Value};
-use fenderline_keys::error::ScenarioError;
 use fenderline_keys::keys::FENDER;
 use fenderline_keys::overrides::pattern::fits;
 use fenderline_keys::reader;
@@ -253,18 +255,3 @@ impl Assembly<'_, '_> {
 }
 
 type Rank = (bool, bool, usize);
-
-/// A point, for messages.
-fn shown(point_m: Vec2) -> String {
-    format!("[{}, {}]", rounded(point_m.x), rounded(point_m.y))
-}
-
-/// To the millimetre, for messages.
-pub(super) fn rounded(value: f64) -> f64 {
-    libm::round(value * 1000.0) / 1000.0 + 0.0
-}
-
-/// As [`Assembly::missing`], for keys of which several would do.
-fn one_of_two(error: ScenarioError) -> ScenarioError {
-    error.with_help("give two of `spacing`, `number` and `last`")
-}

@@ -7,8 +7,8 @@ use fenderline_sim::attitude::{Hydrostatics, Oscillator};
 use fenderline_sim::seakeeping::{Hydrodynamics, Seakeeping};
 use fenderline_sim::{Environment, Float};
 
+use super::assembly::{Assembly, Checked};
 use super::vessel::Kind;
-use super::{Assembly, Checked};
 use crate::hydrodynamics;
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::Notice;

@@ -4,11 +4,10 @@ use std::collections::BTreeSet;
 
 use fenderline_sim::{BodySetup, FenderSetup, Method};
 
-use super::Assembly;
+use super::assembly::Assembly;
 use super::pairs::Pairs;
 use fenderline_keys::checked::Table;
 use fenderline_keys::error::{NO_EFFECT, Notice};
-use fenderline_keys::sources::quoted;
 
 impl Assembly<'_, '_> {
     /// Bodies that touch nothing, and materials that nothing uses; one notice where there is no pair at all.
@@ -84,12 +83,4 @@ impl Assembly<'_, '_> {
             message: message.to_owned(),
         });
     }
-}
-
-/// The first few names, in quotes.
-pub(super) fn listed<'n>(names: impl Iterator<Item = &'n str> + Clone) -> String {
-    const SHOWN: usize = 8;
-    let left_out = names.clone().count().saturating_sub(SHOWN);
-    let shown = names.take(SHOWN).map(quoted).collect::<Vec<_>>().join(", ");
-    if left_out == 0 { shown } else { format!("{shown} and {left_out} more") }
 }

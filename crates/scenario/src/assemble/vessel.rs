@@ -9,8 +9,8 @@ use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::{AddedMass, Ratio};
 use fenderline_sim::{Environment, Float, MassProperties, VesselSetup};
 
+use super::assembly::{Assembly, Checked};
 use super::response::estimate;
-use super::{Assembly, Checked};
 use crate::vessels::{Belting, DeckPoint, VesselData, VesselLibrary, hydrostatics, own_vessel};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::{Notice, ScenarioError};

@@ -5,7 +5,7 @@ use fenderline_sim::environment::wind::{
 };
 use fenderline_sim::hydro::Particulars;
 
-use super::{Assembly, Checked};
+use super::assembly::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::keys::windage::{METHODS, WindageMethod};
 use fenderline_keys::sources::quoted;

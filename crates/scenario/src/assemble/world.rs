@@ -6,8 +6,8 @@ use std::fmt::Display;
 use fenderline_sim::tug::{TugEnvelope, VectorTug};
 use fenderline_sim::{TugSetup, VesselSetup};
 
+use super::assembly::{Assembly, Checked, Names, listed};
 use super::orders::places;
-use super::{Assembly, Checked, Names, listed};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::sources::quoted;

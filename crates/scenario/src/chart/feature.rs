@@ -4,7 +4,7 @@ use fenderline_contact::{Outline, OutlineError, Vec2};
 use fenderline_sim::chart::{ChartFeature, ChartKind, ChartMark, ChartShape, MarkColour, MarkSide};
 
 use super::geojson::{Coordinates, Properties, Raw};
-use super::{Budget, MOST_FEATURES, MOST_POINTS, Placing};
+use super::placing::{Budget, MOST_FEATURES, MOST_POINTS, Placing};
 use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
 

@@ -6,7 +6,7 @@ use serde::Deserialize;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 use serde_json::value::RawValue;
 
-use super::{LARGEST_FILE, MOST_FEATURES};
+use super::placing::{LARGEST_FILE, MOST_FEATURES};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::sources::{Sources, quoted};
 

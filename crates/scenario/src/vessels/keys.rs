@@ -2,6 +2,7 @@
 
 mod deck;
 mod hull;
+mod shared;
 mod source;
 mod stern;
 
@@ -9,6 +10,7 @@ use serde_json::json;
 
 use self::deck::{BELTING, DECK_POINT, OUTLINE};
 use self::hull::{ADDED_MASS, DRIFT_POLYNOMIAL, LOW_SPEED, SWAY_POLYNOMIAL};
+use self::shared::ESTIMATED;
 use self::source::SOURCE;
 use self::stern::{PROPELLER, RUDDER};
 use fenderline_keys::keys::quantities::{LENGTH, PLACE};
@@ -16,10 +18,6 @@ use fenderline_keys::keys::{AZIMUTH, STABILITY, THRUSTER, WINDAGE};
 use fenderline_keys::spec::Absent::{Is, Means, Refused, Unless};
 use fenderline_keys::spec::{Kind, Quantity, TableSpec, key};
 use fenderline_keys::units::measures as unit;
-
-const COEFFICIENT: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: -1e3, high: 1e3 };
-const POSITIVE: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-6, high: 1e3 };
-const ESTIMATED: &str = "estimated; reports name it as an estimate";
 
 /// The whole file.
 pub(crate) static VESSEL_FILE: TableSpec = TableSpec {
@@ -220,11 +218,3 @@ static VESSEL: TableSpec = TableSpec {
         })
     }),
 };
-
-/// Keys of coefficients without dimension, all of which must be given.
-macro_rules! coefficients {
-    ($($name:literal: $doc:literal),* $(,)?) => {
-        &[$(key($name, Kind::Quantity(COEFFICIENT), Refused, $doc, &["-0.04"])),*]
-    };
-}
-use coefficients;

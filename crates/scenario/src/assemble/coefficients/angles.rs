@@ -3,8 +3,8 @@
 use fenderline_contact::number::{greater, lesser};
 use fenderline_sim::environment::Sides;
 
-use super::super::Checked;
-use super::Row;
+use super::row::Row;
+use crate::assemble::assembly::Checked;
 use fenderline_keys::csv::Csv;
 
 /// How near two angles are one (deg), and how near an end is 0 or 180.

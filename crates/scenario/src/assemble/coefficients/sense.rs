@@ -3,9 +3,9 @@
 use fenderline_contact::number::greater;
 use fenderline_sim::environment::Sides;
 
-use super::super::Checked;
 use super::angles::Angles;
-use super::{Flow, Row};
+use super::row::{Flow, Row};
+use crate::assemble::assembly::Checked;
 use fenderline_keys::csv::Csv;
 use fenderline_keys::keys::coefficients::Convention;
 

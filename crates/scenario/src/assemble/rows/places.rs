@@ -2,9 +2,9 @@
 
 use fenderline_contact::{Outline, Rotation, Vec2, vec2};
 
-use super::{one_of_two, rounded, shown};
+use super::written::{one_of_two, rounded, shown};
+use crate::assemble::assembly::{Assembly, Checked};
 use crate::assemble::edge::{Edge, edges_with};
-use crate::assemble::{Assembly, Checked};
 use fenderline_keys::checked::{Item, Table};
 use fenderline_keys::keys::fender_row::MOST_IN_ROW;
 

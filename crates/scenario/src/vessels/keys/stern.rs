@@ -3,7 +3,7 @@
 use fenderline_sim::hydro::Series;
 use serde_json::json;
 
-use super::{COEFFICIENT, ESTIMATED, POSITIVE, coefficients};
+use super::shared::{COEFFICIENT, ESTIMATED, POSITIVE, coefficients};
 use fenderline_keys::choices::{Choice, Choices};
 use fenderline_keys::keys::quantities::LENGTH;
 use fenderline_keys::spec::Absent::{Means, Refused, Unless};

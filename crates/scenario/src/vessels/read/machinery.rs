@@ -7,7 +7,8 @@ use fenderline_sim::hydro::vessels::Figure;
 use fenderline_sim::hydro::{Particulars, SternCoefficients, SternGear, TunnelThruster};
 use fenderline_sim::{AzimuthSetup, ThrusterSetup};
 
-use super::{Reading, figure};
+use super::figure;
+use super::reading::Reading;
 use crate::assemble;
 use crate::vessels::data::{Shaft, VesselData};
 use crate::vessels::figures::digits;

@@ -5,7 +5,7 @@ use fenderline_sim::constants::SEA_WATER_KGPM3;
 use fenderline_sim::hydro::Particulars;
 use fenderline_sim::hydro::vessels::Source;
 
-use super::Reading;
+use super::reading::Reading;
 use crate::vessels::data::Stability;
 use crate::vessels::figures::digits;
 use fenderline_keys::error::ScenarioError;
