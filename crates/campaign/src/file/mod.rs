@@ -2,6 +2,7 @@
 
 mod downtime;
 mod keys;
+mod kinds;
 pub(crate) mod law;
 mod number;
 mod plan;
@@ -12,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 pub use self::downtime::Downtime;
 pub(crate) use self::keys::CAMPAIGN_FILE;
-use self::law::LawFamily;
+pub(crate) use self::kinds::{FamilyKind, PlanKind};
 pub(crate) use self::plan::Limit;
 pub use self::plan::{Correlation, Design, Output, Plan, Statistic, Stop};
 use self::variable::changes;
@@ -28,23 +29,6 @@ type Read<T> = Result<T, ScenarioError>;
 
 /// Most cases of a full factorial.
 pub const MOST_CASES: usize = 1_000_000;
-
-/// The word of the key `plan`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum PlanKind {
-    FullFactorial,
-    MonteCarlo,
-    LatinHypercube,
-    Sobol,
-    Table,
-}
-
-/// The word of the key `distribution`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum FamilyKind {
-    Law(LawFamily),
-    Empirical,
-}
 
 /// Many runs of one scenario.
 ///

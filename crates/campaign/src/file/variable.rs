@@ -5,12 +5,16 @@ use std::path::PathBuf;
 use toml::Spanned;
 use toml::de::DeValue;
 
+use super::kinds::{FamilyKind, PlanKind};
 use super::law::{Law, LawFamily};
-use super::{FamilyKind, PlanKind, Read, number};
+use super::number;
 use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::ScenarioError;
 use fenderline_keys::origin::Origin;
 use fenderline_keys::overrides::Override;
 use fenderline_keys::sources::{Sources, Span, quoted};
+
+type Read<T> = Result<T, ScenarioError>;
 
 /// What differs from run to run.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! Keys of correlations, outputs, limits, stop rule and design.
 
 use super::super::Statistic;
-use super::MOST_RUNS;
+use super::most_runs::MOST_RUNS;
 use fenderline_keys::choices::{Choice, Choices};
 use fenderline_keys::spec::Absent::{Is, Means, Refused, Unless};
 use fenderline_keys::spec::{Kind, Quantity, TableSpec, key};

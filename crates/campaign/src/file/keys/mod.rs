@@ -2,20 +2,20 @@
 
 mod design;
 mod downtime;
+mod most_runs;
 mod variable;
 
 use self::design::{CORRELATION, DESIGN, LIMIT, OUTPUT, STOP};
 use self::downtime::DOWNTIME;
+use self::most_runs::MOST_RUNS;
 use self::variable::VARIABLE;
-use super::PlanKind;
+use super::kinds::PlanKind;
 use fenderline_keys::choices::{Choice, Choices};
 use fenderline_keys::spec::Absent::{Is, Means, Refused, Unless};
 use fenderline_keys::spec::{Kind, Quantity, TableSpec, key};
 use fenderline_keys::units::measures as unit;
 use serde_json::{Value as Json, json};
 
-/// Most runs of a campaign. Their table is below the largest file that a report reads, and a column of it takes 0.8 GB.
-pub(super) const MOST_RUNS: f64 = 1e8;
 /// Most time steps of one run that a file can allow.
 const MOST_STEPS: f64 = 1e15;
 

@@ -1,6 +1,6 @@
 //! Keys of a variable and its choices.
 
-use super::super::FamilyKind;
+use super::super::kinds::FamilyKind;
 use super::super::law::LawFamily;
 use fenderline_keys::choices::{Choice, Choices};
 use fenderline_keys::spec::Absent::{Is, Means, Refused, Unless};
