@@ -9,6 +9,7 @@ mod bench;
 mod book;
 mod browser;
 mod built;
+mod c_build;
 mod c_interface;
 mod circles;
 mod citations;

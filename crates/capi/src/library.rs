@@ -1,26 +1,14 @@
 //! The library as a whole.
 
 use core::ffi::{CStr, c_char};
-use std::cell::RefCell;
 
 use crate::border::put_text;
 use crate::failure::FlStatus;
+use crate::last_error::{last, remember};
 use crate::table::no_panic;
 
 /// Version of this interface. It changes when programs must be recompiled.
 pub const FL_ABI_VERSION: u32 = 1;
-
-thread_local! {
-    /// Message of the last failed call on this thread.
-    static LAST: RefCell<String> = const { RefCell::new(String::new()) };
-}
-
-/// Keeps a message for [`fl_last_error`].
-#[cold]
-pub(crate) fn remember(text: String) {
-    // It fails only while the thread ends.
-    let _ = LAST.try_with(|last| *last.borrow_mut() = text);
-}
 
 /// The interface version of the linked library; compare it with the header's FL_ABI_VERSION.
 #[unsafe(no_mangle)]
@@ -61,7 +49,7 @@ pub unsafe extern "C" fn fl_last_error(
 
 /// Runs a query of the last error. If the query fails, that error stays the last one.
 pub(crate) fn keep_last(query: impl FnOnce(&str) -> crate::failure::Outcome) -> FlStatus {
-    let text = LAST.try_with(|last| last.borrow().clone()).unwrap_or_default();
+    let text = last();
     let status = no_panic(|| query(&text));
     if status != FlStatus::Ok {
         remember(text);

@@ -11,7 +11,7 @@ use fenderline_contact::{BodyState, Wrench};
 use fenderline_embed::{Engine, EngineBuilder};
 
 use crate::failure::{Failure, FlStatus, Outcome, failure};
-use crate::library::remember;
+use crate::last_error::remember;
 
 /// A contact engine. Engines share nothing but the table of handles.
 pub struct FlEngine {

@@ -24,7 +24,8 @@ use fenderline_sim::Method;
 use crate::bytes::{Reader, Writer};
 use crate::engine::{Engine, Plan};
 use crate::error::EngineError;
-use crate::recording::{DONE, MARK, REFUSED, STEP, UNFINISHED, digest};
+use crate::recorded::digest;
+use crate::recording::{DONE, MARK, REFUSED, STEP, UNFINISHED};
 use crate::settings::{Host, MAX_DELAY_STEPS};
 use crate::snapshot::settings_words;
 

@@ -34,10 +34,12 @@ mod dump;
 mod engine;
 mod error;
 mod outlines;
+mod recorded;
 mod recording;
 mod results;
 mod settings;
 mod snapshot;
+mod step;
 
 pub use builder::{BodyDef, EngineBuilder, FenderDef};
 pub use drawing::FenderView;
@@ -45,7 +47,7 @@ pub use dump::{Dump, DumpedOutcome, DumpedStep, is_dump};
 pub use engine::Engine;
 pub use error::EngineError;
 pub use outlines::{hull_of_points, mirrored_outline, simplified_outline};
-pub use recording::MOST_RECORDED_STEPS;
+pub use recorded::MOST_RECORDED_STEPS;
 pub use results::{HostEstimate, Results};
 pub use settings::{CoriolisTerms, Host, MAX_DELAY_STEPS, Settings};
 

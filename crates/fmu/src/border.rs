@@ -7,12 +7,11 @@ use std::path::{Path, PathBuf};
 use fenderline_scenario::read_text_of;
 
 use crate::bundle::Bundle;
-use crate::fmi2::Logger2;
-use crate::fmi3::Logger3;
 use crate::instance::{Instance, Outcome};
 use crate::library::STAMP;
+use crate::logger::{Logger2, Logger3};
 use crate::plan::Plan;
-use crate::registry::Status;
+use crate::status::Status;
 
 /// Limit of values per call; a longer array is an error.
 const MOST_VALUES: usize = 1 << 20;

@@ -6,10 +6,11 @@ use fenderline_scenario::Scenario;
 use fenderline_sim::Method;
 
 use crate::inputs::Inputs;
-use crate::outputs::{View, read};
+use crate::outputs::read;
 use crate::parameters::applied;
 use crate::plan::Plan;
 use crate::table::{FORWARD_EULER, Setting};
+use crate::view::View;
 
 /// An initialised engine. A clone continues independently.
 #[derive(Clone, Debug)]
@@ -114,7 +115,7 @@ impl EngineRun {
         let mut loads = inputs.loads(states.len());
         if self.body_fixed {
             for (load, state) in loads.iter_mut().zip(&states) {
-                load.force_n = crate::inputs::earth_fixed(state, load.force_n);
+                load.force_n = crate::axes::earth_fixed(state, load.force_n);
             }
         }
         let nothing = loads.iter().all(|load| *load == Wrench::default());

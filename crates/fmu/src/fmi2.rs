@@ -11,18 +11,10 @@ use crate::border::{
     Address, Log, check_room, folder_of_uri, instance, none, read, read_bytes, text, write,
 };
 use crate::instance::{Instance, Outcome};
-use crate::registry::{Status, as_pointer, free, make, next_number, with};
+pub use crate::logger::Logger2;
+use crate::registry::{as_pointer, free, make, next_number, with};
+use crate::status::Status;
 use crate::table::Class;
-
-/// `fmi2CallbackLogger`.
-pub type Logger2 = unsafe extern "C" fn(
-    environment: *mut c_void,
-    instance_name: *const c_char,
-    status: c_int,
-    category: *const c_char,
-    message: *const c_char,
-    ...
-);
 
 /// `fmi2CallbackFunctions`. Only the logger is used: the library has its own memory, and no step is asynchronous.
 #[repr(C)]

@@ -1,63 +1,17 @@
 //! Inputs: what a master sets at each communication point.
 
 use fenderline_contact::number::bounded;
-use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
+use fenderline_contact::{BodyState, Wrench};
 use fenderline_sim::order::{Arguments, OrderName, Value};
 use fenderline_sim::{BodySetup, Setup};
 
+use crate::axes::earth_fixed;
+use crate::input::{Input, LoadComponent, StateComponent};
 use crate::table::{Causality, Class, StandsFor, Table, Variable};
 use crate::unit::Unit;
 
 /// The largest load that the engine takes (N, N·m).
 const LARGEST_LOAD: f64 = 1e15;
-
-/// What an input stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Input {
-    /// A component of a body's state.
-    State {
-        body: usize,
-        component: StateComponent,
-    },
-    /// A body's counter of repositionings.
-    Placed(usize),
-    /// A component of a load on a body.
-    Load {
-        body: usize,
-        component: LoadComponent,
-    },
-    /// True where the master controls a vessel.
-    ExternalControl(usize),
-    Rudder(usize),
-    Engine(usize),
-    Thruster(usize, usize),
-    AzimuthPower(usize, usize),
-    AzimuthDirection(usize, usize),
-    /// True where the master controls a vector tug.
-    ExternalTugControl(usize),
-    TugForce(usize),
-    TugDirection(usize),
-    TugPulls(usize),
-}
-
-/// Earth-fixed: x is north, y is east.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum StateComponent {
-    X,
-    Y,
-    Heading,
-    VelocityX,
-    VelocityY,
-    YawRate,
-}
-
-/// Earth-fixed: x is north, y is east.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum LoadComponent {
-    X,
-    Y,
-    Moment,
-}
 
 struct Row<'a> {
     name: String,
@@ -417,15 +371,4 @@ pub(crate) struct InputOrder {
     /// Index of the vessel or tug.
     pub(crate) target: usize,
     pub(crate) arguments: Arguments,
-}
-
-/// Turns a vector from a body's axes to earth-fixed ones.
-pub(crate) fn earth_fixed(state: &BodyState, own: Vec2) -> Vec2 {
-    Rotation::from_angle(state.heading_rad).apply(own)
-}
-
-/// Turns an earth-fixed vector to a body's axes.
-pub(crate) fn body_fixed(state: &BodyState, vector: Vec2) -> Vec2 {
-    let own = Rotation::from_angle(state.heading_rad).apply_inverse(vector);
-    vec2(own.x, own.y)
 }

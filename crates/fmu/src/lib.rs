@@ -15,6 +15,7 @@
 #[cfg(not(panic = "unwind"))]
 compile_error!("a panic must become a status: build this with panic = \"unwind\"");
 
+mod axes;
 mod border;
 mod bundle;
 mod bytes;
@@ -23,9 +24,11 @@ mod engine;
 pub mod fmi2;
 pub mod fmi3;
 mod hash;
+mod input;
 mod inputs;
 mod instance;
 mod library;
+mod logger;
 mod outputs;
 mod pack;
 mod parameters;
@@ -33,9 +36,11 @@ mod plan;
 mod registry;
 mod simulation;
 mod state;
+mod status;
 mod table;
 mod trial;
 mod unit;
+mod view;
 
 pub use bundle::{Bundle, BundleError};
 pub use library::{

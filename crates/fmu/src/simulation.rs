@@ -4,10 +4,11 @@ use fenderline_contact::number::greater;
 use fenderline_sim::{Order, Simulation};
 
 use crate::inputs::{InputOrder, Inputs};
-use crate::outputs::{View, read};
+use crate::outputs::read;
 use crate::parameters::applied;
 use crate::plan::Plan;
 use crate::table::{StandsFor, Table};
+use crate::view::View;
 
 /// Tolerance for the end of a communication step to coincide with the end of a scenario step, in steps.
 const SLACK_STEPS: f64 = 1e-6;

@@ -2,9 +2,9 @@
 
 use fenderline_sim::Setup;
 
-use crate::inputs::Input;
-use crate::outputs::View;
+use crate::input::Input;
 use crate::unit::Unit;
+use crate::view::View;
 
 /// What an FMU is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

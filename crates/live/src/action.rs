@@ -10,8 +10,8 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
 
 use crate::approach::ApproachLimit;
-use crate::message::Pair;
 use crate::named_order::NamedOrder;
+use crate::pair::Pair;
 
 /// A command that changes the simulated world. It uses the names of the scenario and SI units. `web/src/protocol.ts`
 /// describes its JSON.

@@ -6,8 +6,8 @@ use fenderline_sim::berth::{Berth, Lie};
 
 use crate::approach::Light;
 use crate::cast::Cast;
-use crate::info::pair;
 use crate::message::{BerthEnd, BerthInfo, BerthNow, Lamp};
+use crate::pair::pair;
 
 /// The berth with the most fenders; among equals, the one nearest to the pilot's own ship at the start. Fenders on the own ship
 /// and on tugs do not count. `None` without a ship or without such fenders.

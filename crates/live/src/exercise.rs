@@ -6,27 +6,6 @@ use fenderline_sim::exercise::{AnchorPlace, Assessment, Condition, Deduction, St
 use crate::message::{
     ConditionNow, ExerciseInfo, ExerciseMarks, ExerciseNow, LimitInfo, LimitNow, PlaceInfo,
 };
-use crate::session::Session;
-
-impl Session {
-    /// The exercise, if the scenario has one.
-    #[must_use]
-    pub fn exercise(&self) -> Option<&Assessment> {
-        self.now().exercise.as_ref()
-    }
-
-    /// The constant part of the exercise, for pages.
-    #[must_use]
-    pub fn exercise_info(&self) -> Option<ExerciseInfo> {
-        self.exercise().map(|exercise| info(exercise, self.simulation().setup()))
-    }
-
-    /// The marks so far, for the instructor's page.
-    #[must_use]
-    pub fn exercise_marks(&self) -> Option<ExerciseMarks> {
-        self.exercise().map(|exercise| marks(exercise, self.simulation().setup()))
-    }
-}
 
 /// How an exercise ended, without its score; `None` while it goes on.
 pub(crate) fn ending(exercise: &Assessment) -> Option<&'static str> {

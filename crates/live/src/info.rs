@@ -15,9 +15,10 @@ use crate::cast::Cast;
 use crate::chart_info::chart_infos;
 use crate::message::{
     AnchorInfo, AzimuthInfo, BodyInfo, BollardInfo, ChartInfo, FenderInfo, LineEndInfo, LineInfo,
-    OrderInfo, Pair, TelegraphInfo, ThrusterInfo, TrafficInfo, TugInfo, VesselInfo,
+    OrderInfo, TelegraphInfo, ThrusterInfo, TrafficInfo, TugInfo, VesselInfo,
 };
 use crate::order_info::{order_infos, telegraph};
+use crate::pair::pair;
 
 /// The working load of a cable over its breaking load; our choice, as the guideline for ropes has none for cables.
 const CABLE_WORKING_SHARE: f64 = 0.5;
@@ -94,10 +95,6 @@ impl Info {
             chart: chart_infos(&world.chart),
         }
     }
-}
-
-pub(crate) fn pair(of: Vec2) -> Pair {
-    [of.x, of.y]
 }
 
 fn traffic_info(ship: &PassingSetup) -> TrafficInfo {

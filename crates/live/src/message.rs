@@ -6,13 +6,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::action::{AnchorFault, CommandLimits, OtherAction};
 use crate::approach::Light;
+pub use crate::pair::Pair;
 use crate::request::Control;
 
 /// Number of the protocol. A page with another number asks the user to reload it.
 pub const PROTOCOL: u32 = 5;
-
-/// A position, a vector or a range.
-pub type Pair = [f64; 2];
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "type", rename = "hello")]

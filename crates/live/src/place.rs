@@ -7,11 +7,11 @@ use fenderline_sim::exercise::Assessment;
 use fenderline_sim::{BodyStart, FenderSetup, LineEnd, Simulation};
 
 use crate::cast::Cast;
-use crate::frame::Seen;
+use crate::frame::seen::Seen;
 use crate::frozen::Frozen;
-use crate::message::Pair;
+use crate::now::Now;
+use crate::pair::Pair;
 use crate::refusal::Refusal;
-use crate::session::Now;
 
 /// Farthest from the origin that a vessel can be placed (m).
 const FARTHEST_M: f64 = 1e6;

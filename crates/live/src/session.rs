@@ -4,29 +4,29 @@ use std::fmt;
 use std::ops::Range;
 
 use fenderline_scenario::ScenarioError;
-use fenderline_sim::exercise::{Assessment, ExerciseSetup};
+use fenderline_sim::exercise::Assessment;
 use fenderline_sim::{SetupError, SimError, Simulation, StepRecord};
 
 use crate::action::{Action, OtherAction};
 use crate::alarm_book::{AlarmBook, Level};
-use crate::approach::ApproachLimit;
 use crate::bits::fingerprint;
-use crate::carry_out::{ManualControl, carry_out};
+use crate::carry_out::carry_out;
 use crate::cast::Cast;
 use crate::checkpoints::Checkpoints;
-use crate::exercise::ending;
-use crate::frame::{self, Seen};
-use crate::frozen::Frozen;
+use crate::exercise;
+use crate::frame;
+use crate::happening;
 use crate::info::Info;
 use crate::limits::{
     Full, LONGEST_HEADER_BYTES, MARKS, MOST_BRANCHES, MOST_COMMANDS, MOST_NOTES, MOST_TICKS,
     NOTE_TICKS,
 };
-use crate::message::{History, PlannedNow, Role, Then};
-use crate::past::{Of, Past, Sample};
+use crate::message::{ExerciseInfo, ExerciseMarks, History, PlannedNow, Role, Then};
+use crate::now::Now;
+use crate::past::{Of, Past};
 use crate::recording::{Line, Writer};
 use crate::refusal::Refusal;
-use crate::script::{self, Script};
+use crate::script::Script;
 use crate::source::Source;
 
 /// A branch: the commands from a tick on. Before that tick the commands of its parent apply.
@@ -49,56 +49,6 @@ pub(crate) struct Given {
     pub(crate) tick: u64,
     pub(crate) who: String,
     pub(crate) action: Action,
-}
-
-/// Everything that changes from tick to tick.
-#[derive(Clone, Debug)]
-pub(crate) struct Now {
-    pub(crate) simulation: Simulation,
-    pub(crate) manual: ManualControl,
-    pub(crate) approach: ApproachLimit,
-    /// For each vessel, what her frozen instruments show.
-    pub(crate) frozen: Vec<Frozen>,
-    pub(crate) seen: Seen,
-    pub(crate) alarms: AlarmBook,
-    /// The exercise, if the scenario has one.
-    pub(crate) exercise: Option<Assessment>,
-    pub(crate) script: Script,
-    /// Number of steps taken.
-    pub(crate) tick: u64,
-}
-
-impl Now {
-    pub(crate) fn before_the_first_step(
-        simulation: Simulation,
-        exercise: Option<ExerciseSetup>,
-    ) -> Now {
-        let exercise = exercise.map(|setup| Assessment::new(setup, &simulation));
-        let seen = Seen::before_the_first_step(&simulation);
-        let (manual, approach) = (ManualControl::default(), ApproachLimit::default());
-        let frozen = Frozen::none(&simulation);
-        let (alarms, script) = (AlarmBook::default(), Script::default());
-        Now { simulation, manual, approach, frozen, seen, alarms, exercise, script, tick: 0 }
-    }
-
-    /// Updates the exercise after a step. Returns the text of its end, if it ends with this step.
-    pub(crate) fn mark_exercise(&mut self) -> Option<&'static str> {
-        let exercise = self.exercise.as_mut()?;
-        if exercise.state().ended_s().is_some() {
-            return None;
-        }
-        exercise.update(&self.simulation);
-        ending(exercise)
-    }
-
-    /// Updates the ships that pass, and the alarms. After every tick, not every frame: a touch of one tick raises an alarm too.
-    /// Returns the values for strip charts.
-    pub(crate) fn note_alarms(&mut self, cast: &Cast, info: &Info) -> Sample {
-        self.seen.note_passages(&self.simulation, info);
-        let (causes, sample) = frame::after_tick(self, cast, info);
-        self.alarms.update(causes, self.simulation.time_s());
-        sample
-    }
 }
 
 /// A simulation that people steer: see the documentation of the crate.
@@ -187,7 +137,7 @@ impl Session {
         let info = Info::of(simulation.setup(), &cast);
         let mut now = Now::before_the_first_step(simulation, scenario.exercise);
         now.script = Script::of_scenario(&planned, &cast, now.simulation.setup());
-        now.note_alarms(&cast, &info);
+        frame::note_alarms(&mut now, &cast, &info);
         let first = Branch { parent: None, from_tick: 0, ends_tick: 0, commands: Vec::new() };
         Ok(Session {
             source,
@@ -247,6 +197,24 @@ impl Session {
     /// The planned events that fired before the last step.
     pub(crate) fn fired(&self) -> &[OtherAction] {
         &self.fired
+    }
+
+    /// The exercise, if the scenario has one.
+    #[must_use]
+    pub fn exercise(&self) -> Option<&Assessment> {
+        self.now().exercise.as_ref()
+    }
+
+    /// The constant part of the exercise, for pages.
+    #[must_use]
+    pub fn exercise_info(&self) -> Option<ExerciseInfo> {
+        self.exercise().map(|exercise| exercise::info(exercise, self.simulation().setup()))
+    }
+
+    /// The marks so far, for the instructor's page.
+    #[must_use]
+    pub fn exercise_marks(&self) -> Option<ExerciseMarks> {
+        self.exercise().map(|exercise| exercise::marks(exercise, self.simulation().setup()))
     }
 
     /// The simulation in its present state.
@@ -443,8 +411,8 @@ impl Session {
 
     /// Takes one step of the simulation and keeps its contacts and events.
     fn advance(&mut self, each: impl FnOnce(&StepRecord<'_>)) -> Result<(), SimError> {
-        let before = script::is_due(&self.now).then(|| self.now.clone());
-        self.fired = script::run(&self.cast, &mut self.now);
+        let before = happening::is_due(&self.now).then(|| self.now.clone());
+        self.fired = happening::run(&self.cast, &mut self.now);
         let Now { simulation, seen, tick, .. } = &mut self.now;
         let t_s = simulation.time_s();
         let record = match simulation.step() {
@@ -463,7 +431,7 @@ impl Session {
         *tick += 1;
         self.interventions += u64::from(!self.fired.is_empty());
         let ending = self.now.mark_exercise();
-        let sample = self.now.note_alarms(&self.cast, &self.info);
+        let sample = frame::note_alarms(&mut self.now, &self.cast, &self.info);
         let Now { simulation, seen, alarms, tick, .. } = &self.now;
         let ending = ending.map(|text| (simulation.time_s(), text.to_owned()));
         let seen = seen.events(simulation.setup()).map(|text| (t_s, text));

@@ -6,9 +6,10 @@ use crate::action::{Action, OtherAction};
 use crate::carry_out::carry_out;
 use crate::limits::MOST_TRIAL_ORDERS;
 use crate::message::{Reply, ShipPath};
+use crate::now::Now;
 use crate::prediction::Prediction;
 use crate::refusal::Refusal;
-use crate::session::{Now, Session};
+use crate::session::Session;
 
 /// Positions of a ship's path in a trial, besides the present one.
 const POSITIONS: f64 = 60.0;

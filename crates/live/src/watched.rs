@@ -10,7 +10,7 @@ use crate::exercise;
 use crate::frame;
 use crate::info::Info;
 use crate::message::{self, EventNow, FenderNow, Hello, PROTOCOL, Role, RunState};
-use crate::session::Now;
+use crate::now::Now;
 
 /// A simulation that pages look at while it runs. It has no commands, recording or branches.
 #[derive(Clone, Debug)]
@@ -64,7 +64,7 @@ impl Watched {
     /// Notes alarms and events of the last step, for frames. Pages need it after every step: a touch of one step raises
     /// an alarm too. A run without pages saves its cost.
     pub fn note(&mut self) {
-        self.now.note_alarms(&self.cast, &self.info);
+        frame::note_alarms(&mut self.now, &self.cast, &self.info);
         let Now { simulation, seen, .. } = &self.now;
         let t_s = simulation.time_s();
         let texts = seen.events(simulation.setup());

@@ -24,6 +24,7 @@ mod simulation;
 mod summaries;
 mod tables;
 mod totals;
+mod unpickled;
 mod variants;
 mod whole;
 
@@ -44,7 +45,7 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<campaign::Campaign>()?;
     module.add_function(wrap_pyfunction!(engine::seconds_of_steps, module)?)?;
     module.add_function(wrap_pyfunction!(scenario::scenario_of_parts, module)?)?;
-    module.add_function(wrap_pyfunction!(pickled::simulation_of_parts, module)?)?;
+    module.add_function(wrap_pyfunction!(unpickled::simulation_of_parts, module)?)?;
     module.add_function(wrap_pyfunction!(contacts::step_event, module)?)?;
     module.add_function(wrap_pyfunction!(many::run_variants, module)?)
 }

@@ -371,7 +371,7 @@ impl Simulation {
     /// A copy that continues independently. One that is recorded computes its steps again.
     fn copy(&self, py: Python<'_>) -> PyResult<Simulation> {
         if self.tables.is_some() {
-            return self.pickled(py)?.simulation(py);
+            return Simulation::of_pickled(py, &self.pickled(py)?);
         }
         self.save(py)?.simulation(py)
     }
@@ -561,8 +561,15 @@ impl Simulation {
         })
     }
 
+    /// A simulation that has taken all the steps of a pickled one.
+    pub(crate) fn of_pickled(py: Python<'_>, pickled: &Pickled) -> PyResult<Simulation> {
+        let mut made = Simulation::new(py, pickled.scenario.clone_ref(py), pickled.is_recorded)?;
+        made.replay(py, pickled)?;
+        Ok(made)
+    }
+
     /// Repeats the inputs and steps of a pickled simulation, from the start.
-    pub(crate) fn replay(&mut self, py: Python<'_>, pickled: &Pickled) -> PyResult<()> {
+    fn replay(&mut self, py: Python<'_>, pickled: &Pickled) -> PyResult<()> {
         let mut external = vec![Wrench::default(); self.external_rows.len()];
         for (step, input) in &pickled.inputs {
             self.advance_to(py, *step)?;

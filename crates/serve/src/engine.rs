@@ -4,6 +4,7 @@
 mod chart_output;
 mod client;
 mod clients;
+mod clock;
 mod commands;
 mod crowd;
 mod event_log;
@@ -20,7 +21,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
-use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+use std::time::{Duration, Instant};
 
 use fenderline_live::message::{self, Frame, PlannedNow, Reply, Role, RunState};
 use fenderline_live::{Session, StepError};
@@ -28,6 +29,7 @@ use fenderline_nautical::ChartOrigin;
 
 use self::chart_output::ChartOutput;
 use self::client::Client;
+use self::clock::unix_ms;
 use self::crowd::Crowd;
 use self::event_log::EventLog;
 use self::kept_history::KeptHistory;
@@ -296,10 +298,4 @@ impl Engine {
     fn tell_planned_to(&self, client: ClientId) {
         self.reply(client, &Reply::Planned { events: self.planned.clone() });
     }
-}
-
-/// Milliseconds since 1970.
-fn unix_ms() -> u64 {
-    let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
-    u64::try_from(since.as_millis()).unwrap_or(u64::MAX)
 }

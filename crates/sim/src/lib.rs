@@ -157,7 +157,7 @@
 //!
 //! One step of [`Simulation::step`]:
 //!
-//! 1. `gather_loads`: loads of the set-up and of the host, then vessels, tugs, lines and environment (`world/mod.rs`).
+//! 1. `gather_loads`: loads of the set-up and of the host, then vessels, tugs, lines and environment (`world/state.rs`).
 //! 2. `turn_momentum`: Coriolis and centripetal terms over the step (`turning.rs`).
 //! 3. `advance_bodies`: contact forces (`fenderline_contact::advance_in_place`, or `step` for the paper's method)
 //!    and the new states (`integrate.rs`).

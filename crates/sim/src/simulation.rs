@@ -29,9 +29,8 @@ use fenderline_contact::{
 };
 
 use self::buffers::Buffers;
-use self::changes::check_planned;
 use self::check::{
-    berthing_study, check_anchors, check_flow, check_lines, check_load, count_steps,
+    berthing_study, check_anchors, check_flow, check_lines, check_load, check_planned, count_steps,
 };
 use crate::gather::{add_external, gather, gather_loads};
 use crate::integrate::{euler, semi_implicit};

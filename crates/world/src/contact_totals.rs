@@ -3,9 +3,9 @@
 use fenderline_contact::number::greater;
 use fenderline_contact::{Contact, ContactWork};
 
+use crate::energy::ContactEnergy;
 use crate::hull::HeightWork;
 use crate::mean_velocity::MeanVelocity;
-use crate::record::ContactEnergy;
 
 /// How the work of a contact is computed.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,8 +1,9 @@
 //! The order of summation. A floating-point sum depends on the order of its terms, so forces are summed in the order of
 //! names and not in the order of the scenario file.
 
-use crate::setup::{BodySetup, Load};
-use crate::world::WorldSetup;
+use crate::setup::body::BodySetup;
+use crate::setup::load::Load;
+use crate::world::setup::WorldSetup;
 
 /// Indices into the set-up, sorted by name.
 #[derive(Clone, Debug)]

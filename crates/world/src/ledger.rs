@@ -5,7 +5,7 @@ use fenderline_contact::number::greater;
 
 use crate::contact_totals::ContactTotals;
 use crate::dolphin::DolphinMotion;
-use crate::record::{Energy, LoadWork};
+use crate::energy::{Energy, LoadWork};
 use crate::rigid_body::Inertia;
 
 /// Inertias and states of all bodies, and the order in which their energies are summed.

@@ -1,6 +1,6 @@
 //! Limits of a scenario on motions, lines and fenders.
 
-use crate::setup::Setup;
+mod subject;
 
 /// Statistics of a run, and the limits that they are compared with.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -118,19 +118,6 @@ impl Measure {
 }
 
 impl LimitSetup {
-    /// What is limited, in words.
-    #[must_use]
-    pub fn subject(&self, setup: &Setup) -> String {
-        match self.what {
-            Limited::Motion { vessel, motion, measure } => {
-                let name = &setup.bodies[setup.world.vessels[vessel].body].name;
-                format!("{} of {name}, {}", motion.word(), measure.word())
-            }
-            Limited::Lines => "largest tension of a line over its break load".to_owned(),
-            Limited::Fenders => "largest use of a fender over its rating".to_owned(),
-        }
-    }
-
     /// A value of it, in words.
     #[must_use]
     pub fn shown(&self, value: f64) -> String {

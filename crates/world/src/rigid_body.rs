@@ -4,7 +4,8 @@ use fenderline_contact::number::lesser;
 use fenderline_contact::{BodyState, Mobility, Pile, Vec2, Wrench, vec2};
 
 use crate::dolphin::DolphinSetup;
-use crate::setup::{BodySetup, BodyVelocity, MassProperties, Method};
+use crate::setup::body::{BodySetup, BodyVelocity, MassProperties};
+use crate::setup::method::Method;
 
 /// Inertia of a body, rigid-body and added mass; a fixed body has none.
 #[derive(Clone, Copy, Debug, PartialEq)]

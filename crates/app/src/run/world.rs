@@ -2,7 +2,7 @@
 
 use core::fmt::Write as _;
 
-use super::printed::{NAME_WIDTH, decimal, one_line};
+use super::cells::{NAME_WIDTH, decimal, one_line};
 use fenderline_report::plot::{shortened, times};
 use fenderline_results::Outcome;
 use fenderline_results::{AnchorVerdict, LineTotals, LineVerdict};

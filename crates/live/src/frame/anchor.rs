@@ -4,8 +4,8 @@ use fenderline_sim::anchor::{AnchorPosition, LostBy, SHACKLE_M, WindlassOrder};
 use fenderline_sim::{AnchorAtWork, Simulation};
 
 use crate::action::AnchorFault;
-use crate::info::pair;
 use crate::message::AnchorNow;
+use crate::pair::pair;
 
 /// All anchors.
 pub(super) fn now(simulation: &Simulation) -> Vec<AnchorNow> {

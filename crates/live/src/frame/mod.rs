@@ -4,9 +4,10 @@ mod alarms;
 mod anchor;
 mod board;
 mod fog;
+mod of_session;
 mod passage;
 mod sample;
-mod seen;
+pub(crate) mod seen;
 mod traffic;
 mod verdict;
 mod vessel;
@@ -25,16 +26,13 @@ use crate::cast::Cast;
 use crate::exercise;
 use crate::info::Info;
 use crate::message::{
-    BranchNow, ContactNow, CurrentNow, FenderNow, Frame, LineNow, RunState, TugNow, VesselNow,
-    WavesNow, WindNow,
+    ContactNow, CurrentNow, FenderNow, Frame, LineNow, RunState, TugNow, VesselNow, WavesNow,
+    WindNow,
 };
+use crate::now::Now;
 use crate::past::Sample;
-use crate::session::{Branch, Now, Session};
 
-pub(crate) use seen::Seen;
 pub(crate) use verdict::now as verdict;
-pub use vessel::Speeds;
-pub(crate) use vessel::speeds;
 
 /// The data of the docking board.
 struct BoardInput<'a> {
@@ -43,26 +41,6 @@ struct BoardInput<'a> {
     fenders: &'a [FenderNow],
     book: &'a AlarmBook,
     approach: ApproachLimit,
-}
-
-impl Session {
-    /// The causes of alarms after this tick.
-    pub(crate) fn causes_for_alarm(&self) -> Vec<Alarm> {
-        causes(self.now(), self.cast(), self.info())
-    }
-
-    /// The frame of this tick. The owner of the session gives `run` with pause, pace and clients; this function fills in the
-    /// branches.
-    #[must_use]
-    pub fn frame(&self, at_ms: u64, run: RunState) -> Frame {
-        let run = RunState {
-            branch: self.current_branch(),
-            branches: self.branches().iter().enumerate().map(branch_now).collect(),
-            last_tick: self.branches()[self.current_branch()].ends_tick,
-            ..run
-        };
-        frame(self.now(), self.cast(), self.info(), at_ms, run)
-    }
 }
 
 /// The causes of alarms in a state.
@@ -87,6 +65,15 @@ pub(crate) fn after_tick(now: &Now, cast: &Cast, info: &Info) -> (Vec<Alarm>, Sa
     let mut causes = alarms::causes(&of);
     causes.extend(traffic::collisions(simulation, info));
     (causes, sample::sample(&of, cast, &now.frozen))
+}
+
+/// Updates the ships that pass, and the alarms. After every tick, not every frame: a touch of one tick raises an alarm too.
+/// Returns the values for strip charts.
+pub(crate) fn note_alarms(now: &mut Now, cast: &Cast, info: &Info) -> Sample {
+    now.seen.note_passages(&now.simulation, info);
+    let (causes, sample) = after_tick(now, cast, info);
+    now.alarms.update(causes, now.simulation.time_s());
+    sample
 }
 
 /// The frame of a state.
@@ -163,11 +150,6 @@ fn fill_in_signals(of: &BoardInput<'_>, berth: &Berth, vessels: &mut [VesselNow]
             lies.stern_lamp = board::lamp(ends[1], of.approach.light(lies.stern_mps, lies.stern_m));
         }
     }
-}
-
-fn branch_now((id, branch): (usize, &Branch)) -> BranchNow {
-    let Branch { parent, from_tick, ends_tick, .. } = *branch;
-    BranchNow { id, from_tick, ends_tick, parent }
 }
 
 fn line_now(line: &Mooring, setup: &MooringSetup, working_n: f64, t_s: f64) -> LineNow {

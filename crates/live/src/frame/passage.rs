@@ -8,8 +8,9 @@ use fenderline_sim::hydro::Force;
 use fenderline_sim::passing::PassingSetup;
 use fenderline_sim::{Simulation, WorldEvent, WorldEventKind};
 
-use crate::info::{Info, pair};
+use crate::info::Info;
 use crate::message::PassageNow;
+use crate::pair::pair;
 
 /// A vessel that is slower over the ground is at rest (m/s); our choice.
 const AT_REST_MPS: f64 = 0.5;

@@ -5,8 +5,9 @@ use fenderline_sim::hydro::Force;
 use fenderline_sim::{Setup, Simulation, StepRecord, WorldEvent, WorldEventKind, called};
 
 use super::passage::Passages;
-use crate::info::{Info, pair};
+use crate::info::Info;
 use crate::message::{ContactNow, FenderNow};
+use crate::pair::pair;
 
 /// The contacts and events of the last step.
 #[derive(Clone, Debug, Default, PartialEq)]

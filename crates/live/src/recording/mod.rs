@@ -6,6 +6,7 @@
 //! removed, repeated or moved. The sequence of lines is also checked (`shape`) before anything is replayed.
 
 mod copy;
+mod ending;
 mod error;
 mod outline;
 mod reader;
@@ -19,8 +20,9 @@ use crate::action::Action;
 use crate::source::Source;
 
 pub use copy::{CopyError, copy_kept};
+pub use ending::Ending;
 pub use error::{Fault, RecordingError};
-pub use outline::{Ending, Outline};
+pub use outline::Outline;
 pub use reader::RecordingReader;
 pub(crate) use sealed::Chain;
 pub(crate) use writer::Writer;

@@ -2,26 +2,13 @@
 
 use std::io::BufRead;
 
+use super::ending::Ending;
 use super::error::RecordingError;
 use super::reader::RecordingReader;
 use super::{Chain, Fault};
 
 /// Number of lines between two calls of `go_on`.
 const LINES_AT_A_TIME: usize = 4096;
-
-/// How a recording ends. In all three cases the lines before are sound.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ending {
-    /// With the line that ends a session: it is complete.
-    Whole,
-    /// With another whole line: the writer was killed or is still writing, or lines were cut off.
-    Open,
-    /// Within a line, which is dropped: the writer was killed, or the file was cut off.
-    Torn {
-        /// Length of the dropped line (bytes).
-        bytes: u64,
-    },
-}
 
 /// The content of a recording.
 #[derive(Clone, Debug, PartialEq, Eq)]

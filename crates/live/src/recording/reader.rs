@@ -2,8 +2,8 @@
 
 use std::io::BufRead;
 
+use super::ending::Ending;
 use super::error::{Fault, RecordingError};
-use super::outline::Ending;
 use super::sealed::{Sealed, SealedLines};
 use super::shape::Shape;
 use super::{BEGINNING, Chain, FORMAT, Header, Line};

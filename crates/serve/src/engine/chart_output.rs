@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use fenderline_live::Session;
 use fenderline_nautical::{ChartOrigin, GeoPoint, Moment};
 
+use super::clock::unix_ms;
 use crate::hub::Hub;
 use crate::instruments;
 
@@ -32,7 +33,7 @@ impl ChartOutput {
         if self.sent.is_some_and(|at| now < at + INTERVAL) {
             return;
         }
-        let at = Moment::from_unix(super::unix_ms() as f64 * 1e-3);
+        let at = Moment::from_unix(unix_ms() as f64 * 1e-3);
         let origin = self.given.or_else(|| of_chart(session)).unwrap_or_default();
         let round = instruments::sentences(session, &origin, at, self.rounds);
         hub.sentences.send_replace(Some(round.into()));

@@ -6,6 +6,7 @@ use fenderline_live::message::{Reply, Role};
 use fenderline_live::{Action, COMMAND_LIMITS, Conduct, Control, OtherAction, Refusal, Request};
 
 use super::Engine;
+use super::clock::unix_ms;
 use crate::claims::ClientId;
 use crate::file_change::Wish;
 use crate::opening::{Requester, Work};
@@ -58,7 +59,7 @@ impl Engine {
         let (client, label) = (requester.client, requester.label.as_str());
         let needs = self.may_give(client, role, &action)?;
         self.may_acknowledge(role, &action)?;
-        let tick = self.session.command(label, super::unix_ms(), action)?;
+        let tick = self.session.command(label, unix_ms(), action)?;
         self.take_helms(&[needs], (client, label))?;
         Ok(self.has_given(tick))
     }
@@ -133,7 +134,7 @@ impl Engine {
         let (client, label) = (requester.client, requester.label.as_str());
         let needs = orders.iter().map(|order| self.may_give(client, role, order));
         let needs = needs.collect::<Result<Vec<Needs>, Refusal>>()?;
-        let tick = self.session.command_all(label, super::unix_ms(), orders)?;
+        let tick = self.session.command_all(label, unix_ms(), orders)?;
         self.take_helms(&needs, (client, label))?;
         Ok(self.has_given(tick))
     }

@@ -21,8 +21,8 @@
 
 use super::added_mass::AddedMass;
 use super::low_speed::LowSpeedHull;
-use super::mmg::{Polynomial, coriolis};
 use super::particulars::Particulars;
+use super::polynomial::{Polynomial, coriolis};
 use super::quantities::{Force, Velocity, Water, smooth_step};
 use super::stall::Stall;
 

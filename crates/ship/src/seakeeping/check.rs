@@ -4,10 +4,10 @@ use core::f64::consts::{PI, TAU};
 
 use fenderline_contact::number::greater;
 
-use super::data::{RawHydrodynamics, UPRIGHT};
 use super::error::{Part, Reason, SeakeepingError, error};
-use super::matrix::{Matrix6, Six, smallest_eigenvalue};
+use super::matrix::{Matrix6, Six, UPRIGHT, smallest_eigenvalue};
 use super::passive::{negative_together, scaled_to_one};
+use super::raw::RawHydrodynamics;
 use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::environment::waves::Complex;
 

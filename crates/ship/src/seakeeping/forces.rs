@@ -8,7 +8,8 @@
 use fenderline_contact::Vec2;
 
 use super::between::{Between, FineHeadings, FinePlace, MIRROR, MIRROR_DRIFT};
-use super::data::{Hydrodynamics, PLANE};
+use super::data::Hydrodynamics;
+use super::matrix::PLANE;
 use super::matrix::Six;
 use super::sub_steps::SubSteps;
 use crate::constants::STANDARD_GRAVITY_MPS2;

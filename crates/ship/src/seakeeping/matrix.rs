@@ -5,6 +5,11 @@ pub type Six = [f64; 6];
 /// A matrix over the six motions.
 pub type Matrix6 = [[f64; 6]; 6];
 
+/// The motions in the plane, among the six.
+pub(super) const PLANE: [usize; 3] = [0, 1, 5];
+/// Heave, roll and pitch, among the six.
+pub(super) const UPRIGHT: [usize; 3] = [2, 3, 4];
+
 /// The zero matrix.
 pub const ZERO: Matrix6 = [[0.0; 6]; 6];
 

@@ -21,6 +21,7 @@
 
 mod between;
 mod check;
+mod checked;
 mod data;
 mod error;
 mod forces;
@@ -30,6 +31,7 @@ mod memory;
 mod motion;
 mod passive;
 mod place;
+mod raw;
 mod resolution;
 mod retardation;
 mod sub_steps;
@@ -37,12 +39,13 @@ mod waves_check;
 
 use std::sync::Arc;
 
-pub use data::{Hydrodynamics, RawHydrodynamics};
+pub use data::Hydrodynamics;
 pub use error::{Part, Reason, SeakeepingError};
 pub use forces::{DriftSource, WaveForces, WaveLoad};
 pub use memory::Memory;
 pub use motion::{Motion, MotionState, StepLoad};
 pub use place::SlowPlace;
+pub use raw::RawHydrodynamics;
 pub use resolution::Unresolved;
 pub use retardation::Retardation;
 pub use sub_steps::SubSteps;

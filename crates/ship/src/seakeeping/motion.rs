@@ -15,8 +15,8 @@
 //! do to the plane acts in the next step.
 
 use super::Seakeeping;
-use super::data::{PLANE, UPRIGHT};
 use super::matrix::{Matrix6, Six, plus, solve, times};
+use super::matrix::{PLANE, UPRIGHT};
 use super::memory::{Bank, Memory};
 use crate::attitude::{Attitude, AttitudeLoad};
 

@@ -2,8 +2,8 @@
 
 use core::f64::consts::{PI, TAU};
 
-use super::data::RawHydrodynamics;
 use super::error::{Part, Reason, SeakeepingError, error};
+use super::raw::RawHydrodynamics;
 use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::environment::waves::wave_number;
 

@@ -6,23 +6,7 @@ use super::Simulation;
 use fenderline_ship::environment::current::Current;
 use fenderline_ship::environment::wind::{MeanWind, Wind, WindProfile};
 use fenderline_world::change::{Change, ChangeError, Flow, Ramp, fog_m};
-use fenderline_world::error::SetupError;
-use fenderline_world::setup::Setup;
 use fenderline_world::world::{Faults, WorldEvent, WorldEventKind};
-
-/// Checks the planned changes of a set-up.
-pub(super) fn check_planned(setup: &Setup) -> Result<(), SetupError> {
-    for planned in &setup.world.planned {
-        if !planned.at_s.is_finite() {
-            return Err(SetupError::OutOfRange {
-                field: "the time of a planned change [s]",
-                value: planned.at_s,
-            });
-        }
-        planned.change.check(setup).map_err(SetupError::Change)?;
-    }
-    Ok(())
-}
 
 impl Simulation {
     /// Changes weather, faults, lines or tugs from the next step on. A change over a time goes on by itself.

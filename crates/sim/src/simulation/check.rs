@@ -126,3 +126,17 @@ fn shallow_factor(setup: &Setup, ship: usize) -> Option<ShallowFactor> {
         depth_over_draught: depth_m / vessel.deep.particulars.draught_m,
     })
 }
+
+/// Checks the planned changes of a set-up.
+pub(super) fn check_planned(setup: &Setup) -> Result<(), SetupError> {
+    for planned in &setup.world.planned {
+        if !planned.at_s.is_finite() {
+            return Err(SetupError::OutOfRange {
+                field: "the time of a planned change [s]",
+                value: planned.at_s,
+            });
+        }
+        planned.change.check(setup).map_err(SetupError::Change)?;
+    }
+    Ok(())
+}

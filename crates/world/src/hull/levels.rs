@@ -5,6 +5,7 @@ use std::fmt;
 use fenderline_contact::number::greater;
 use fenderline_contact::{Outline, OutlineError, Vec2, vec2};
 
+use super::level::Level;
 use super::resample::{self, TurnsBack};
 
 /// Between two given outlines, interpolated ones are checked at this many heights.
@@ -14,15 +15,6 @@ const CHECKED_BETWEEN: usize = 15;
 /// once.
 const MOST_LEVELS: usize = 50;
 const MOST_VERTICES: usize = 1000;
-
-/// An outline at a height.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Level {
-    /// Height (m): above the keel of a floating body, above datum of a fixed one.
-    pub height_m: f64,
-    /// Vertices in the body's frame, forward and to starboard of the centre of gravity (m).
-    pub vertices_m: Vec<Vec2>,
-}
 
 /// The hull of a body by height: outlines at two heights or more, with straight lines between them.
 #[derive(Clone, Debug, PartialEq)]

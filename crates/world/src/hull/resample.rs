@@ -3,7 +3,7 @@
 use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{Vec2, vec2};
 
-use super::levels::Level;
+use super::level::Level;
 
 /// Stations nearer to each other than this share of the length are one.
 const SAME_STATION: f64 = 1e-9;

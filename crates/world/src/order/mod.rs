@@ -7,6 +7,7 @@
 
 mod action;
 mod arguments;
+mod build;
 mod check;
 mod error;
 mod table;

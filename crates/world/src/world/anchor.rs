@@ -2,13 +2,12 @@
 
 use fenderline_contact::{BodyState, Vec2, Wrench, vec2};
 
+use super::afloat::Lever;
 use super::environment::Environment;
 use super::event::{WorldEvent, WorldEventKind};
-use super::seaway::Lever;
-use super::setup::WorldSetup;
 use super::shore::Shore;
 use crate::order::{AnchorAction, OrderError};
-use crate::setup::BodySetup;
+use crate::setup::body::BodySetup;
 use fenderline_ship::anchor::{
     AnchorError, AnchorGear, AnchorLoad, AnchorPosition, AnchorState, Hawse, LostBy, WindlassOrder,
 };
@@ -159,17 +158,16 @@ impl AnchorAtWork {
         };
     }
 
-    /// One step: moves windlass and anchor, and adds the pull of the chain to the load of the ship.
+    /// One step: moves windlass and anchor, and adds the pull of the chain to the load of the ship, whose body is given by its index.
     pub fn step(
         &mut self,
         index: usize,
-        (of, setup): (&AnchorSetup, &WorldSetup),
+        (of, body): (&AnchorSetup, usize),
         (states, shore): (&[BodyState], Shore<'_>),
         (environment, t_s, step_s): (&Environment, f64, f64),
         loads: &mut [Wrench],
         events: &mut Vec<WorldEvent>,
     ) {
-        let body = setup.vessels[of.vessel].body;
         let (at_m, above_water_m) = shore.place(body, of.hawse_m, of.hawse_above_water_m);
         let hawse = Hawse {
             at_m: states[body].pose().apply(at_m),

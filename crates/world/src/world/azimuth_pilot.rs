@@ -3,9 +3,9 @@
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{BodyState, Rotation, Vec2, vec2};
 
+use super::abilities::Abilities;
 use super::azimuth::{AzimuthOrder, AzimuthSetup};
 use super::line::{Mooring, MooringSetup};
-use super::pilot::Abilities;
 use super::vessel::{VesselForces, VesselSetup, VesselState};
 use fenderline_ship::control::{
     AssistDemand, Demand, Handling, LateralDevice, Reach, Sway, Task, ThrustDevice, ThrustShares,

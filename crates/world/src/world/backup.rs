@@ -1,8 +1,11 @@
 //! What a step changes of a world, to be put back if the step fails.
 
-use super::{
-    AnchorAtWork, Mooring, TugAtWork, VesselForces, VesselState, WaterInertia, World, WorldEvent,
-};
+use super::anchor::AnchorAtWork;
+use super::event::WorldEvent;
+use super::line::Mooring;
+use super::state::World;
+use super::tug::TugAtWork;
+use super::vessel::{VesselForces, VesselState, WaterInertia};
 
 /// The state of a world before a step. Its buffers are reused from step to step.
 #[derive(Clone, Debug, Default)]

@@ -2,7 +2,7 @@
 
 use fenderline_contact::Vec2;
 
-use super::line::LineEnd;
+use super::line_end::LineEnd;
 use fenderline_ship::range::{OutOfRange, within};
 
 /// A bollard on a body: a quay, a dolphin, another ship.

@@ -3,10 +3,13 @@
 use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Vec2, Wrench, vec2};
 
+use super::afloat::Lever;
 use super::bollard::BollardSetup;
 use super::event::{WorldEvent, WorldEventKind};
-use super::seaway::Lever;
+use super::line_end::LineEnd;
 use super::shore::Shore;
+use crate::rigid_body::initial_state;
+use crate::setup::body::BodySetup;
 use fenderline_ship::mooring::{
     InboardEnd, InitialLength, Line, LineEnds, LineLoad, LineSetup, LineState, WinchOrder,
 };
@@ -33,22 +36,6 @@ pub struct MooringSetup {
     pub from_s: f64,
     /// Length of the rope, for a line that an order sends to a bollard (m).
     pub rope_m: f64,
-}
-
-/// The far end of a line.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum LineEnd {
-    /// A bollard or an anchor: north, east and above datum (m).
-    Fixed([f64; 3]),
-    /// A point on another body, which may be a quay.
-    OnBody {
-        /// Index into [`crate::setup::Setup::bodies`].
-        body: usize,
-        /// Position in the body's frame (m).
-        at_m: Vec2,
-        /// Height above the still water (m); above datum where the body is fixed.
-        above_water_m: f64,
-    },
 }
 
 /// The state of a line: plain data.
@@ -287,11 +274,11 @@ impl MooringSetup {
     /// If it refers to bodies that do not exist.
     pub fn check_at_start(
         &self,
-        bodies: &[crate::setup::BodySetup],
+        bodies: &[BodySetup],
         level_m: f64,
     ) -> Result<(), fenderline_ship::mooring::MooringError> {
-        let states: Vec<BodyState> = bodies.iter().map(crate::rigid_body::initial_state).collect();
-        let fixed: Vec<bool> = bodies.iter().map(crate::setup::BodySetup::is_fixed).collect();
+        let states: Vec<BodyState> = bodies.iter().map(initial_state).collect();
+        let fixed: Vec<bool> = bodies.iter().map(BodySetup::is_fixed).collect();
         let shore = Shore { fixed: &fixed, level_m, afloat: &[] };
         let Some(end) = self.end else { return self.line.check_alone() };
         Line::new(self.line.clone(), &self.ends(end, &states, shore)).map(|_| ())

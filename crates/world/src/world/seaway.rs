@@ -4,12 +4,14 @@ use std::sync::Arc;
 
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
+use super::afloat::{Afloat, Lever};
 use super::environment::Environment;
-use super::vessel::{HullMotion, VesselForces, VesselSetup, VesselState};
-use fenderline_ship::attitude::{Attitude, AttitudeLoad};
+use super::seaway_state::SeawayState;
+use super::vessel::{VesselForces, VesselSetup, VesselState};
+use fenderline_ship::attitude::AttitudeLoad;
 use fenderline_ship::hydro::Force;
 use fenderline_ship::seakeeping::{
-    DriftSource, Motion, MotionState, SlowPlace, StepLoad, SubSteps, WaveForces, WaveLoad,
+    DriftSource, Motion, SlowPlace, StepLoad, SubSteps, WaveForces, WaveLoad,
 };
 
 /// What is constant in a run for a vessel with hydrodynamic data.
@@ -17,26 +19,6 @@ use fenderline_ship::seakeeping::{
 pub(super) struct Seaway {
     motion: Arc<Motion>,
     waves: Option<Arc<WaveForces>>,
-}
-
-/// What one step leaves for the next: plain numbers.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct SeawayState {
-    motion: MotionState,
-    place: SlowPlace,
-    /// Heading at the start of the step (rad), the stream there (m/s), and how long forces act in it (s).
-    heading_rad: f64,
-    stream_mps: Vec2,
-    acts_s: f64,
-}
-
-impl SeawayState {
-    pub(super) fn copy_from(&mut self, other: &SeawayState) {
-        self.motion.copy_from(&other.motion);
-        let SeawayState { place, heading_rad, stream_mps, acts_s, .. } = *other;
-        (self.place, self.heading_rad, self.stream_mps, self.acts_s) =
-            (place, heading_rad, stream_mps, acts_s);
-    }
 }
 
 impl Seaway {
@@ -163,68 +145,6 @@ fn own_velocity(body: &BodyState, heading_rad: f64, stream_mps: Vec2) -> [f64; 3
     [own.x, own.y, body.yaw_rate_radps]
 }
 
-/// How a body with hydrodynamic data is afloat: her motion, and the height of her centre of gravity.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Afloat {
-    motion: HullMotion,
-    gravity_above_water_m: f64,
-}
-
-impl Afloat {
-    /// That of a vessel with hydrodynamic data; `None` for others, whose lines do not feel heave, roll and pitch.
-    pub(super) fn of(vessel: &VesselSetup, state: &VesselState) -> Option<Afloat> {
-        vessel.seakeeping.as_ref()?;
-        let Attitude { heave, roll, pitch } = state.attitude;
-        Some(Afloat {
-            motion: HullMotion {
-                heave_m: heave.value,
-                roll_rad: roll.value,
-                pitch_rad: pitch.value,
-            },
-            gravity_above_water_m: vessel.float?.gravity_above_water_m,
-        })
-    }
-
-    /// Where a point of the ship is: in her axes (m), and its height above the water (m).
-    pub fn place(&self, at_m: Vec2, above_water_m: f64) -> (Vec2, f64) {
-        (self.lever(at_m, above_water_m).at_m, above_water_m - self.motion.sinkage_m(at_m))
-    }
-
-    /// The lever about her centre of gravity of a point of the ship, which heel and trim have turned with her.
-    pub fn lever(&self, at_m: Vec2, above_water_m: f64) -> Lever {
-        let HullMotion { roll_rad, pitch_rad, .. } = self.motion;
-        let upright_m = above_water_m - self.gravity_above_water_m;
-        Lever {
-            at_m: at_m + self.lean() * upright_m,
-            above_gravity_m: upright_m + at_m.x * pitch_rad - at_m.y * roll_rad,
-        }
-    }
-
-    /// How far heel and trim move a point of the ship for each metre above the centre of gravity (m/m).
-    fn lean(&self) -> Vec2 {
-        vec2(-self.motion.pitch_rad, self.motion.roll_rad)
-    }
-
-    /// How far below its place at rest a point of the ship is (m).
-    pub(super) fn sinkage_m(&self, at_m: Vec2) -> f64 {
-        self.motion.sinkage_m(at_m)
-    }
-
-    /// How far below its place at rest the centre of gravity is (m).
-    pub(super) fn heave_m(&self) -> f64 {
-        self.motion.heave_m
-    }
-}
-
-/// Where a force acts on a ship as she lies.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Lever {
-    /// Forward and to starboard of the centre of gravity (m).
-    pub at_m: Vec2,
-    /// Above the centre of gravity (m).
-    pub above_gravity_m: f64,
-}
-
 /// The load of everything but waves, radiation and contact on a ship with hydrodynamic data, in six degrees of freedom.
 pub(super) struct Given<'l> {
     /// The load in the plane.
@@ -264,6 +184,7 @@ impl Given<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::world::HullMotion;
 
     const AFLOAT: Afloat = Afloat {
         motion: HullMotion { heave_m: 0.3, roll_rad: 2e-3, pitch_rad: -1e-3 },

@@ -2,7 +2,7 @@
 
 use fenderline_contact::Vec2;
 
-use super::seaway::{Afloat, Lever};
+use super::afloat::{Afloat, Lever};
 use crate::fender::FenderSetup;
 
 /// The fixed bodies and the water level.

@@ -8,8 +8,8 @@ use super::azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
 use super::current_table::CurrentTable;
 use super::environment::Environment;
 use super::fault::Faults;
-use super::pilot::Pilots;
-use super::seaway::SeawayState;
+use super::pilots::Pilots;
+use super::seaway_state::SeawayState;
 use fenderline_ship::attitude::{Attitude, AttitudeLoad, Hydrostatics, Motion};
 use fenderline_ship::environment::waves::{
     DriftHull, FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion, mean_drift,

@@ -4,7 +4,9 @@ use core::f64::consts::{PI, TAU};
 
 use fenderline_contact::number::lesser;
 
+use super::above_water::AboveWater;
 use super::admittance::WindFront;
+use super::coefficients::WindCoefficients;
 use super::method::WindMethod;
 use super::relative::RelativeWind;
 use crate::range::{OutOfRange, within};
@@ -28,17 +30,6 @@ pub struct ShipWindage {
     pub method: WindMethod,
 }
 
-/// Coefficients for one angle: X = ½ρV²·CX·A_F, Y = ½ρV²·CY·A_L, N = ½ρV²·CN·A_L·L.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct WindCoefficients {
-    /// CX; negative in a head wind.
-    pub surge: f64,
-    /// CY; positive for wind from the port side.
-    pub sway: f64,
-    /// CN about midship.
-    pub yaw: f64,
-}
-
 impl ShipWindage {
     /// Checks every number.
     ///
@@ -54,7 +45,7 @@ impl ShipWindage {
         let forward_m = self.centroid_forward_m;
         within("centroid of the lateral area forward of midship [m]", forward_m, -half_m, half_m)?;
         within("height of the lateral area's centroid [m]", self.centroid_height_m, 1e-3, 200.0)?;
-        self.method.check(self)?;
+        self.method.check(&self.above_water())?;
         for ten in 0..=18 {
             let c = self.coefficients(f64::from(ten) * PI / 18.0);
             within(
@@ -79,14 +70,27 @@ impl ShipWindage {
     #[must_use]
     pub fn coefficients(&self, angle_rad: f64) -> WindCoefficients {
         let wrapped_rad = libm::remainder(angle_rad, TAU);
+        let ship = self.above_water();
         if let WindMethod::Own(_) = self.method {
-            return self.method.coefficients(self, wrapped_rad);
+            return self.method.coefficients(&ship, wrapped_rad);
         }
-        let from_port = self.method.coefficients(self, wrapped_rad.abs());
+        let from_port = self.method.coefficients(&ship, wrapped_rad.abs());
         // A wind from straight ahead or astern has no side force.
         let side =
             if wrapped_rad == 0.0 || wrapped_rad.abs() >= PI { 0.0 } else { wrapped_rad.signum() };
         WindCoefficients { sway: side * from_port.sway, yaw: side * from_port.yaw, ..from_port }
+    }
+
+    /// What the methods take of her.
+    fn above_water(&self) -> AboveWater {
+        AboveWater {
+            length_m: self.length_m,
+            beam_m: self.beam_m,
+            frontal_m2: self.frontal_m2,
+            lateral_m2: self.lateral_m2,
+            centroid_forward_m: self.centroid_forward_m,
+            centroid_height_m: self.centroid_height_m,
+        }
     }
 
     /// The front that she turns to a wind at an angle γ (rad): the width of her length and beam across it, and the mean height

@@ -29,7 +29,7 @@ use super::error::HydroError;
 use super::low_speed::LowSpeedHull;
 use super::mmg::{Mmg, Polynomial};
 use super::particulars::Particulars;
-use super::vessels::{Figure, Source, Standing};
+use super::source::{Figure, Source, Standing};
 
 pub use known::{Known, SternCoefficients, SternGear};
 pub use method::{EstimateMethod, Ratio, RatioOutOfRange, VALIDATED_RATIOS};

@@ -10,7 +10,7 @@ use crate::hydro::mmg::{Propulsion, Wake};
 use crate::hydro::particulars::Particulars;
 use crate::hydro::propeller::{Propeller, Series};
 use crate::hydro::rudder::Rudder;
-use crate::hydro::vessels::{Figure, Source, Standing};
+use crate::hydro::source::{Figure, Source, Standing};
 
 /// Thrust deduction astern with which the series of pitch 0.8, −0.255 at bollard, gives the −0.175 ρn²D⁴
 /// that Miyauchi et al. (2022) have for Esso Osaka (pitch 0.715).

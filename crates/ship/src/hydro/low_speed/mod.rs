@@ -7,7 +7,7 @@ pub use cross_flow::{CrossFlow, hoerner_drag_coefficient};
 
 use std::f64::consts::PI;
 
-use super::mmg::LinearTerms;
+use super::linear_terms::LinearTerms;
 use super::particulars::Particulars;
 use super::quantities::{Force, Velocity, Water};
 

@@ -7,13 +7,11 @@
 //! Coriolis terms of the added mass are included, and the Munk moment is part of N_v.
 
 mod check;
-mod polynomial;
 mod wake;
 
-pub use polynomial::{DriftPolynomial, LinearTerms, Polynomial, SwayPolynomial};
+pub use super::linear_terms::LinearTerms;
+pub use super::polynomial::{DriftPolynomial, Polynomial, SwayPolynomial};
 pub use wake::Wake;
-
-pub(crate) use polynomial::coriolis;
 
 use super::added_mass::AddedMass;
 use super::blend::Hull;
@@ -21,7 +19,6 @@ use super::particulars::Particulars;
 use super::propeller::Propeller;
 use super::quantities::{Controls, Force, Velocity, Water};
 use super::rudder::{Race, Rudder};
-use super::shallow::{CorrectionSet, Corrections};
 
 /// A ship's manoeuvring model.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,26 +85,6 @@ impl Mmg {
                 water,
             ),
         }
-    }
-
-    /// The model in water of a given depth, by the corrections of [`CorrectionSet::default`] to added mass, hull, propeller
-    /// and rudder. Below [`super::shallow::SHALLOWEST_RATIO`] draughts, also aground, the corrections are those at that depth;
-    /// the cross-flow drag alone goes on to increase until she touches the bottom. So every force is a continuous function of depth.
-    ///
-    /// # Panics
-    /// If the depth is NaN.
-    #[must_use]
-    pub fn at_depth(&self, depth_m: f64) -> Mmg {
-        self.at_depth_by(CorrectionSet::default(), depth_m)
-    }
-
-    /// The model in water of a given depth, by a given set of corrections.
-    ///
-    /// # Panics
-    /// See [`Mmg::at_depth`].
-    #[must_use]
-    pub fn at_depth_by(&self, set: CorrectionSet, depth_m: f64) -> Mmg {
-        Corrections::of(set, &self.particulars, depth_m).on(self, depth_m)
     }
 }
 

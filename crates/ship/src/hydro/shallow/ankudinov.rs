@@ -4,8 +4,9 @@
 //! Two corrections: K₂ of ships broader than four draughts has T/B where that program has B/T, which would jump by a factor of
 //! 16 at B/T = 4; and the factors are not used beyond [`super::PUBLISHED_RATIO`].
 
+use super::factors::{Corrections, HullFactors, MassFactors};
+use super::limits::PUBLISHED_RATIO;
 use super::stern;
-use super::{Corrections, HullFactors, MassFactors, PUBLISHED_RATIO};
 use crate::hydro::particulars::Particulars;
 
 /// Coefficients of K₀ for the powers 2, 3 and 5 of T/(h − T).

@@ -10,7 +10,7 @@ use fenderline_contact::number::lesser;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::DEEPEST_HULL;
+use super::limits::DEEPEST_HULL;
 use crate::hydro::particulars::Particulars;
 
 /// λ for Y_v, for Y_r and N_r, and for N_v.

@@ -2,7 +2,7 @@
 
 use fenderline_contact::number::greater;
 
-use super::draught_over_depth;
+use super::limits::draught_over_depth;
 use crate::hydro::error::{HydroError, within};
 use crate::hydro::particulars::Particulars;
 use crate::hydro::quantities::Water;

@@ -2,15 +2,40 @@
 
 use fenderline_contact::number::greater;
 
+use super::CorrectionSet;
 use super::berth::drag_to_the_bottom;
-use super::{Corrections, HullFactors, MassFactors, SHALLOWEST_RATIO, SternFactors};
+use super::factors::{Corrections, HullFactors, MassFactors, SternFactors};
+use super::limits::SHALLOWEST_RATIO;
 use crate::hydro::added_mass::AddedMass;
 use crate::hydro::blend::Hull;
 use crate::hydro::low_speed::{CrossFlow, LowSpeedHull};
-use crate::hydro::mmg::{Mmg, Polynomial, Propulsion, Wake};
+use crate::hydro::mmg::{Mmg, Propulsion, Wake};
 use crate::hydro::particulars::Particulars;
+use crate::hydro::polynomial::Polynomial;
 use crate::hydro::rudder::Rudder;
 use crate::hydro::stall::Stall;
+
+impl Mmg {
+    /// The model in water of a given depth, by the corrections of [`CorrectionSet::default`] to added mass, hull, propeller
+    /// and rudder. Below [`SHALLOWEST_RATIO`] draughts, also aground, the corrections are those at that depth;
+    /// the cross-flow drag alone goes on to increase until she touches the bottom. So every force is a continuous function of depth.
+    ///
+    /// # Panics
+    /// If the depth is NaN.
+    #[must_use]
+    pub fn at_depth(&self, depth_m: f64) -> Mmg {
+        self.at_depth_by(CorrectionSet::default(), depth_m)
+    }
+
+    /// The model in water of a given depth, by a given set of corrections.
+    ///
+    /// # Panics
+    /// See [`Mmg::at_depth`].
+    #[must_use]
+    pub fn at_depth_by(&self, set: CorrectionSet, depth_m: f64) -> Mmg {
+        Corrections::of(set, &self.particulars, depth_m).on(self, depth_m)
+    }
+}
 
 impl Corrections {
     /// The ship in water of a depth (m), from the ship in deep water.

@@ -31,24 +31,21 @@ mod ankudinov;
 mod aspect_ratio;
 mod berth;
 mod corrected;
+mod factors;
+mod limits;
 mod squat_formulas;
 mod stern;
 mod taimuri;
 
 pub use berth::{current_abeam_n, shallow_cross_flow_drag};
+pub use factors::{Corrections, HullFactors, MassFactors, SternFactors};
+pub use limits::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
 pub use squat_formulas::{barrass_squat_m, eryuzlu_squat_m, icorels_squat_m};
 
 use fenderline_contact::number::greater;
 
-use super::error::HydroError;
 use super::particulars::Particulars;
 use ankudinov::Ankudinov;
-
-/// Depth over draught at which published tests end. Below it the factors are our extrapolation.
-pub const PUBLISHED_RATIO: f64 = 1.2;
-
-/// Depth over draught below which every factor is constant.
-pub const SHALLOWEST_RATIO: f64 = 1.1;
 
 /// A set of corrections.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -62,70 +59,6 @@ pub enum CorrectionSet {
     Ankudinov,
     /// Taimuri et al. (2020).
     Taimuri,
-}
-
-/// Factors on the derivatives of a hull, each named as in [`super::SwayPolynomial`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(
-    missing_docs,
-    reason = "each is named as in the method: its index is its powers of v' and r'"
-)]
-pub struct HullFactors {
-    /// Factor on the resistance, ahead and astern.
-    pub resistance: f64,
-    pub x_vv: f64,
-    /// Factor on (m_y + X_vr): X_vr with the Coriolis term of the added mass.
-    pub x_vr: f64,
-    pub x_rr: f64,
-    pub x_vvvv: f64,
-    pub y_v: f64,
-    /// Factor on Y_r without the −m_x of the added mass.
-    pub y_r: f64,
-    pub y_vvv: f64,
-    pub y_vvr: f64,
-    pub y_vrr: f64,
-    pub y_rrr: f64,
-    pub n_v: f64,
-    pub n_r: f64,
-    pub n_vvv: f64,
-    pub n_vvr: f64,
-    pub n_vrr: f64,
-    pub n_rrr: f64,
-}
-
-/// Factors on propeller and rudder behind the hull.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SternFactors {
-    /// Factor on 1 − t, for thrust ahead.
-    pub driving: f64,
-    /// Factor on the wake fraction w.
-    pub wake: f64,
-    /// Factor on 1 − w, applied after [`SternFactors::wake`].
-    pub inflow: f64,
-    /// Factor on γ_R, both sides.
-    pub straightening: f64,
-}
-
-/// Factors on the added mass.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MassFactors {
-    /// In surge.
-    pub surge: f64,
-    /// In sway.
-    pub sway: f64,
-    /// In yaw.
-    pub yaw: f64,
-}
-
-/// All corrections for a depth of water.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Corrections {
-    /// Hull.
-    pub hull: HullFactors,
-    /// Propeller and rudder.
-    pub stern: SternFactors,
-    /// Added mass.
-    pub mass: MassFactors,
 }
 
 impl Corrections {
@@ -152,17 +85,4 @@ impl Corrections {
         }
         Corrections { hull: HullFactors { y_v, y_r, n_v, n_r, ..rest.hull }, ..rest }
     }
-}
-
-/// Largest T/L for factors of N_r, much greater than those that were tested. Hulls with a greater T/L have the factors of this one,
-/// because the formulas would become negative.
-const DEEPEST_HULL: f64 = 0.08;
-
-/// T/h, below 1.
-fn draught_over_depth(ship: &Particulars, depth_m: f64) -> Result<f64, HydroError> {
-    let draught_m = ship.draught_m;
-    if depth_m > draught_m {
-        return Ok(draught_m / depth_m);
-    }
-    Err(HydroError::Aground { depth_m, draught_m })
 }

@@ -2,7 +2,7 @@
 //! programs that agree (the first two in stebiondi/pyCoastal) and are compared with numbers that were calculated independently.
 //! Each refuses water that is not deeper than the draught.
 
-use super::draught_over_depth;
+use super::limits::draught_over_depth;
 use crate::constants::{KNOTS_PER_MPS, STANDARD_GRAVITY_MPS2};
 use crate::hydro::error::HydroError;
 use crate::hydro::particulars::Particulars;

@@ -1,7 +1,7 @@
 //! Propeller and rudder behind a hull in shallow water, and her resistance: Furukawa et al. (2016) and Tang et al.
 //! (2020), as read in a public implementation (an early nikpau/mmgdynamics).
 
-use super::SternFactors;
+use super::factors::SternFactors;
 use crate::hydro::particulars::Particulars;
 
 /// Factors on γ_R: 1 + 0.0161x + 4.4222x² − 4.9825x³, x = T/h; on (1 − t): the square root of 1/(1 − 0.2x + 0.7295x²); on

@@ -7,7 +7,8 @@
 use fenderline_contact::number::lesser;
 
 use super::ankudinov::Ankudinov;
-use super::{Corrections, DEEPEST_HULL, HullFactors, MassFactors, SternFactors};
+use super::factors::{Corrections, HullFactors, MassFactors, SternFactors};
+use super::limits::DEEPEST_HULL;
 use crate::hydro::particulars::Particulars;
 
 /// The whole set at x = T/h.

@@ -4,7 +4,7 @@ use fenderline_contact::number::greater;
 
 use core::f64::consts::PI;
 
-use super::DriftHull;
+use super::hull::DriftHull;
 
 /// Factor on the longitudinal force, by the SNNM method of ITTC 7.5-04-01-01.1 (Liu & Papanikolaou, "Regression analysis of experimental
 /// data for added resistance in waves of arbitrary heading and development of a semi-empirical formula", Ocean Eng.

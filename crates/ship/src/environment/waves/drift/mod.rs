@@ -16,6 +16,7 @@
 //! `validation/wave_drift.toml` compares the coefficients with mean drift forces by a panel code, for two ships.
 
 mod depth;
+mod hull;
 mod motion;
 mod waterline;
 
@@ -24,47 +25,10 @@ use fenderline_contact::number::bounded;
 
 use super::sea::Sea;
 use crate::constants::STANDARD_GRAVITY_MPS2;
-use crate::hydro::Particulars;
-use crate::range::{OutOfRange, within};
+pub use hull::DriftHull;
 use waterline::Waterline;
 
-/// Particulars of a hull for its mean wave drift force.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DriftHull {
-    /// Length on the waterline (m).
-    pub length_m: f64,
-    /// Beam (m).
-    pub beam_m: f64,
-    /// Draught (m).
-    pub draught_m: f64,
-    /// Block coefficient.
-    pub block_coefficient: f64,
-}
-
 impl DriftHull {
-    /// From the particulars of a ship.
-    #[must_use]
-    pub fn of(ship: &Particulars) -> DriftHull {
-        DriftHull {
-            length_m: ship.length_m,
-            beam_m: ship.beam_m,
-            draught_m: ship.draught_m,
-            block_coefficient: ship.block_coefficient(),
-        }
-    }
-
-    /// Checks every number.
-    ///
-    /// # Errors
-    /// The first number out of range.
-    pub fn check(&self) -> Result<(), OutOfRange> {
-        within("length on the waterline [m]", self.length_m, 0.1, 2000.0)?;
-        within("beam [m]", self.beam_m, 0.05, 500.0)?;
-        within("draught [m]", self.draught_m, 0.01, 100.0)?;
-        within("block coefficient", self.block_coefficient, 0.1, 1.0)?;
-        Ok(())
-    }
-
     /// Mean force forward and to starboard, and moment about midship, over ρga², in a regular wave of amplitude a, wave
     /// number k > 0 (rad/m) and direction μ relative to the bow (rad): [X, Y, N] in (m, m, m²).
     #[must_use]

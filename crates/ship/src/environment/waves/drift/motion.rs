@@ -4,7 +4,7 @@ use fenderline_contact::number::bounded;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use super::DriftHull;
+use super::hull::DriftHull;
 
 /// Range of beam over draught of the regression, as far as is known; the ratio is limited to it.
 const BEAM_OVER_DRAUGHT: [f64; 2] = [2.0, 9.0];

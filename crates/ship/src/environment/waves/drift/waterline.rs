@@ -2,7 +2,7 @@
 
 use fenderline_contact::number::bounded;
 
-use super::DriftHull;
+use super::hull::DriftHull;
 
 /// Number of chords for each end of the waterline. The force is that of the curve within 1 %.
 const CHORDS: u32 = 12;

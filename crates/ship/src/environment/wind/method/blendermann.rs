@@ -2,7 +2,8 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use crate::environment::wind::{ShipWindage, WindCoefficients};
+use crate::environment::wind::above_water::AboveWater;
+use crate::environment::wind::coefficients::WindCoefficients;
 use crate::range::{OutOfRange, within};
 
 /// Blendermann, "Parameter identification of wind loads on ships", J. Wind Eng. Ind. Aerodyn. 51 (1994).
@@ -87,7 +88,7 @@ impl Blendermann {
 
     /// Coefficients at an angle from 0 to π. CDlAF changes at 90°, but the coefficients are continuous there, as cos γ and
     /// sin 2γ are zero.
-    pub(super) fn coefficients(&self, ship: &ShipWindage, angle_rad: f64) -> WindCoefficients {
+    pub(super) fn coefficients(&self, ship: &AboveWater, angle_rad: f64) -> WindCoefficients {
         let k = &self.kind;
         let along = if angle_rad <= FRAC_PI_2 { k.along_from_ahead } else { k.along_from_astern };
         let along_on_lateral = along * ship.frontal_m2 / ship.lateral_m2;

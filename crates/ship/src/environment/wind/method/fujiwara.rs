@@ -1,6 +1,7 @@
 //! Wind coefficients by Fujiwara et al. (1998): Fourier series in the wind angle.
 
-use crate::environment::wind::{ShipWindage, WindCoefficients};
+use crate::environment::wind::above_water::AboveWater;
+use crate::environment::wind::coefficients::WindCoefficients;
 use crate::range::{OutOfRange, within};
 
 /// Fujiwara, Ueno & Nimura, "Estimation of wind forces and moments acting on ships", J. Soc. Nav. Archit.
@@ -22,7 +23,7 @@ pub struct Fujiwara {
 
 impl Fujiwara {
     /// The area on deck is at most the lateral area, and its centroid is within the length of the ship.
-    pub(super) fn check(&self, ship: &ShipWindage) -> Result<(), OutOfRange> {
+    pub(super) fn check(&self, ship: &AboveWater) -> Result<(), OutOfRange> {
         within("lateral area on deck [m²]", self.on_deck_m2, 1e-4, ship.lateral_m2)?;
         let half_m = 0.5 * ship.length_m;
         within("centroid of the area on deck [m]", self.on_deck_forward_m, -half_m, half_m)?;
@@ -32,7 +33,7 @@ impl Fujiwara {
 
     /// Coefficients at an angle from 0 to π.
     #[rustfmt::skip]
-    pub(super) fn coefficients(&self, ship: &ShipWindage, angle_rad: f64) -> WindCoefficients {
+    pub(super) fn coefficients(&self, ship: &AboveWater, angle_rad: f64) -> WindCoefficients {
         let (l, b) = (ship.length_m, ship.beam_m);
         let (at, al, aod) = (ship.frontal_m2, ship.lateral_m2, self.on_deck_m2);
         let (xl, zl) = (ship.centroid_forward_m, ship.centroid_height_m);

@@ -2,7 +2,8 @@
 
 use fenderline_contact::number::bounded;
 
-use crate::environment::wind::{ShipWindage, WindCoefficients};
+use crate::environment::wind::above_water::AboveWater;
+use crate::environment::wind::coefficients::WindCoefficients;
 use crate::range::{OutOfRange, within};
 
 /// Isherwood, "Wind resistance of merchant ships", Trans. RINA 115 (1972).
@@ -24,7 +25,7 @@ pub struct Isherwood {
 
 impl Isherwood {
     /// The perimeter of the side view is at least the length of the ship, and the superstructure at most the lateral area.
-    pub(super) fn check(&self, ship: &ShipWindage) -> Result<(), OutOfRange> {
+    pub(super) fn check(&self, ship: &AboveWater) -> Result<(), OutOfRange> {
         let perimeter = "perimeter of the lateral projection [m]";
         within(perimeter, self.perimeter_m, ship.length_m, 10.0 * ship.length_m)?;
         let superstructure = "lateral area of the superstructure [m²]";
@@ -34,7 +35,7 @@ impl Isherwood {
     }
 
     /// Coefficients at an angle from 0 to π.
-    pub(super) fn coefficients(&self, ship: &ShipWindage, angle_rad: f64) -> WindCoefficients {
+    pub(super) fn coefficients(&self, ship: &AboveWater, angle_rad: f64) -> WindCoefficients {
         let (l, b) = (ship.length_m, ship.beam_m);
         let from_bow_m = 0.5 * l - ship.centroid_forward_m;
         let terms = [

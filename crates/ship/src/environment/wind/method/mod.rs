@@ -19,7 +19,8 @@ pub use fujiwara::Fujiwara;
 pub use isherwood::Isherwood;
 pub use own::OwnWindTable;
 
-use super::windage::{ShipWindage, WindCoefficients};
+use super::above_water::AboveWater;
+use super::coefficients::WindCoefficients;
 use crate::range::OutOfRange;
 
 /// A method for the wind coefficients of a ship.
@@ -60,7 +61,7 @@ impl WindMethod {
     ///
     /// # Errors
     /// The first number out of range.
-    pub(super) fn check(&self, ship: &ShipWindage) -> Result<(), OutOfRange> {
+    pub(super) fn check(&self, ship: &AboveWater) -> Result<(), OutOfRange> {
         match self {
             WindMethod::Isherwood(method) => method.check(ship),
             WindMethod::Blendermann(method) => method.check(),
@@ -70,7 +71,7 @@ impl WindMethod {
     }
 
     /// Coefficients at an angle γ (rad) from 0 to π; those of a table also from −π to 0.
-    pub(super) fn coefficients(&self, ship: &ShipWindage, angle_rad: f64) -> WindCoefficients {
+    pub(super) fn coefficients(&self, ship: &AboveWater, angle_rad: f64) -> WindCoefficients {
         match self {
             WindMethod::Isherwood(method) => method.coefficients(ship, angle_rad),
             WindMethod::Blendermann(method) => method.coefficients(ship, angle_rad),

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use crate::environment::LoadTable;
-use crate::environment::wind::{ShipWindage, WindCoefficients};
+use crate::environment::wind::above_water::AboveWater;
+use crate::environment::wind::coefficients::WindCoefficients;
 
 /// Wind coefficients by a table of the user's: of a wind tunnel, of a computation, or read off a guideline's curves.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +19,7 @@ pub struct OwnWindTable {
 
 impl OwnWindTable {
     /// Coefficients at an angle from −π to π.
-    pub(super) fn coefficients(&self, ship: &ShipWindage, angle_rad: f64) -> WindCoefficients {
+    pub(super) fn coefficients(&self, ship: &AboveWater, angle_rad: f64) -> WindCoefficients {
         let [surge_m2, sway_m2, yaw_m3] = self.loads.at(angle_rad, None);
         WindCoefficients {
             surge: surge_m2 / ship.frontal_m2,

@@ -1,9 +1,10 @@
 //! Hull polynomials: the two forms in which they are published, and a form for ships without one.
 
-use crate::hydro::added_mass::AddedMass;
-use crate::hydro::low_speed::LowSpeedHull;
-use crate::hydro::particulars::Particulars;
-use crate::hydro::quantities::{Force, Velocity, Water};
+use super::added_mass::AddedMass;
+use super::linear_terms::LinearTerms;
+use super::low_speed::LowSpeedHull;
+use super::particulars::Particulars;
+use super::quantities::{Force, Velocity, Water};
 
 /// Hull polynomial of a ship under way, by ½ρLdU² (moments by another L).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,23 +71,6 @@ pub struct DriftPolynomial {
     pub n_bbr: f64,
     pub n_brr: f64,
     pub n_rrr: f64,
-}
-
-/// The linear terms, in one convention for both forms: over v' and r', without added mass.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LinearTerms {
-    /// X'₀, negative.
-    pub ahead: f64,
-    /// X'vr.
-    pub surge_vr: f64,
-    /// Y'v.
-    pub sway_v: f64,
-    /// Y'r.
-    pub sway_r: f64,
-    /// N'v.
-    pub yaw_v: f64,
-    /// N'r.
-    pub yaw_r: f64,
 }
 
 impl Polynomial {
