@@ -18,6 +18,12 @@ use crate::run_page::vessels::compass;
 use crate::run_page::{Recorder, WindTrace};
 use fenderline_results::Outcome;
 
+/// The lines that were made fast, with the bodies where they were at the largest contact force, or at the end of a run without contact.
+pub(super) fn lines_at_peak(outcome: &Outcome<'_>, recorder: &Recorder) -> Vec<LineDrawn> {
+    let states = recorder.peak.as_ref().map_or(outcome.states, |peak| peak.states.as_slice());
+    lines(outcome, states)
+}
+
 /// The lines that were made fast, with bodies in these states.
 fn lines(outcome: &Outcome<'_>, states: &[BodyState]) -> Vec<LineDrawn> {
     let lines = outcome.setup.world.lines.iter().zip(&outcome.world.lines);
@@ -85,7 +91,7 @@ pub(super) fn around(outcome: &Outcome<'_>, recorder: &Recorder, frame: Frame) -
     let marks = recorder.peak.as_ref().map_or(&recorder.last_tugs, |peak| &peak.tugs);
     Harbour {
         chart: charted_in(&setup.world.chart.features, frame),
-        lines: Vec::new(),
+        lines: lines_at_peak(outcome, recorder),
         anchors: anchors(outcome).map(|(chain_m, _)| chain_m).collect(),
         tugs: tugs(setup, marks),
         banks: banks(&setup.world.environment),

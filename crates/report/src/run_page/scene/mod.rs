@@ -132,6 +132,10 @@ fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Ma
     let frame = harbour::passing(outcome).iter().fold(frame, |frame, ship| {
         Frame::around(ship.outline_m.iter().copied()).map_or(frame, |ship| frame.with(ship))
     });
+    // Both ends of the mooring lines.
+    let frame = harbour::lines_at_peak(outcome, recorder).iter().fold(frame, |frame, line| {
+        Frame::around(line.ends_m).map_or(frame, |ends| frame.with(ends))
+    });
     // Anchors on the bottom at the end of the run.
     let frame = harbour::anchors(outcome).fold(frame, |frame, (chain_m, _)| {
         Frame::around(chain_m).map_or(frame, |chain| frame.with(chain))
