@@ -16,7 +16,7 @@ const FEWEST_WORDS: usize = 5;
 /// Words before a full stop that does not end a sentence.
 const ABBREVIATIONS: [&str; 11] =
     ["e.g.", "i.e.", "cf.", "Fig.", "Figs.", "Eq.", "Eqs.", "p.", "pp.", "No.", "vol."];
-/// Documents that are no prose of the project: history, and pages that a command writes.
+/// Documents of the past, which stay as they were.
 const LEFT_OUT: [&str; 2] = ["CHANGELOG.md", "docs/before_0.1.0.md"];
 
 /// A sentence, and where it begins.
@@ -302,7 +302,7 @@ mod tests {
         let text = "# A heading of many words here\n\nText of J. Smith is here.\n\n- first item of a list\n- second \
                     item of a list\n\n| name | a cell of five words |\n|---|---|\n\n```\ncode is no sentence at all\n```\n";
         assert_eq!(
-            said("docs/a.md", text),
+            said("README.md", text),
             owned(&[
                 (3, "document", "Text of J. Smith is here."),
                 (5, "document", "first item of a list"),
