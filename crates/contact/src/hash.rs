@@ -48,7 +48,7 @@ impl Fnv1a {
 mod tests {
     use super::Fnv1a;
 
-    /// The sums of "" and "a" are those that the Python package fnvhash gives.
+    /// The expected sums of "" and "a" are from the Python package fnvhash.
     #[test]
     fn known_hashes() {
         assert_eq!(Fnv1a::of(b""), 0xcbf2_9ce4_8422_2325);
