@@ -177,7 +177,8 @@ mod tests {
         }
     }
 
-    /// The midpoint rule holds to rounding for slow and fast velocities, in steps up to the longest without parts.
+    /// The iteration gives the midpoint rule to rounding, for slow and fast velocities, in steps up to the longest that
+    /// is not divided.
     #[test]
     fn the_iteration_ends_at_the_midpoint_rule() {
         for masses in [SHIP, TUG] {
@@ -201,7 +202,7 @@ mod tests {
                             r0 - h * (sway_kg - surge_kg) / yaw_kgm2 * u * v - r1,
                         );
                         let all_j = twice_energy_j(masses, vec2(u0, v0), r0);
-                        // A few roundings of each number.
+                        // The error is at most a few roundings of each number.
                         assert!(off_j <= 1e-31 * all_j, "{start:?}, {h} s: {off_j} of {all_j}");
                     }
                 }

@@ -1,4 +1,5 @@
-//! The approach of a ship to a berth, as a scenario gives it. The set-up holds the state that follows from it.
+//! The approach of a ship to a berth, as a scenario gives it. The set-up holds the initial state that follows from the
+//! approach.
 
 use core::fmt;
 
@@ -28,32 +29,32 @@ impl fmt::Display for Side {
 pub struct Approach {
     /// Index of the ship in [`Setup::bodies`].
     pub body: usize,
-    /// Index in [`Setup::fenders`] of the fender that she meets.
+    /// Index in [`Setup::fenders`] of the fender that the ship meets.
     pub fender: usize,
-    /// Her side that meets it.
+    /// The ship's side that meets the fender.
     pub side: Side,
-    /// The point of her side that meets it, forward of midship (m).
+    /// The point of the ship's side that meets the fender, measured forward of midship (m).
     pub contact_m: f64,
     /// Speed towards the berth of the normal berthing (m/s).
     pub normal_speed_mps: f64,
     /// Speed along the berth, forward (m/s).
     pub along_mps: f64,
-    /// Angle between her centreline and the berth, positive with the bow towards it (rad).
+    /// Angle between the ship's centreline and the berth (rad). Positive if the bow points towards the berth.
     pub angle_rad: f64,
-    /// Distance of that point from the fender's face at the start (m).
+    /// Distance of the point of contact from the fender's face at the start (m).
     pub distance_m: f64,
-    /// Energy of the run over that of the normal berthing: 1 for a normal berthing.
+    /// Energy of this berthing over that of the normal berthing; 1 for a normal berthing.
     pub energy_factor: f64,
 }
 
 impl Approach {
-    /// Speed towards the berth in this run (m/s): energy goes with its square.
+    /// Speed towards the berth in this run (m/s): the energy is proportional to its square.
     #[must_use]
     pub fn speed_mps(&self) -> f64 {
         self.normal_speed_mps * self.energy_factor.sqrt()
     }
 
-    /// Whether the run is that of an abnormal berthing.
+    /// Whether this is an abnormal berthing.
     #[must_use]
     pub fn is_abnormal(&self) -> bool {
         self.energy_factor > 1.0

@@ -1,8 +1,9 @@
-//! Anchors on chains: let go, held on the brake, veered, hove in, dredged, slipped.
+//! Anchors on chains. An anchor can be let go, held on the brake, veered, hove in, dredged or slipped.
 //!
-//! An anchor holds a ship as far as anchor and chain hold the bottom. [`AnchorGear::step`] moves the windlass, finds the form of
-//! the chain between hawse pipe and anchor, lets the anchor drag where the pull is more than it holds, and gives the force on
-//! the ship. Chain and anchor are quasi-static, without inertia and without drag in the water.
+//! A ship is held as far as anchor and chain hold the bottom. [`AnchorGear::step`] moves the windlass, and finds the
+//! form of the chain between hawse pipe and anchor. If the pull is more than the anchor holds, the anchor drags. The
+//! step returns the force on the ship. Chain and anchor are quasi-static: they have no inertia and no drag in the
+//! water.
 //!
 //! | what | formula or value | source |
 //! |---|---|---|
@@ -20,9 +21,9 @@
 //! | bitter end | 30 % of the break load | recalled |
 //! | speed of chain that runs out | 5 m/s | our assumption |
 //!
-//! Simplifications: the chain lies in a straight line from the anchor, so the part on the bottom has no friction across; the
-//! friction along it adds to the holding power, but does not change the form. An anchor bites at once where it comes to rest, and
-//! breaks out without suction. Chain above the water weighs as in the water.
+//! Simplifications. The chain lies in a straight line from the anchor, so the part on the bottom has no friction
+//! sideways. Friction along the chain adds to the holding power, but does not change the form. An anchor bites at once
+//! where it comes to rest, and breaks out without suction. Chain above the water weighs the same as chain in the water.
 
 mod error;
 mod gear;

@@ -14,7 +14,7 @@ use crate::range::within;
 pub enum Tide {
     /// Constant (m).
     Level(f64),
-    /// Points (time (s), level (m)), linear between them and constant before the first and after the last.
+    /// Points (time (s), level (m)), linear between them and constant before the first point and after the last.
     Curve(Vec<[f64; 2]>),
     /// A mean level and harmonic constituents.
     Harmonic {
