@@ -1,4 +1,4 @@
-//! Fenders: their set-up, and the summary of each one after a run.
+//! Fenders: their set-up, and the summary of each fender after a run.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{
@@ -19,62 +19,64 @@ use crate::setup::NamedMaterial;
 pub struct FenderSetup {
     /// Unique name.
     pub name: String,
-    /// Index of the body that carries it, in [`crate::Setup::bodies`].
+    /// Index of the body that carries the fender, in [`crate::Setup::bodies`].
     pub body: usize,
-    /// Middle of the line where it is mounted, in the body's frame (m).
+    /// Middle of the fender's mounting line, in the body's frame (m).
     pub position_m: Vec2,
-    /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard (rad).
+    /// Direction in which the fender faces, in the body's frame: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
-    /// Width of its face along the berth (m).
+    /// Width of the fender's face along the berth (m).
     pub width_m: f64,
-    /// Height of its face (m). Width times height is the area that presses on the hull.
+    /// Height of the fender's face (m). Width times height is the area that presses on the hull.
     pub height_m: f64,
-    /// Height of the middle of its face above the still waterline (m), or above datum if its body is fixed. The lever
-    /// arm with which its force heels a vessel follows from it.
+    /// Height of the middle of the face (m): above the still waterline, or above datum if the fender's body is fixed.
+    /// The lever arm with which the fender's force heels a vessel follows from it.
     pub above_water_m: f64,
-    /// It floats, as a pneumatic fender does: on a fixed body too `above_water_m` is above the water of the moment.
+    /// Whether the fender floats, as a pneumatic fender does. If so, `above_water_m` is above the present water level,
+    /// on a fixed body too.
     pub floating: bool,
     /// Distance from the mounting to the face, uncompressed (m).
     pub projection_m: f64,
-    /// Reaction by deflection.
+    /// Reaction as a function of deflection.
     pub law: FenderLaw,
-    /// Unloading law, used by the coupled method; `None`: unloading by the restitution of the material.
+    /// Unloading law, used by the coupled method; `None`: the restitution of the material determines the unloading.
     pub unloading: Option<Unloading>,
-    /// Index into [`crate::Setup::materials`]: friction, restitution, damping, and k of an area law.
+    /// Index into [`crate::Setup::materials`]. The material gives friction, restitution, damping, and k of an area law.
     pub material: usize,
     /// Rated performance; `None` if no rating is given.
     pub rated: Option<Rated>,
-    /// Stop at the end of its travel.
+    /// Stop at the end of the fender's travel.
     pub stop: Option<Stop>,
-    /// Correction factors on its reaction.
+    /// Correction factors on the fender's reaction.
     pub factors: ReactionFactors,
-    /// Factor on the energy capacity by the angle between face and hull: points (angle (rad), factor). Catalogues
-    /// give different angle factors for energy and reaction. If empty, the factor of the reaction is used.
+    /// Factor on the energy capacity by the angle between face and hull: points (angle (rad), factor). Catalogues give
+    /// different angle factors for energy and for reaction. If the list is empty, the factor on the reaction is used.
     pub energy_by_angle: Vec<[f64; 2]>,
-    /// How it presses on the hull.
+    /// How the fender presses on the hull.
     pub hull_pressure: HullPressure,
     /// Permissible hull pressure (N/m²).
     pub hull_pressure_limit_npm2: Option<f64>,
-    /// Where its data come from.
+    /// Where the fender's data come from.
     pub source: Option<FenderSource>,
-    /// A panel on several cones. Law, stop and rated deflection are then those of each cone; rated reaction and energy are
-    /// the sums over all cones.
+    /// A panel on several cones. Law, stop and rated deflection are then those of each cone. Rated reaction and energy
+    /// are sums over all cones.
     pub panel: Option<Panel>,
-    /// Its chains. Tension chains need a panel on several cones.
+    /// The fender's chains. Tension chains need a panel on several cones.
     pub chains: Vec<ChainSetup>,
-    /// Mass that its weight chains carry (kg).
+    /// Mass that the fender's weight chains carry (kg).
     pub panel_mass_kg: f64,
 }
 
 impl FenderSetup {
-    /// The compression time of a contact that begins at a speed (m/s), by which factors by speed are tabulated (s); `None` without a rating.
+    /// The compression time of a contact that begins at this speed (m/s): factors by speed are tabulated by this time
+    /// (s). `None` without a rating.
     #[must_use]
     pub fn compression_time_s(&self, speed_mps: f64) -> Option<f64> {
         let rated = self.rated.as_ref()?;
         Some(ReactionFactors::compression_time_s(speed_mps, rated.deflection_m))
     }
 
-    /// Number of equal fenders behind a panel; 1 without one.
+    /// Number of equal fenders behind a panel; 1 without a panel.
     #[must_use]
     pub fn cones(&self) -> f64 {
         self.panel.as_ref().map_or(1.0, |panel| panel.cones_m.len() as f64)
@@ -98,20 +100,20 @@ impl FenderSetup {
 /// How a fender presses on the hull.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HullPressure {
-    /// By a panel: the reaction over the area of the face.
+    /// By a panel: the pressure is the reaction over the area of the face.
     OverFace,
-    /// A pneumatic fender: the internal pressure, linear in the deflection from the initial pressure through the
-    /// rated one. The pressure of a compressed gas is a convex function of deflection, so the line is conservative up
-    /// to the rated deflection, and not beyond.
+    /// A pneumatic fender: the pressure is the internal pressure. It is taken as linear in the deflection, through the
+    /// initial and the rated pressure. The pressure of a compressed gas is a convex function of the deflection, so the
+    /// line is conservative up to the rated deflection, but not beyond.
     Inner {
-        /// At no deflection (N/m²).
+        /// Pressure without deflection (N/m²).
         initial_npm2: f64,
-        /// At the rated deflection (N/m²).
+        /// Pressure at the rated deflection (N/m²).
         rated_npm2: f64,
         /// Rated deflection (m).
         rated_deflection_m: f64,
     },
-    /// No panel, and no pressure given.
+    /// Not known: there is no panel, and no pressure is given.
     Unknown,
 }
 
@@ -120,10 +122,11 @@ pub enum HullPressure {
 pub struct Rated {
     /// Deflection (m).
     pub deflection_m: f64,
-    /// The rated reaction (N): that of catalogue or user; of a curve without one, its largest reaction up to the rated deflection.
+    /// The rated reaction (N) that the catalogue or the user gives. If none is given, the largest reaction of the curve
+    /// up to the rated deflection.
     pub reaction_n: f64,
-    /// The largest reaction of the curve up to the rated deflection (N), not less than the rated one. A curve that buckles can peak
-    /// a little above its rated reaction: within it the fender is not over-rated.
+    /// The largest reaction of the curve up to the rated deflection (N), at least the rated reaction. A curve that
+    /// buckles can peak a little above its rated reaction: a reaction up to this peak does not exceed the rating.
     pub largest_reaction_n: f64,
     /// ∫ R dδ up to the rated deflection (J).
     pub energy_j: f64,
@@ -140,7 +143,7 @@ impl Rated {
         Some(Rated { deflection_m, reaction_n, largest_reaction_n: reaction_n, energy_j })
     }
 
-    /// The same with the rated reaction of catalogue or user (N).
+    /// This rating with the rated reaction of the catalogue or the user (N).
     #[must_use]
     pub fn with_reaction(self, reaction_n: f64) -> Rated {
         Rated {
@@ -150,14 +153,14 @@ impl Rated {
         }
     }
 
-    /// The largest reaction of the curve over the rated one, 1 or a little more.
+    /// The largest reaction of the curve over the rated reaction, 1 or a little more.
     #[must_use]
     pub fn curve_peak(&self) -> f64 {
         self.largest_reaction_n / self.reaction_n
     }
 }
 
-/// The source of a fender's data, and how well it is known.
+/// The source of a fender's data, and how well the source is known.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FenderSource {
     /// Type and size, for reports.
@@ -168,33 +171,33 @@ pub struct FenderSource {
     pub standing: String,
 }
 
-/// Summary of one fender after a run. Peaks are those within the steps, sub-steps included.
+/// Summary of one fender after a run. Peaks include those between the ends of steps, in sub-steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FenderSummary {
     /// Index into [`crate::Setup::fenders`].
     pub fender: usize,
-    /// Start of the first step in which it was touched (s).
+    /// Start of the first step in which the fender was touched (s).
     pub first_touch_s: f64,
-    /// Normal speed V_n in that step (m/s), positive when approaching.
+    /// Normal speed V_n in the step of the first touch (m/s), positive when approaching.
     pub approach_speed_mps: f64,
-    /// Angle between face and hull in that step (rad).
+    /// Angle between face and hull in the step of the first touch (rad).
     pub approach_angle_rad: f64,
-    /// How it meets a hull by height; `None` for hulls with one outline.
+    /// How the fender meets a hull with outlines by height; `None` for hulls with one outline.
     pub hull: Option<HullMet>,
-    /// Factor on its reaction, fixed at first touch: temperature, tolerance, speed and angle.
+    /// Factor on the fender's reaction, fixed at first touch: temperature, tolerance, speed and angle.
     pub factor: f64,
     /// Largest deflection (m).
     pub peak_deflection_m: f64,
     /// Start of the step of the largest deflection (s).
     pub peak_deflection_at_s: f64,
-    /// Largest reaction along its axis (N).
+    /// Largest reaction along the fender's axis (N).
     pub peak_reaction_n: f64,
-    /// Start of the step of the largest reaction (s). For a fender that buckles it comes before the largest
-    /// deflection.
+    /// Start of the step of the largest reaction (s). If a fender buckles, this step comes before the step of the
+    /// largest deflection.
     pub peak_reaction_at_s: f64,
-    /// Largest energy absorbed along the loading curve (J), the quantity that catalogues rate.
+    /// Largest energy absorbed along the loading curve (J). Catalogues rate this energy.
     pub peak_energy_j: f64,
-    /// Start of the step of that energy (s).
+    /// Start of the step of the largest energy (s).
     pub peak_energy_at_s: f64,
     /// Largest pressure on the hull (N/m²), by [`FenderSetup::hull_pressure_npm2`].
     pub peak_hull_pressure_npm2: Option<f64>,
@@ -202,24 +205,25 @@ pub struct FenderSummary {
     pub capacity_j: Option<f64>,
     /// Peak energy over the capacity.
     pub share_of_rated_energy: Option<f64>,
-    /// Peak reaction over the rated reaction with the correction factors.
+    /// Peak reaction over the rated reaction with the run's correction factors.
     pub share_of_rated_reaction: Option<f64>,
-    /// The same over the largest reaction of the curve up to the rated deflection: above 1 the fender is over-rated.
+    /// Peak reaction over the largest reaction of the curve up to the rated deflection, with the correction factors.
+    /// Above 1 the reaction exceeds the rating.
     pub share_of_largest_reaction: Option<f64>,
     /// Peak deflection over the rated deflection.
     pub share_of_rated_deflection: Option<f64>,
-    /// Peak hull pressure over the permissible one.
+    /// Peak hull pressure over the permissible hull pressure.
     pub share_of_hull_pressure: Option<f64>,
-    /// True if it was deflected beyond the start of its stop, or beyond its projection if it has none.
+    /// True if the fender was deflected beyond the start of its stop, or beyond its projection if it has no stop.
     pub failed: bool,
-    /// Deflection in the last step; 0 if it is not touched (m).
+    /// Deflection in the last step; 0 if the fender is not touched (m).
     pub last_deflection_m: f64,
-    /// Reaction in the last step; 0 if it is not touched (N).
+    /// Reaction in the last step; 0 if the fender is not touched (N).
     pub last_reaction_n: f64,
-    /// Its panel, if it has one on several cones. The shares of the rated energy, reaction and deflection are then those of
-    /// the most compressed cone, and the peak deflection is that cone's.
+    /// The panel, if the fender has one on several cones. The shares of rated energy, reaction and deflection are then
+    /// those of the most compressed cone, and so is the peak deflection.
     pub panel: Option<PanelSummary>,
-    /// Its chains, in the order of the set-up.
+    /// The fender's chains, in the order of the set-up.
     pub chains: Vec<ChainSummary>,
 }
 
@@ -230,13 +234,13 @@ pub struct HullMet {
     pub height_m: f64,
     /// Angle by which the hull's side leans out over the fender at the first touch (rad), positive for flare.
     pub vertical_angle_rad: f64,
-    /// The vertical force on the hull of the largest size: its mean over a step (N), positive up.
+    /// The largest vertical force on the hull, up or down: the mean over a step (N), positive up.
     pub peak_vertical_force_n: f64,
 }
 
 impl FenderSummary {
-    /// Peak energy over the rated energy of the catalogue: without the factors of this run for temperature, tolerance, speed and
-    /// angle. `None` without a rating.
+    /// Peak energy over the rated energy of the catalogue, without the factors of this run for temperature, tolerance,
+    /// speed and angle. `None` without a rating.
     #[must_use]
     pub fn share_of_catalogue_energy(&self, setup: &FenderSetup) -> Option<f64> {
         let (capacity_j, rated) = self.capacity_j.zip(setup.rated)?;
@@ -249,11 +253,11 @@ impl FenderSummary {
         self.share_of_rated_reaction.map(|share| share * self.factor)
     }
 
-    /// The quantity that governs, `energy`, `deflection` or `reaction`, and its peak over the rated one; `None` without a
-    /// rating.
+    /// The quantity that governs (`energy`, `deflection` or `reaction`), and its peak over its rated value. `None`
+    /// without a rating.
     ///
-    /// A fender that buckles reaches its rated reaction at about a third of its travel and stays near it, so its
-    /// reaction governs only where it is above the largest that its curve has up to the rated deflection.
+    /// A fender that buckles reaches its rated reaction at about a third of its travel and stays near it. So its
+    /// reaction governs only if it exceeds the largest reaction of the curve up to the rated deflection.
     #[must_use]
     pub fn governing(&self) -> Option<(&'static str, f64)> {
         let energy = self.share_of_rated_energy?;
@@ -274,7 +278,7 @@ impl FenderSummary {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct FenderSummaries {
     pub(crate) all: Vec<Option<FenderSummary>>,
-    /// Each fender in this step.
+    /// The state of each fender in this step.
     now: Vec<Now>,
     /// Whether a fender that was touched has chains.
     has_chains: bool,
@@ -282,7 +286,7 @@ pub(crate) struct FenderSummaries {
     pub(crate) chains: Vec<ChainTension>,
 }
 
-/// What a fender does in a step.
+/// The state of a fender in a step.
 #[derive(Clone, Copy, Debug, Default)]
 struct Now {
     is_touched: bool,
@@ -300,7 +304,7 @@ impl FenderSummaries {
         }
     }
 
-    /// Forgets the run.
+    /// Forgets the run so far.
     pub(crate) fn restart(&mut self) {
         self.all.fill(None);
         self.now.fill(Now::default());
@@ -433,7 +437,7 @@ fn first_touch(
     }
 }
 
-/// Adds the deflection in a step. Returns true where it is the largest so far.
+/// Adds the deflection in a step. Returns true if it is the largest so far.
 fn add_deflection(
     summary: &mut FenderSummary,
     setup: &FenderSetup,
@@ -453,7 +457,8 @@ fn add_deflection(
     is_deeper
 }
 
-/// Updates the peaks of energy and reaction, and what depends on them and on the largest deflection, which may have changed.
+/// Updates the peaks of energy and reaction, and the values that depend on these peaks and on the largest deflection,
+/// which may have changed.
 fn update_peaks(
     summary: &mut FenderSummary,
     setup: &FenderSetup,
@@ -483,7 +488,7 @@ fn update_peaks(
     }
     let largest = summary.share_of_rated_reaction.zip(setup.rated);
     summary.share_of_largest_reaction = largest.map(|(share, rated)| share / rated.curve_peak());
-    // Hull pressure grows with deflection and reaction, so its peak is at their peaks.
+    // Hull pressure grows with deflection and reaction, so its peak follows from their peaks.
     let pressure_npm2 =
         setup.hull_pressure_npm2(summary.peak_deflection_m, summary.peak_reaction_n);
     summary.peak_hull_pressure_npm2 = pressure_npm2;
@@ -491,7 +496,7 @@ fn update_peaks(
         pressure_npm2.zip(setup.hull_pressure_limit_npm2).map(|(pressure, limit)| pressure / limit);
 }
 
-/// Energy and reaction of the most compressed cone of a panel over its rated ones.
+/// Energy and reaction of the most compressed cone of a panel, each over the rated value of a cone.
 fn shares_of_cone(setup: &FenderSetup, summary: &FenderSummary) -> (Option<f64>, Option<f64>) {
     let worst = ConeUse::of(setup, summary, summary.peak_deflection_m);
     worst.map_or((None, None), |cone| (cone.share_of_rated_energy, cone.share_of_rated_reaction))

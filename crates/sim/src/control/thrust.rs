@@ -1,5 +1,5 @@
-//! Allocation of a force in the plane and a yaw moment to devices. Some devices can push in any direction: azimuth
-//! units and tugs. Others cannot: propellers and tunnel thrusters.
+//! Allocation of a force in the plane and a yaw moment to devices. Azimuth units can push in any direction. A propeller
+//! pushes only ahead and astern; tunnel thrusters and tugs push only to the sides.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{Vec2, vec2};

@@ -1,5 +1,5 @@
-//! A ship's data with their sources and how well these are known. The data themselves are in `vessels/` at the root of
-//! the repository.
+//! The sources of a ship's data, and how well these sources are known. The data are in `vessels/` at the root of the
+//! repository.
 
 use fenderline_contact::number::bounded;
 
@@ -23,7 +23,7 @@ pub enum Standing {
 }
 
 impl Standing {
-    /// The word for it in files and reports.
+    /// The word for the standing in files and reports.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -71,14 +71,15 @@ pub struct Source {
     pub figures: Vec<Figure>,
     /// The document, or the formula that gave them.
     pub source: String,
-    /// How well that is known.
+    /// How well the source is known.
     pub standing: Standing,
-    /// True if the numbers come from a formula, not from data of the ship. `standing` is then that of the formula.
+    /// True if the numbers come from a formula, not from data of the ship. `standing` is then the standing of the
+    /// formula.
     pub is_estimate: bool,
 }
 
 impl Source {
-    /// Its standing in words, with estimates marked.
+    /// The standing in words. Estimates are marked.
     #[must_use]
     pub fn word(&self) -> String {
         let word = self.standing.word();
@@ -86,16 +87,16 @@ impl Source {
     }
 }
 
-/// Name of a vessel, and the sources of her data.
+/// Name of a vessel, and the sources of the vessel's data.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Origin {
     /// Name and scale.
     pub title: String,
-    /// All her numbers with their sources.
+    /// All numbers of the vessel, with their sources.
     pub sources: Vec<Source>,
-    /// The formulas that estimate her hull, propeller or rudder; `None` if she has data for all of them.
+    /// The formulas that estimate hull, propeller or rudder; `None` if there are data for all of them.
     pub estimate_method: Option<EstimateMethod>,
-    /// Ratios outside the range in which those formulas were validated.
+    /// Ratios of the vessel outside the range in which the formulas were validated.
     pub outside: Vec<RatioOutOfRange>,
 }
 
@@ -111,7 +112,7 @@ impl Origin {
 pub struct Vessel {
     /// Name and sources.
     pub origin: Origin,
-    /// Her manoeuvring model.
+    /// The ship's manoeuvring model.
     pub ship: Mmg,
     /// Approach speed of the standard manoeuvres (m/s); `None` if not given.
     pub approach_mps: Option<f64>,
@@ -119,7 +120,7 @@ pub struct Vessel {
     pub steering: RateLimited,
     /// True for a model in a tank with fresh water.
     pub is_model: bool,
-    /// For a full-scale ship whose `ship` has the resistance of a model: the length of the model (m).
+    /// Length of the model (m), if `ship` is a full-scale ship but has the resistance of a model.
     pub resistance_of_model_m: Option<f64>,
 }
 

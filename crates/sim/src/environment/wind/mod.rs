@@ -22,7 +22,7 @@ pub use super::harmonics::Realisation;
 pub use admittance::WindFront;
 pub use gust::Gusts;
 pub use mean::{MeanWind, Wind, WindProfile};
-// All of them, so that a new method is named in its own folder alone.
+// All names are re-exported, so that a new method is named only in its own folder.
 pub use method::*;
 pub use relative::RelativeWind;
 pub use series::WindSeries;

@@ -2,9 +2,9 @@
 //! (Yasukawa & Yoshimura, "Introduction of MMG standard method for ship maneuvering predictions",
 //! J. Mar. Sci. Technol. 20, 2015), extended to low speed, astern and bollard.
 //!
-//! [`Mmg`] is plain data, checked by [`Mmg::check`]; [`Mmg::forces`] is a pure function of the velocity through the water and the
-//! controls. The forces include all hydrodynamic terms except those proportional to accelerations (the added mass itself): the
-//! Coriolis terms of the added mass are included, and the Munk moment is part of N_v.
+//! [`Mmg`] is plain data, checked by [`Mmg::check`]. [`Mmg::forces`] is a pure function of the velocity through the
+//! water and the controls. The forces include all hydrodynamic terms except those proportional to accelerations (the
+//! added mass itself). The Coriolis terms of the added mass are included, and the Munk moment is part of N_v.
 
 mod check;
 mod polynomial;
@@ -41,9 +41,9 @@ pub struct Mmg {
 pub struct Propulsion {
     /// The propeller in open water.
     pub propeller: Propeller,
-    /// Thrust deduction t_P, of thrust ahead.
+    /// Thrust deduction t_P for thrust ahead.
     pub thrust_deduction: f64,
-    /// Thrust deduction for thrust astern, due to the race on the hull.
+    /// Thrust deduction for thrust astern, caused by the propeller race on the hull.
     pub thrust_deduction_astern: f64,
     /// Wake at the propeller.
     pub wake: Wake,
@@ -54,7 +54,7 @@ pub struct Propulsion {
 /// The forces on a ship, part by part.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Parts {
-    /// Hull, with the added mass' Coriolis terms.
+    /// Hull, with the Coriolis terms of the added mass.
     pub hull: Force,
     /// Propeller, less thrust deduction.
     pub propeller: Force,
@@ -90,9 +90,10 @@ impl Mmg {
         }
     }
 
-    /// The model in water of a given depth, by the corrections of [`CorrectionSet::default`] to added mass, hull, propeller
-    /// and rudder. Below [`super::shallow::SHALLOWEST_RATIO`] draughts, also aground, the corrections are those at that depth;
-    /// the cross-flow drag alone goes on to increase until she touches the bottom. So every force is a continuous function of depth.
+    /// The model in water of a given depth: [`CorrectionSet::default`] corrects added mass, hull, propeller and rudder.
+    /// Below [`super::shallow::SHALLOWEST_RATIO`] draughts, also aground, the corrections for that ratio are used. Only
+    /// the cross-flow drag goes on to increase, until the ship touches the bottom. So every force is a continuous
+    /// function of depth.
     ///
     /// # Panics
     /// If the depth is NaN.
@@ -122,7 +123,7 @@ impl Propulsion {
         }
     }
 
-    /// X_P = (1 − t)T, with t for the direction of the thrust.
+    /// X_P = (1 − t)T, with the t for the direction of the thrust.
     fn driving_force(&self, race: &Race) -> Force {
         let deduction =
             if race.thrust_n < 0.0 { self.thrust_deduction_astern } else { self.thrust_deduction };

@@ -7,11 +7,10 @@ use crate::range::{OutOfRange, within};
 
 /// Isherwood, "Wind resistance of merchant ships", Trans. RINA 115 (1972).
 ///
-/// CX = −(A₀ + A₁·2A_L/L² + A₂·2A_F/B² + A₃·L/B + A₄·S/L + A₅·C/L + A₆·M),
-/// CY = B₀ + B₁·2A_L/L² + B₂·2A_F/B² + B₃·L/B + B₄·S/L + B₅·C/L + B₆·A_SS/A_L,
-/// CN = C₀ + C₁·2A_L/L² + C₂·2A_F/B² + C₃·L/B + C₄·S/L + C₅·C/L, C the centroid's distance from the bow.
-/// Tables every 10°, with linear interpolation. Source: found (Fossen's toolbox prints the tables; the paper
-/// was not read).
+/// CX = −(A₀ + A₁·2A_L/L² + A₂·2A_F/B² + A₃·L/B + A₄·S/L + A₅·C/L + A₆·M), CY = B₀ + B₁·2A_L/L² + B₂·2A_F/B² + B₃·L/B +
+/// B₄·S/L + B₅·C/L + B₆·A_SS/A_L, CN = C₀ + C₁·2A_L/L² + C₂·2A_F/B² + C₃·L/B + C₄·S/L + C₅·C/L, with C, the centroid's
+/// distance from the bow. Tables every 10°, with linear interpolation. Source: found (Fossen's toolbox prints the
+/// tables; the paper was not read).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Isherwood {
     /// S, length of the perimeter of the lateral projection without waterline, masts and ventilators (m).
@@ -23,7 +22,8 @@ pub struct Isherwood {
 }
 
 impl Isherwood {
-    /// The perimeter of the side view is at least the length of the ship, and the superstructure at most the lateral area.
+    /// Checks that the perimeter of the side view is at least the length of the ship, and the superstructure at most
+    /// the lateral area.
     pub(super) fn check(&self, ship: &ShipWindage) -> Result<(), OutOfRange> {
         let perimeter = "perimeter of the lateral projection [m]";
         within(perimeter, self.perimeter_m, ship.length_m, 10.0 * ship.length_m)?;

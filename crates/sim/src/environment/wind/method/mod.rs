@@ -31,12 +31,12 @@ pub enum WindMethod {
     Blendermann(Blendermann),
     /// Fujiwara et al. 1998: regression of a Fourier series in the wind angle.
     Fujiwara(Fujiwara),
-    /// A table of the user's own.
+    /// A table that the user gives.
     Own(OwnWindTable),
 }
 
 impl WindMethod {
-    /// Its name, and how well its source is known, for reports.
+    /// Name of the method, and how well its source is known, for reports.
     #[must_use]
     pub fn standing(&self) -> (&str, &str) {
         match self {
@@ -69,7 +69,7 @@ impl WindMethod {
         }
     }
 
-    /// Coefficients at an angle γ (rad) from 0 to π; those of a table also from −π to 0.
+    /// Coefficients at an angle γ (rad) from 0 to π; a table that the user gives also covers −π to 0.
     pub(super) fn coefficients(&self, ship: &ShipWindage, angle_rad: f64) -> WindCoefficients {
         match self {
             WindMethod::Isherwood(method) => method.coefficients(ship, angle_rad),
