@@ -9,7 +9,7 @@ use fenderline_contact::DisplayNumber;
 pub struct OutOfRange {
     /// The quantity, with its unit.
     pub quantity: &'static str,
-    /// Its value.
+    /// Value of the quantity.
     pub value: f64,
     /// Lower limit.
     pub low: f64,
@@ -27,8 +27,8 @@ impl fmt::Display for OutOfRange {
 
 impl std::error::Error for OutOfRange {}
 
-/// Returns the value if it is within the range, both ends included; NaN is not. Ranges are wider than any real value and
-/// narrow enough that no result computed from them overflows.
+/// Returns the value if it is within the range, both ends included. NaN is never within a range. Each range covers more
+/// than any real value, and is narrow enough that no result computed from it overflows.
 pub(crate) fn within(
     quantity: &'static str,
     value: f64,

@@ -12,9 +12,9 @@ use crate::world::WorldSetup;
 /// The constant part of a simulation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setup {
-    /// Δt (s).
+    /// Time step Δt (s).
     pub step_s: f64,
-    /// Length of the run (s); the number of steps is its ratio to Δt, rounded up.
+    /// Length of the run (s); the number of steps is this length over Δt, rounded up.
     pub duration_s: f64,
     /// Time integrator.
     pub integrator: Integrator,
@@ -30,9 +30,9 @@ pub struct Setup {
     pub all_other_pairs: Option<usize>,
     /// Fenders on the bodies.
     pub fenders: Vec<FenderSetup>,
-    /// Approaches of ships to berths, which gave the start of these bodies.
+    /// Approaches of ships to berths. The initial states of these ships follow from them.
     pub approaches: Vec<Approach>,
-    /// Particulars for the berthing formulas, if the comparison is wanted.
+    /// Particulars for the berthing formulas, if a comparison with the formulas is asked for.
     pub berthing: Option<BerthingSetup>,
     /// External loads.
     pub loads: Vec<Load>,
@@ -52,12 +52,12 @@ impl Setup {
 /// Time integrator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Integrator {
-    /// Forward Euler, as in the paper: positions with the old velocities.
+    /// Forward Euler, as in the paper: positions move with the old velocities.
     Euler,
-    /// Semi-implicit Euler: velocities first, then positions with the new velocities. With the coupled method the
+    /// Semi-implicit Euler: first the velocities, then the positions with the new velocities. In the coupled method the
     /// contact engine moves the bodies itself, as a leapfrog, in sub-steps where needed.
     SemiImplicit,
-    /// Classical fourth-order Runge–Kutta. With the paper's method each stage computes its own contact forces; with the
+    /// Classical fourth-order Runge–Kutta. In the paper's method each stage computes its own contact forces. In the
     /// coupled method the mean contact wrench of the step acts in all stages.
     Rk4,
 }
@@ -68,7 +68,7 @@ pub enum Method {
     /// All contacts and loads of a step are solved together, in sub-steps where needed, with the full mass matrix of
     /// each body.
     Coupled,
-    /// The paper's method: each pair is limited on its own (eq. 9–26), with the smaller added mass in all directions.
+    /// The paper's method: each pair is limited by itself (eq. 9–26), with the smaller added mass in all directions.
     Paper,
 }
 
@@ -79,22 +79,24 @@ pub struct BodySetup {
     pub name: String,
     /// Outline in the body's frame, origin at the centre of gravity.
     pub outline: Outline,
-    /// The hull by height, which fenders meet instead; `None`: vertical sides of the outline. By the coupled method only.
+    /// The hull by height, which fenders meet instead of the outline; `None`: the sides of the outline are vertical.
+    /// Only in the coupled method.
     pub hull: Option<HullByHeight>,
     /// Mass and inertia; `None` for a body that stands on the ground.
     pub mass: Option<MassProperties>,
-    /// The pile that it stands on, if it is a flexible dolphin; by the coupled method and the semi-implicit integrator only.
+    /// The pile on which the body stands, if it is a flexible dolphin. Only in the coupled method with the
+    /// semi-implicit integrator.
     pub dolphin: Option<DolphinSetup>,
     /// Initial position of the centre of gravity, north and east (m).
     pub position_m: Vec2,
     /// Initial heading (rad).
     pub heading_rad: f64,
-    /// Initial velocity, body-fixed.
+    /// Initial velocity, in the body's axes.
     pub velocity: BodyVelocity,
 }
 
 impl BodySetup {
-    /// True if the body stands on the ground, fixed or on a pile, so that the water level around it changes with the tide.
+    /// True if the body stands on the ground, fixed or on a pile. The water level at such a body changes with the tide.
     #[must_use]
     pub fn is_fixed(&self) -> bool {
         self.mass.is_none()
@@ -119,11 +121,11 @@ pub struct MassProperties {
 /// Velocity in the body's axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BodyVelocity {
-    /// u, forward (m/s).
+    /// Surge velocity u, forward (m/s).
     pub surge_mps: f64,
-    /// v, to starboard (m/s).
+    /// Sway velocity v, to starboard (m/s).
     pub sway_mps: f64,
-    /// r, to starboard (rad/s).
+    /// Yaw rate r, to starboard (rad/s).
     pub yaw_radps: f64,
 }
 

@@ -203,10 +203,11 @@ impl TugWords {
         name.build(tug, &arguments, setup)
     }
 
-    /// The order to a tug that is a vessel, at work on another vessel; both by their index among the vessels.
+    /// The order to a tug that is a vessel and works at another vessel. Both are given by their index among the
+    /// vessels.
     ///
     /// # Errors
-    /// As [`OrderName::build`]; a ship without a side at the place; a pull without a line to the ship.
+    /// As [`OrderName::build`]. Also if the ship has no side at the place, or if a pull has no line to the ship.
     pub fn for_vessel(
         &self,
         tug: usize,
@@ -247,7 +248,7 @@ impl TugWords {
                 let arguments = at_ship.with("at", Value::Place(beside_m));
                 OrderName::FollowShip.build(tug, &arguments, setup)
             }
-            // A tug that stops pushing stays at the side.
+            // A tug that stops pushing stays at the ship's side.
             TugWord::Stop | TugWord::Push | TugWord::Pull => {
                 let force_n = if self.word == TugWord::Stop { 0.0 } else { force_n };
                 let arguments = at_ship.with("at", Value::Place(at_m)).number("force", force_n);
@@ -257,7 +258,7 @@ impl TugWords {
     }
 }
 
-/// The line between the bodies of a tug and a ship, and its point on the ship.
+/// The line between a tug and a ship, given by their bodies, and the point of the line on the ship.
 #[must_use]
 pub fn towline(setup: &Setup, tug: usize, ship: usize) -> Option<(usize, Vec2)> {
     setup.world.lines.iter().enumerate().find_map(|(index, line)| {

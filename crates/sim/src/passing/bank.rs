@@ -1,4 +1,4 @@
-//! The pull of a straight wall on a ship who goes along it: the flow of her image behind the wall.
+//! The pull of a straight wall on a ship that goes along it. The ship's image behind the wall gives the flow.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Pose, Rotation, Vec2, vec2};
@@ -10,21 +10,25 @@ use crate::environment::{Bank, BankMethod};
 use crate::hydro::Force;
 use crate::world::{Environment, VesselSetup};
 
-/// Sines of the angles between ship and wall (15 and 30 degrees) at which the force begins to fade, and at which it has gone; our choice.
+/// Sines of the angles between ship and wall (15 and 30 degrees) at which the force begins to fade, and at which it is
+/// gone; our choice.
 const ASKEW: [f64; 2] = [0.258_8, 0.5];
-/// Clear gap between side and wall over the beam below which the flow of slender ships says nothing, and from which it is taken in
-/// full: half the gaps between two vessels, as the image is twice as far away as the wall; our choice.
+/// Clear gap between side and wall, over the beam. Below the first value the theory of slender ships does not hold;
+/// from the second value on its flow is used in full. The values are half the gaps between two vessels, because the
+/// image is twice as far away as the wall; our choice.
 const TOO_NEAR: [f64; 2] = [0.125, 0.25];
-/// Distance between ship and image over her length at which the force begins to fade, and at which it has gone.
+/// Distance between ship and image, over the ship's length, at which the force begins to fade, and at which it is gone.
 const FADES: [f64; 2] = [8.0, 10.0];
 
-/// Force and moment [X, Y, N] of a wall along a line on a ship who goes ahead or astern beside it, in her axes and about the origin of her
-/// sections (N, N, N·m): that of her image, a ship on the other side of the wall who goes as she goes.
+/// Force and moment [X, Y, N] of a wall along a line on a ship that goes ahead or astern beside it, in the ship's axes
+/// and about the origin of her sections (N, N, N·m). It is the force of the ship's image: a ship on the other side of
+/// the wall with the mirrored motion.
 ///
-/// For a ship parallel to the wall Y = (ρu²y/π) ∬ S'S' Σ 1/r³, r² = (x₂−x₁)² + 4y² + 4n²h² with y the distance of her axis from the wall
-/// and n over the images in surface and bottom, h the depth (m; `None`: deep water, n = 0). Derived by this project from the flow of
-/// [`super::force_under_way`]; it is ½u² times the change of her added mass in surge with y. X is zero, and N for a ship who is alike
-/// fore and aft. There is no lift and no wave: the moment that turns the bow away from a bank is not in it.
+/// For a ship parallel to the wall Y = (ρu²y/π) ∬ S'S' Σ 1/r³, with r² = (x₂−x₁)² + 4y² + 4n²h². y is the distance of
+/// the ship's axis from the wall, h the depth (m; `None`: deep water, n = 0), and n runs over the images in surface and
+/// bottom. We derived this from the flow of [`super::force_under_way`]; it is ½u² times the change of the ship's added
+/// mass in surge with y. X is zero, and so is N if the ship is alike fore and aft. There is no lift and no wave: the
+/// moment that turns the bow away from a bank is not included.
 #[must_use]
 pub fn force_of_wall(
     own: &PassingShip<'_>,
@@ -37,7 +41,7 @@ pub fn force_of_wall(
     let mirrored = |v: Vec2| along * (2.0 * along.dot(v)) - v;
     let Pose { position_m, rotation } = own.pose;
     let ahead = rotation.apply(vec2(1.0, 0.0));
-    // Her speed across her axis is no part of the flow.
+    // The ship's speed across her axis is left out.
     let velocity_mps = ahead * own.velocity_mps.dot(ahead);
     let image_ahead = mirrored(ahead);
     let image = PassingShip {
@@ -52,7 +56,7 @@ pub fn force_of_wall(
     force_above_bottom([&own, &image], density_kgpm3, closest_m, depth_m)
 }
 
-/// Sets the force of all banks by image on each vessel about midship.
+/// Sets the force on each vessel, about midship, of all banks that act by an image.
 pub(crate) fn act_of_banks(
     flow: &FlowSetup,
     (vessels, states): (&[VesselSetup], &[BodyState]),
@@ -70,7 +74,7 @@ pub(crate) fn act_of_banks(
             continue;
         }
         let own = Afloat::of_vessel(hull, setup, states, (environment, t_s));
-        // Aground, the bottom is at her keel.
+        // For a ship aground the bottom is at the keel.
         let depth_m = environment.depth_at_m(t_s).map(|depth_m| greater(depth_m, hull.draught_m));
         for bank in environment.banks.iter().filter(by_image) {
             let share = share_of(&own, bank.ends_m());
@@ -89,7 +93,8 @@ pub(crate) fn act_of_banks(
     }
 }
 
-/// How much of the flow of the image is taken: by her angle to the wall, her clear gap, and how much of her is abreast of the wall.
+/// The share of the image's flow that is used. It depends on the ship's angle to the wall, on the clear gap, and on how
+/// much of the ship is abreast of the wall.
 fn share_of(own: &Afloat<'_>, [from_m, to_m]: [Vec2; 2]) -> f64 {
     let length_m = (to_m - from_m).length();
     let along = (to_m - from_m) * (1.0 / length_m);

@@ -11,17 +11,17 @@ use super::retardation::{Retardation, effective_infinite};
 use super::waves_check::check_forces;
 use crate::environment::waves::Complex;
 
-/// The most that added mass and damping may contradict each other, over the largest added mass.
+/// Largest contradiction allowed between added mass and damping, over the largest added mass.
 const CONTRADICTION: f64 = 0.4;
-/// From where on that is said.
+/// From this value on the contradiction is reported.
 const DOUBTFUL: f64 = 0.25;
 
-/// Hydrodynamic data about a reference point, as they are read. Motions and forces are surge, sway, heave *down*, roll to
-/// starboard, pitch bow up, yaw to starboard.
+/// Hydrodynamic data about a reference point, as read from a file. Motions and forces are surge, sway, heave *down*,
+/// roll to starboard, pitch bow up, yaw to starboard.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RawHydrodynamics {
-    /// The reference point from the centre of gravity: forward, to starboard, up (m). Motions are of this point, moments about
-    /// it, and phases are to the crest at it.
+    /// The reference point relative to the centre of gravity: forward, to starboard, up (m). Motions are motions of
+    /// this point, moments are about it, and phases are relative to the crest at it.
     pub reference_m: [f64; 3],
     /// Rigid mass about the centre of gravity (kg, kg·m, kg·m²).
     pub mass: Matrix6,
@@ -29,18 +29,18 @@ pub struct RawHydrodynamics {
     pub restoring: [[f64; 3]; 3],
     /// Frequencies of the radiation (rad/s).
     pub frequencies_radps: Vec<f64>,
-    /// Added mass at each.
+    /// Added mass at each frequency.
     pub added_mass: Vec<Matrix6>,
-    /// Damping at each.
+    /// Damping at each frequency.
     pub damping: Vec<Matrix6>,
     /// Added mass at infinite frequency.
     pub infinite: Matrix6,
     /// Frequencies of the excitation (rad/s).
     pub wave_frequencies_radps: Vec<f64>,
-    /// Headings μ: the direction towards which a wave runs, clockwise from the bow (rad); from 0 to π for a ship and water that
+    /// Headings μ: the direction towards which a wave runs, clockwise from the bow (rad); from 0 to π if ship and water
     /// are alike to both sides, else all round.
     pub headings_rad: Vec<f64>,
-    /// Exciting force in a wave of amplitude 1 m at each frequency and heading, the heading fastest.
+    /// Exciting force in a wave of amplitude 1 m at each frequency and heading; the heading varies fastest.
     pub excitation: Vec<[Complex; 6]>,
     /// Mean drift over the square of the amplitude: surge, sway and yaw (N/m², N/m², N/m) on the same grid.
     pub drift: Option<Vec<[f64; 3]>>,
@@ -64,9 +64,9 @@ pub struct Hydrodynamics {
     pub(super) excitation: Vec<[Complex; 6]>,
     pub(super) drift: Option<Vec<[f64; 3]>>,
     pub(super) depth_m: Option<f64>,
-    /// Where phases are counted from, forward and to starboard of the centre of gravity (m).
+    /// Place to which phases refer, forward and to starboard of the centre of gravity (m).
     pub(super) origin_m: Vec2,
-    /// Headings from 0 to π: waves from starboard are the mirror image.
+    /// Whether headings go from 0 to π only: waves from starboard are then the mirror image.
     pub(super) is_mirrored: bool,
     doubts: Vec<SeakeepingError>,
 }
@@ -125,21 +125,21 @@ impl Hydrodynamics {
         Ok(data)
     }
 
-    /// Mass with [`Hydrodynamics::infinite`] about the centre of gravity.
+    /// The sum of mass and [`Hydrodynamics::infinite`], about the centre of gravity.
     #[must_use]
     pub fn total_mass(&self) -> Matrix6 {
         plus(&self.mass, 1.0, &self.infinite)
     }
 
-    /// What is odd about the data, and does no harm: a small negative damping, or added mass and damping that contradict each other by
-    /// half of what is refused.
+    /// Oddities of the data that do no harm: a small negative damping, or a contradiction between added mass and
+    /// damping of more than about half the contradiction that is refused.
     #[must_use]
     pub fn doubts(&self) -> &[SeakeepingError] {
         &self.doubts
     }
 
-    /// True if a step of this length (s) can follow her own motions in heave, roll and pitch: h²C < 6M, the bound of
-    /// [`super::Motion`]. Beyond it every motion would grow without bound.
+    /// True if a step of this length (s) resolves the ship's own motions in heave, roll and pitch: h²C < 6M, the bound
+    /// of [`super::Motion`]. With longer steps every motion would grow without bound.
     #[must_use]
     pub fn is_resolved_by(&self, step_s: f64) -> bool {
         let mass = self.total_mass();
@@ -163,7 +163,8 @@ impl Hydrodynamics {
         self.damping.iter().any(|matrix| matrix[i][j] != 0.0)
     }
 
-    /// The added mass about the centre of gravity of what the water answers at once: faster than the frequencies of the data.
+    /// The added mass, about the centre of gravity, that stands for the water's immediate reaction: faster than the
+    /// frequencies of the data.
     #[must_use]
     pub fn infinite(&self) -> &Matrix6 {
         &self.infinite
@@ -193,7 +194,7 @@ impl Hydrodynamics {
         self.drift.is_some()
     }
 
-    /// The first and the last frequency of the exciting forces (rad/s), which are held there beyond them.
+    /// The first and the last frequency of the exciting forces (rad/s). Beyond them the force at the end is used.
     #[must_use]
     pub fn wave_range_radps(&self) -> [f64; 2] {
         let axis = &self.wave_frequencies_radps;
@@ -206,14 +207,14 @@ impl Hydrodynamics {
         self.frequencies_radps.iter().copied().zip(matrices).map(|(w, (a, b))| (w, a, b))
     }
 
-    /// Her retardation function.
+    /// The ship's retardation function.
     #[must_use]
     pub fn retardation(&self) -> Retardation {
         Retardation::new(self)
     }
 
-    /// Ogilvie's relations: the added mass must follow from the damping, but for a constant, and the constant must be near the added
-    /// mass at infinite frequency.
+    /// Checks Ogilvie's relations. The added mass must follow from the damping, apart from a constant. The constant
+    /// must be near the added mass at infinite frequency.
     fn check_consistency(
         &mut self,
         retardation: &Retardation,
@@ -223,7 +224,7 @@ impl Hydrodynamics {
             let of = |matrix: &Matrix6| matrix[motion][motion];
             let largest =
                 self.added_mass.iter().map(of).map(f64::abs).fold(of(given).abs(), greater);
-            // What a mass of the ship's own size does not notice need not be consistent.
+            // Values that are small beside the ship's own mass need not be consistent.
             let scale = greater(largest, 0.2 * self.mass[motion][motion]);
             let mut worst = (of(given) - of(&self.infinite)).abs() / scale;
             for (w, added, _) in self.radiation() {
@@ -244,12 +245,13 @@ impl Hydrodynamics {
     }
 }
 
-/// The motions in the plane, among the six.
+/// Indices of the motions in the plane, among the six motions.
 pub(super) const PLANE: [usize; 3] = [0, 1, 5];
-/// Heave, roll and pitch, among the six.
+/// Indices of heave, roll and pitch, among the six motions.
 pub(super) const UPRIGHT: [usize; 3] = [2, 3, 4];
 
-/// The motion of a point of the ship by that of her centre of gravity. The point is forward, to starboard and up of it (m).
+/// The matrix that gives the motion of a point of the ship from the motion of her centre of gravity. The point lies
+/// forward of, to starboard of and above the centre of gravity (m).
 fn lever([forward_m, starboard_m, up_m]: [f64; 3]) -> Matrix6 {
     let mut matrix: Matrix6 = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(i == j)));
     // θ × r with r = (forward, starboard, −up).
@@ -259,7 +261,7 @@ fn lever([forward_m, starboard_m, up_m]: [f64; 3]) -> Matrix6 {
     matrix
 }
 
-/// ½(A + Aᵀ).
+/// The symmetric part ½(A + Aᵀ).
 fn symmetric(matrix: &Matrix6) -> Matrix6 {
     let sum = plus(matrix, 1.0, &transposed(matrix));
     sum.map(|row| row.map(|entry| 0.5 * entry))

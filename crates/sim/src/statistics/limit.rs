@@ -5,7 +5,7 @@ use super::peaks::MotionStatistics;
 use crate::fender::FenderSummary;
 use crate::setup::Setup;
 
-/// Statistics of a run, and the limits that they are compared with.
+/// Statistics of a run, and the limits with which they are compared.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StatisticsSetup {
     /// Time from which steps count (s); `None`: no statistics, and no limits.
@@ -17,15 +17,15 @@ pub struct StatisticsSetup {
 /// A limit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LimitSetup {
-    /// Its name.
+    /// Name of the limit.
     pub name: String,
-    /// What is limited.
+    /// The quantity that is limited.
     pub what: Limited,
-    /// The most that is permissible (m, rad, or a share).
+    /// The largest permissible value (m, rad, or a share).
     pub most: f64,
 }
 
-/// What is limited.
+/// The quantity that is limited.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Limited {
     /// A motion of a vessel.
@@ -34,7 +34,7 @@ pub enum Limited {
         vessel: usize,
         /// The motion.
         motion: MotionName,
-        /// Which of its statistics.
+        /// The statistic of the motion.
         measure: Measure,
     },
     /// The largest tension of any line over its break load.
@@ -46,15 +46,15 @@ pub enum Limited {
 /// A motion in one of the six degrees of freedom.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MotionName {
-    /// Along her mean heading.
+    /// Along the vessel's mean heading.
     Surge,
-    /// Across her mean heading.
+    /// Across the vessel's mean heading.
     Sway,
     /// Up and down.
     Heave,
-    /// About her long axis.
+    /// About the longitudinal axis.
     Roll,
-    /// About her cross axis.
+    /// About the transverse axis.
     Pitch,
     /// Heading.
     Yaw,
@@ -71,7 +71,7 @@ impl MotionName {
         MotionName::Yaw,
     ];
 
-    /// In words.
+    /// The motion in words.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -84,7 +84,7 @@ impl MotionName {
         }
     }
 
-    /// Whether it is an angle.
+    /// Whether the motion is an angle.
     #[must_use]
     pub fn is_angle(self) -> bool {
         matches!(self, MotionName::Roll | MotionName::Pitch | MotionName::Yaw)
@@ -117,7 +117,7 @@ impl Measure {
         }
     }
 
-    /// In words.
+    /// The statistic in words.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -131,7 +131,7 @@ impl Measure {
 }
 
 impl LimitSetup {
-    /// What is limited, in words.
+    /// The limited quantity in words.
     #[must_use]
     pub fn subject(&self, setup: &Setup) -> String {
         match self.what {
@@ -144,7 +144,7 @@ impl LimitSetup {
         }
     }
 
-    /// A value of it, in words.
+    /// A value of the limited quantity, in words.
     #[must_use]
     pub fn shown(&self, value: f64) -> String {
         match self.what {
@@ -158,7 +158,8 @@ impl LimitSetup {
 }
 
 impl Statistics {
-    /// The value that each limit is compared with, in the order of the set-up. Lines and fenders count from the start of the run.
+    /// The values with which the limits are compared, in the order of the set-up. Lines and fenders count from the
+    /// start of the run.
     pub(crate) fn values<'a>(
         &self,
         setup: &Setup,

@@ -1,4 +1,4 @@
-//! What a step changes of a world, to be put back if the step fails.
+//! The parts of a world that a step changes. They are restored if the step fails.
 
 use super::{
     AnchorAtWork, Mooring, TugAtWork, VesselForces, VesselState, WaterInertia, World, WorldEvent,
@@ -19,7 +19,7 @@ pub(crate) struct WorldBackup {
 }
 
 impl World {
-    /// Copies what a step changes.
+    /// Copies the parts that a step changes.
     pub(crate) fn back_up(&self, into: &mut WorldBackup) {
         let WorldBackup {
             vessels,
@@ -43,7 +43,7 @@ impl World {
         clamped.clone_from(&self.clamped);
     }
 
-    /// Puts it back. The backup is left with what the step made.
+    /// Restores the copied parts. Afterwards the backup has what the step made.
     pub(crate) fn put_back(&mut self, backup: &mut WorldBackup) {
         let WorldBackup {
             vessels,

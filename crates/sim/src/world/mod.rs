@@ -1,9 +1,9 @@
-//! The world around the bodies of a set-up: everything that acts on them besides contact and plain loads.
+//! The world around the bodies of a set-up: everything that acts on the bodies besides contact and plain loads.
 //!
-//! [`WorldSetup`] is the constant part. In each step, before contact, `World::step` carries out the orders that are due, runs
-//! the pilots, moves rudders, shafts and thrusters, and adds the wrench of hull, propeller, rudder, thrusters and wind to each
-//! vessel's body. After contact, `World::settle` moves the vessels in heave, roll and pitch by all horizontal forces and their
-//! heights.
+//! [`WorldSetup`] is the constant part. In each step, before contact, `World::step` carries out the orders that are
+//! due, runs the pilots, and moves rudders, shafts and thrusters. It adds the wrench of hull, propeller, rudder,
+//! thrusters and wind to each vessel's body. After contact, `World::settle` moves the vessels in heave, roll and pitch,
+//! from all horizontal forces and the heights at which they act.
 
 mod anchor;
 mod assist;
@@ -61,23 +61,23 @@ pub use tug::{TugAtWork, TugSetup};
 pub use vessel::{Float, VesselForces, VesselOrders, VesselSetup, VesselState, mass_matrix};
 pub(crate) use vessel::{HullMotion, WaterInertia};
 
-/// The variable state of a world: plain data, besides values that are computed anew.
+/// The variable state of a world: plain data, and values that are computed anew.
 #[derive(Clone, Debug)]
 pub(crate) struct World {
     pub(crate) vessels: Vec<VesselState>,
     pub(crate) forces: Vec<VesselForces>,
     pub(crate) water_inertia: Vec<WaterInertia>,
-    /// Forces of passing ships and of other vessels on each vessel; found anew in each step.
+    /// Forces of passing ships and of other vessels on each vessel; computed anew in each step.
     passing: Vec<Force>,
-    /// Forces of banks by images, likewise.
+    /// Forces of banks by images on each vessel; computed anew in each step.
     banks: Vec<Force>,
-    /// For each vessel, what is constant of its motion by hydrodynamic data.
+    /// For each vessel, the constant part of its motion by hydrodynamic data.
     seaways: Vec<Option<Seaway>>,
     /// For each vessel, the matrix with which the engine moves her, over surge, sway and yaw (kg, kg·m, kg·m²).
     masses: Vec<[[f64; 3]; 3]>,
-    /// The bodies as lines meet them: see [`World::look_ahead`]. Empty without hydrodynamic data.
+    /// The states of the bodies between which lines pull: see [`World::look_ahead`]. Empty without hydrodynamic data.
     ahead: Vec<BodyState>,
-    /// For each body, how it is afloat; empty without hydrodynamic data.
+    /// For each body, its attitude afloat; empty without hydrodynamic data.
     afloat: Vec<Option<Afloat>>,
     pub(crate) lines: Vec<Mooring>,
     pub(crate) anchors: Vec<AnchorAtWork>,
@@ -144,7 +144,8 @@ impl World {
         }
     }
 
-    /// The world at the start of another run with this set-up, of which only wind and current may have changed.
+    /// Resets to the world at the start of another run with this set-up. Only wind and current of the set-up may have
+    /// changed.
     pub(crate) fn restart(&mut self, setup: &WorldSetup, states: &[BodyState]) {
         for (own, new) in self.vessels.iter_mut().zip(start_vessels(setup, &self.seaways, states)) {
             *own = new;
@@ -168,7 +169,7 @@ impl World {
         self.clamped.fill(false);
     }
 
-    /// Takes the gusts of the set-up, whose wind may have changed.
+    /// Takes the gusts of the set-up again, because its wind may have changed.
     pub(crate) fn renew_gusts(&mut self, setup: &WorldSetup) {
         let gusts = setup.environment.wind.as_ref().and_then(Wind::gusts);
         for (own, vessel) in self.gusts.iter_mut().zip(&setup.vessels) {
@@ -182,9 +183,9 @@ impl World {
         }
     }
 
-    /// Adds the forces on each vessel in the step from `states` to the load of her body. The velocities belong to
-    /// `velocity_time_s`; those of the water are taken at the same time, so that a drifting ship has no drag by a difference of
-    /// time.
+    /// Adds the forces on each vessel in the step from `states` to the load of the vessel's body. The velocities belong
+    /// to `velocity_time_s`. The velocities of the water are taken at the same time; otherwise a drifting ship would
+    /// have a drag from the difference of times.
     pub(crate) fn step(
         &mut self,
         setup: &WorldSetup,
@@ -284,7 +285,7 @@ impl World {
         self.load_seaways(setup, (states, lags_s), (t_s, step_s, acts_s), loads);
     }
 
-    /// Finds how the bodies with hydrodynamic data are afloat.
+    /// Finds the attitude afloat of the bodies with hydrodynamic data.
     fn find_afloat(&mut self, setup: &WorldSetup, bodies: usize) {
         if self.seaways.iter().all(Option::is_none) {
             return;
@@ -297,7 +298,7 @@ impl World {
     }
 
     /// Finds where the bodies with hydrodynamic data are in the middle of the time for which loads act: see
-    /// [`crate::seakeeping::SubSteps`]. Lines pull there.
+    /// [`crate::seakeeping::SubSteps`]. Lines pull at these places.
     fn look_ahead(
         &mut self,
         setup: &WorldSetup,
@@ -320,7 +321,8 @@ impl World {
         }
     }
 
-    /// Replaces the load of vessels with hydrodynamic data by the one that gives their motion in six degrees of freedom.
+    /// Replaces the load of vessels with hydrodynamic data by the load that gives their motion in six degrees of
+    /// freedom.
     fn load_seaways(
         &mut self,
         setup: &WorldSetup,
@@ -368,8 +370,8 @@ impl World {
         }
     }
 
-    /// The lines as they will be when the orders that wait for the step at a time are carried out: of two orders in one step the
-    /// second must not be taken as if there were no first.
+    /// The lines as they will be when the orders that wait for the step at a time are carried out. Of two orders in one
+    /// step, the second must not be judged as if there were no first.
     pub(crate) fn lines_after_orders(
         &self,
         setup: &WorldSetup,
@@ -378,7 +380,8 @@ impl World {
         line_work::after_orders(&self.lines, setup, self.waiting(times_s), times_s.0)
     }
 
-    /// Checks that a line can be sent to a bollard at a time, both by index, with `lines` as the lines are then.
+    /// Checks that a line can be sent to a bollard at a time. Both are given by index; `lines` are the lines at that
+    /// time.
     pub(crate) fn may_send(
         &self,
         lines: &[Mooring],
@@ -392,7 +395,8 @@ impl World {
         line_work::may_send(lines, setup, (states, shore), line, bollard)
     }
 
-    /// An anchor as it will be when the orders that wait for the step at a time are carried out, as [`World::lines_after_orders`].
+    /// An anchor as it will be when the orders that wait for the step at a time are carried out. See
+    /// [`World::lines_after_orders`].
     pub(crate) fn anchor_after_orders(
         &self,
         setup: &WorldSetup,
@@ -411,7 +415,7 @@ impl World {
         after
     }
 
-    /// The orders that wait for the step that begins at a time and has a length (s).
+    /// The orders that wait for a step, given by its start and length (s).
     fn waiting(&self, (t_s, step_s): (f64, f64)) -> impl Iterator<Item = &Order> {
         self.orders[self.taken..].iter().take_while(move |order| order.at_s < t_s + step_s)
     }
@@ -490,7 +494,7 @@ impl World {
         }
     }
 
-    /// Heights in the step that begins at a time and has a length (s).
+    /// Heights in a step, given by its start and length (s).
     pub(crate) fn heights<'a>(
         &'a self,
         setup: &WorldSetup,
@@ -501,7 +505,8 @@ impl World {
         Heights { shore, vessels: &self.vessels, t_s, step_s }
     }
 
-    /// Moves the vessels in heave, roll and pitch after a step, by their own forces and by contact at the height of the fenders.
+    /// Moves the vessels in heave, roll and pitch after a step, from the vessels' own forces and from contact at the
+    /// height of the fenders.
     pub(crate) fn settle(
         &mut self,
         setup: &WorldSetup,
@@ -524,7 +529,7 @@ impl World {
             }
             let Some(float) = &vessel.float else { continue };
             let mut load = match &self.seaways[index] {
-                // Its own forces and lines were in the step.
+                // The vessel's own forces and lines were already in the step.
                 Some(_) => AttitudeLoad::default(),
                 None => vessel.attitude_load(&self.forces[index], float),
             };
@@ -540,7 +545,7 @@ impl World {
                 let fender = contact.fender.map(|id| &fenders[id.0 as usize]);
                 let height_m = fender.map_or(0.0, |fender| shore.fender_at_work_m(fender));
                 let own = attitude.apply_inverse(contact.force_on_body_1_n() * sign);
-                // Squat and heave lower her centre of gravity, but not the fender of another body.
+                // Squat and heave lower the vessel's centre of gravity, but not the fender of another body.
                 let afloat = self.afloat.get(vessel.body).copied().flatten();
                 let sunk_m =
                     self.vessels[index].squat_m + afloat.map_or(0.0, |afloat| afloat.heave_m());
@@ -549,7 +554,8 @@ impl World {
                     load.add(own.x, own.y, height_m - gravity_m);
                     continue;
                 };
-                // A side that leans out over the fender is pushed up, and the fender's own body down.
+                // A side that leans out over the fender is pushed up, and the body that carries the fender is pushed
+                // down.
                 let up_n = contact.normal_force_n * touch.slope;
                 if fender.is_some_and(|fender| fender.body == vessel.body) {
                     load.add(own.x, own.y, height_m - gravity_m);
@@ -577,7 +583,7 @@ impl World {
     }
 }
 
-/// For each vessel, her motion by hydrodynamic data in steps of a length (s); `None` without data.
+/// For each vessel, the motion by hydrodynamic data in steps of this length (s); `None` without data.
 pub(crate) fn motions(setup: &WorldSetup, step_s: f64) -> Vec<Option<Arc<Motion>>> {
     let of = |vessel: &VesselSetup| {
         vessel.seakeeping.as_ref().map(|ship| Arc::new(Motion::new(ship, step_s)))

@@ -25,11 +25,11 @@ pub struct Pilots {
     pub station: Option<StationPilot>,
     /// Assists a ship with the azimuth units.
     pub assist: Option<AssistPilot>,
-    /// Thrust ahead that azimuth units keep for a course without an ordered speed (N).
+    /// Thrust ahead that azimuth units keep while there is a course but no ordered speed (N).
     pub ahead_n: f64,
 }
 
-/// Constants of a ship for her pilots.
+/// Constants of a ship that her pilots use.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Abilities {
     /// Force at rest at full revolutions astern (negative) and ahead (N).
@@ -56,7 +56,7 @@ impl Abilities {
             setup.azimuths.iter().map(full).sum()
         };
         let full_rps = setup.shaft.stop;
-        // The balance of thrust and resistance, by bisection.
+        // Bisection finds the balance of thrust and resistance.
         let (mut low, mut high) = (0.0, 30.0);
         for _ in 0..40 {
             let middle = 0.5 * (low + high);
@@ -74,7 +74,7 @@ impl Abilities {
         }
     }
 
-    /// Revolutions over full revolutions for a force at rest: thrust is proportional to their square.
+    /// Revolutions over full revolutions for a force at rest: thrust is proportional to the square of the revolutions.
     fn revolutions(&self, surge_n: f64) -> f64 {
         let [astern_n, ahead_n] = self.bollard_n;
         if surge_n >= 0.0 {
@@ -85,7 +85,7 @@ impl Abilities {
     }
 }
 
-/// Carries out an order to a vessel: sets her controls or engages a pilot.
+/// Carries out an order to a vessel: sets the vessel's controls or switches on a pilot.
 pub(crate) fn take(
     action: &VesselAction,
     vessel: &mut VesselState,
@@ -163,7 +163,7 @@ fn station_pilot(
             period_s: 240.0,
             damping: 0.9,
             integral_s: 300.0,
-            // Turning moves her ends no faster than sway does.
+            // The limit on turning: it moves the ship's ends no faster than sway does.
             fastest: [surge, sway, 2.0 * sway / setup.ship.particulars.length_m],
         },
         steady,
@@ -175,16 +175,17 @@ fn station_pilot(
 pub(crate) struct PilotWork {
     /// Other lateral devices that serve the vessel: tugs.
     pub(crate) helpers: Vec<LateralDevice>,
-    /// Their forces, if a pilot uses them (N).
+    /// Forces of these devices, if a pilot uses them (N).
     pub(crate) helpers_n: Vec<f64>,
-    /// Thrusters and helpers, and their forces (N).
+    /// Thrusters and helpers together, and their forces (N).
     across: Vec<LateralDevice>,
     across_n: Vec<f64>,
-    /// Azimuth units with all others.
+    /// Azimuth units together with all other devices.
     pub(crate) shares: ThrustShares,
 }
 
-/// Sets the orders of this step. `helpers` of `work` are other lateral devices; their forces are written to its `helpers_n`.
+/// Sets the orders of this step. `helpers` of `work` are other lateral devices. Their forces are written to `helpers_n`
+/// of `work`.
 pub(crate) fn pilot(
     vessel: &mut VesselState,
     setup: &VesselSetup,
