@@ -1,5 +1,5 @@
-//! What the instructor has prepared: events at given times. Part of the state that is kept, rewound and branched; it runs before
-//! each step.
+//! The instructor's script: events at given times. The script is a part of the state that is kept, rewound and
+//! branched. It runs before each step.
 
 use fenderline_sim::{PlannedChange, Setup};
 
@@ -18,7 +18,7 @@ enum Fate {
     Waits,
     Fired,
     Cancelled,
-    /// It could not be carried out when its time came, for this reason.
+    /// The event could not be carried out at its time. The text is the reason.
     Refused(String),
 }
 
@@ -57,7 +57,7 @@ impl Script {
         waiting.map(|planned| (planned.at_s, &planned.event))
     }
 
-    /// The planned events for the instructor's page, by time.
+    /// The planned events in the order of their times, for the instructor's page.
     pub(crate) fn messages(&self) -> Vec<PlannedNow> {
         let mut all: Vec<PlannedNow> = self.planned.iter().map(Planned::message).collect();
         all.sort_by(|one, other| one.at_s.total_cmp(&other.at_s));
@@ -67,7 +67,7 @@ impl Script {
     /// Cancels an event that waits.
     ///
     /// # Errors
-    /// There is none of this number that waits.
+    /// No event with this number waits.
     pub(crate) fn cancel(&mut self, id: u64) -> Result<(), Refusal> {
         let waits = |planned: &&mut Planned| planned.id == id && planned.fate == Fate::Waits;
         let planned = self.planned.iter_mut().find(waits);
@@ -89,7 +89,7 @@ impl Planned {
     }
 }
 
-/// Plans an event. It must be one that could be carried out now.
+/// Plans an event. It must be possible to carry out the event now.
 ///
 /// # Errors
 /// The reason why it cannot be planned.
@@ -117,7 +117,7 @@ pub(crate) fn plan(
     let Script { planned, count, .. } = &mut now.script;
     *count += 1;
     planned.push(Planned { id: *count, at_s, event: event.clone(), fate: Fate::Waits });
-    // What is over is forgotten beyond some number, the oldest first.
+    // Above a number of events, those that are over are forgotten, the oldest first.
     if planned.len() > 2 * MOST_PLANNED
         && let Some(over) = planned.iter().position(|planned| planned.fate != Fate::Waits)
     {
@@ -126,7 +126,7 @@ pub(crate) fn plan(
     Ok(())
 }
 
-/// True if something is due in the next step.
+/// True if an event is due in the next step.
 pub(crate) fn is_due(now: &Now) -> bool {
     let Script { planned, .. } = &now.script;
     let end_s = now.simulation.time_s() + now.simulation.setup().step_s;
@@ -134,14 +134,14 @@ pub(crate) fn is_due(now: &Now) -> bool {
     planned.iter().any(is_due)
 }
 
-/// Carries out what is due in the next step. Returns the events that fired.
+/// Carries out the events that are due in the next step. Returns these events.
 pub(crate) fn run(cast: &Cast, now: &mut Now) -> Vec<OtherAction> {
     let t_s = now.simulation.time_s();
     let end_s = t_s + now.simulation.setup().step_s;
     let mut fired = Vec::new();
     for index in 0..now.script.planned.len() {
         let Planned { at_s, event, fate, .. } = &now.script.planned[index];
-        // As an order, an event takes effect in the step that contains its time.
+        // An event, like an order, takes effect in the step that contains its time.
         if *fate != Fate::Waits || *at_s >= end_s {
             continue;
         }

@@ -12,17 +12,17 @@ use crate::session::Now;
 /// The speeds of a vessel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Speeds {
-    /// Of her centre of gravity over ground, north and east (m/s).
+    /// Velocity of the centre of gravity over ground: north, east (m/s).
     pub velocity_mps: Pair,
-    /// Of midship over ground, ahead and to starboard (m/s).
+    /// Velocity of midship over ground: ahead, to starboard (m/s).
     pub ground_mps: Pair,
-    /// Course of midship over ground, from north (rad); her heading while she is at rest.
+    /// Course of midship over ground, clockwise from north (rad). For a vessel at rest it is her heading.
     pub course_rad: f64,
-    /// Of midship through the water, ahead and to starboard (m/s).
+    /// Velocity of midship through the water: ahead, to starboard (m/s).
     pub water_mps: Pair,
-    /// Of her foremost point over ground, to starboard (m/s).
+    /// Speed of the foremost point over ground, to starboard (m/s).
     pub bow_mps: f64,
-    /// Of her aftmost point over ground, to starboard (m/s).
+    /// Speed of the aftmost point over ground, to starboard (m/s).
     pub stern_mps: f64,
 }
 
@@ -46,8 +46,8 @@ pub(crate) fn speeds(simulation: &Simulation, index: usize) -> Speeds {
     }
 }
 
-/// The present state of a vessel. Speeds over ground and through the water are those of midship; lateral speeds are those of
-/// the foremost and aftmost points of her outline.
+/// The present state of a vessel. Speeds over ground and through the water are speeds of midship. Lateral speeds are
+/// speeds of the foremost and aftmost points of her outline.
 pub(super) fn now(all: &Now, index: usize, at: Option<&Berth>) -> VesselNow {
     let simulation = &all.simulation;
     let setup = simulation.setup();
@@ -81,7 +81,7 @@ pub(super) fn now(all: &Now, index: usize, at: Option<&Berth>) -> VesselNow {
         squat_m: vessel.squat_m,
         under_keel_m: vessel.under_keel_m,
         aground: vessel.aground,
-        // A berth has no distance from the body that carries it.
+        // A berth has no distance to the body that carries it.
         berth: at
             .filter(|at| at.body != of.body)
             .map(|at| berth::seen_from(at, &simulation.states()[at.body], &body.outline, state)),
@@ -96,10 +96,10 @@ pub(super) fn now(all: &Now, index: usize, at: Option<&Berth>) -> VesselNow {
     }
 }
 
-/// A line with less tension is displayed as slack (N).
+/// A line with less tension than this is displayed as slack (N).
 const SLACK_N: f64 = 1e3;
 
-/// The order to a tug that is a vessel, in words, and how far she has carried it out.
+/// The order to a tug that is a vessel, in words, and how much of the order she has carried out.
 fn assist_now(now: &Now, tug: usize, job: &Job) -> AssistNow {
     let setup = now.simulation.setup();
     let own = setup.world.vessels[tug].body;
@@ -137,7 +137,7 @@ fn assist_now(now: &Now, tug: usize, job: &Job) -> AssistNow {
     AssistNow { order: word.word(), power, place, state, force_n: felt_n }
 }
 
-/// A point belongs to a named position at the ship's side within this distance along the ship (m).
+/// A point within this distance along the ship of a named position at her side belongs to that position (m).
 const SAME_PLACE_M: f64 = 1.0;
 
 fn pilot_text(pilots: &Pilots) -> &'static str {
