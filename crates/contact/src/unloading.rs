@@ -18,9 +18,9 @@
 //! - Along any path dW = dV + heat. There is heat only when a top rises: q_i (1 − w_i/2) dT_i ≥ 0. So the law is
 //!   passive. Within the plays, and when a top falls, nothing is dissipated.
 //! - The law does not contain time: results depend neither on the speed nor on Δt.
-//! - The law has no scale except the load itself. A loop from zero to any deflection and back absorbs U and returns U_u
-//!   + c D, with c = Σ q_i w_i/2. With R_u = r R the returned share of U is the same for any deflection and any
-//!   reaction law. r = (η − c)/(1 − c) makes this share η.
+//! - The law has no scale except the load itself. A loop from zero to any deflection and back absorbs U. The loop
+//!   returns U_u + c D, with c = Σ q_i w_i/2. With R_u = r R the returned share of U is the same for any deflection and
+//!   any reaction law. r = (η − c)/(1 − c) makes this share η.
 //! - A ship under a steady load rests where she stops. Any deflection between the two curves carries the load. The ship
 //!   does not creep, because the plays are springs there.
 //!

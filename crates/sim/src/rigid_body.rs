@@ -108,9 +108,9 @@ impl Inertia {
 
     /// The Coriolis and centripetal wrench C of a body in a current (m/s), earth-fixed: M v̇ = F + C.
     ///
-    /// With Δ = sway mass − surge mass, c the coupling of sway and yaw, and u, v, r relative to the water, C is (Δ r v
-    /// + c r², Δ r u, −Δ u v) in the body's axes. Its moment is the Munk moment. C is zero if the mass is the same in
-    /// all directions.
+    /// With Δ = sway mass − surge mass, c the coupling of sway and yaw, and u, v, r relative to the water, the
+    /// components of C in the body's axes are (Δ r v + c r², Δ r u, −Δ u v). The last component is the Munk moment. C
+    /// is zero if the mass is the same in all directions.
     #[inline]
     pub(crate) fn momentum_wrench(&self, state: &BodyState, current_mps: Vec2) -> Wrench {
         let difference_kg = self.sway_kg - self.surge_kg;
