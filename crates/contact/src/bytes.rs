@@ -152,7 +152,7 @@ impl Codec for Reader<'_> {
         *word = u32::from_le_bytes(self.array());
     }
 
-    /// Reads a number. It must be finite, and so small that the next step cannot overflow.
+    /// Reads a number. The number must be finite, and so small that the next step cannot overflow.
     fn number(&mut self, number: &mut f64) {
         *number = f64::from_le_bytes(self.array());
         let is_usable = number.abs() <= 1e30;

@@ -7,7 +7,7 @@
 //! - U = E(S/w), for a reaction curve R = E': S is the area of A. A displacement of the hull changes the area by ∂S = ∮
 //!   n·∂r over the hull's part of A's boundary. As ∮ n over the whole boundary is 0, ∂S is minus the integral over the
 //!   fender's own sides. These sides are straight lines along the axes, so the integral has a closed form.
-//! - U = ½ k ∫ d² ds = k ∬ x dA, for an elastic foundation. It follows in the same way from ∮ x n = (S, 0).
+//! - U = ½ k ∫ d² ds = k ∬ x dA, for an elastic foundation. This formula follows in the same way from ∮ x n = (S, 0).
 //!
 //! The method needs only the overlap's outline, not the hull's shape, and the force is exactly conservative for any
 //! hull. The simpler form (N = kS along the face's normal, through the centroid) lacks the lateral part ½k·Δ(d²) at the
@@ -33,8 +33,8 @@ const SMALLEST_FORCE_N: f64 = 1e-6;
 /// A hull pressed on a fender, before the fender's factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Press {
-    /// Direction in which the hull pushes the fender, and a point on the force's line. Both are in the frame of the
-    /// outline given.
+    /// Direction in which the hull pushes the fender, and a point on the force's line. Direction and point are in the
+    /// frame of the outline given.
     pub(crate) push: Vec2,
     pub(crate) point_m: Vec2,
     /// The two parts of the force along `push` (N).

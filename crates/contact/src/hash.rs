@@ -1,4 +1,4 @@
-//! FNV-1a, a hash for check sums and fingerprints (Fowler, Noll and Vo). It finds accidental changes; it gives no
+//! FNV-1a, a hash for check sums and fingerprints (Fowler, Noll and Vo). The hash finds accidental changes; it gives no
 //! protection against deliberate ones.
 
 /// The 64-bit FNV-1a hash of the bytes added so far.

@@ -29,8 +29,8 @@ impl<'h> Hints<'h> {
         Hints { old, unread: old, next, all_stay: true }
     }
 
-    /// The last step's hint for these pieces. It is kept unless [`Hints::replace`] follows. Both lists are sorted, so one
-    /// pass finds all.
+    /// The last step's hint for these pieces. The hint is kept unless [`Hints::replace`] follows. Both lists are
+    /// sorted, so one pass finds all.
     #[inline(always)]
     pub(crate) fn read(&mut self, wanted: HintKey) -> Option<Hint> {
         match self.unread {

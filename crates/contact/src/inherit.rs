@@ -1,9 +1,9 @@
 //! Stage 3b, inherit: finds which patch of this step continues which memory of the last step.
 //!
-//! A contact's memory belongs to a pair of bodies and a patch. It is kept while the contact moves from edge to edge and
-//! from piece to piece. When a patch splits, each part keeps the whole shear, and gets a share of areas and energies in
-//! proportion to its area. When patches merge, the shear is their mean weighted by area, areas and energies are added,
-//! and the reference speed is the largest of theirs.
+//! A contact's memory belongs to a pair of bodies and a patch. The memory is kept while the contact moves from edge to
+//! edge and from piece to piece. When a patch splits, each part keeps the whole shear, and gets a share of areas and
+//! energies in proportion to its area. When patches merge, the shear is their mean weighted by area, areas and energies
+//! are added, and the reference speed is the largest of theirs.
 
 use alloc::vec::Vec;
 

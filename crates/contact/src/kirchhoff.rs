@@ -20,7 +20,7 @@ pub(crate) struct Kirchhoff {
 /// of the body's energy.
 const ERROR_SQUARED: f64 = f64::EPSILON * f64::EPSILON / 64.0;
 
-/// Most parts of a sub-step. It bounds the work: velocities that would need more parts are left unchanged.
+/// Most parts of a sub-step. This limit bounds the work: velocities that would need more parts are left unchanged.
 const MOST_PARTS: f64 = 64.0;
 
 impl Kirchhoff {

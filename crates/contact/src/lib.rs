@@ -82,12 +82,12 @@
 //! | passes states that are some steps old, or does not know its loads, as a co-simulation master | [`CoSimHost`] |
 //! | reproduces the paper's experiments | [`step()`] |
 //!
-//! [`advance`] starts from the states that you pass. Its forces are right for a step of any length: a step of 2 s is
-//! sub-stepped and has the same peak force as a step of 0.01 s. But a host that moves its bodies by the mean wrench of
-//! a long step ends up to ½ a Δt² from the engine's own motion. The next step starts there, so contacts that last for
-//! several such steps chatter. A [`DirectHost`] continues the engine's motion while bodies touch, and returns the
-//! wrench that keeps the host's bodies with the engine's. If Δt is short for the contact, as in the example, or if the
-//! engine moves the bodies, the two are the same.
+//! [`advance`] starts from the states that you pass. The forces of [`advance`] are right for a step of any length: a
+//! step of 2 s is sub-stepped and has the same peak force as a step of 0.01 s. But a host that moves its bodies by the
+//! mean wrench of a long step ends up to ½ a Δt² from the engine's own motion. The next step starts there, so contacts
+//! that last for several such steps chatter. A [`DirectHost`] continues the engine's motion while bodies touch, and
+//! returns the wrench that keeps the host's bodies with the engine's. If Δt is short for the contact, as in the
+//! example, or if the engine moves the bodies, the two are the same.
 //!
 //! Worked programs are in `examples/`: `berthing`, `fender_curve`, `own_integrator`, `save_and_restore`.
 //!

@@ -68,7 +68,7 @@ impl Matching {
         }
     }
 
-    /// Sets the places of the old patches. Both lists are in the order of the patches.
+    /// Sets the places of the old patches. The lists of old and new patches are both in the order of the patches.
     fn set_old_places(&mut self, old: &[PatchMemory], places: &[PlaceMemory]) {
         self.old_places.clear();
         let Some(first) = old.first() else { return };

@@ -82,11 +82,11 @@ pub(crate) struct PatchMemory {
     pub(crate) tangential_force_n: f64,
     /// Factor on the fender's reaction, set when the contact began.
     pub(crate) factor: f64,
-    /// Energy that the normal force has taken from the bodies and not returned (J). It may return no more than this.
-    /// Coupled method only.
+    /// Energy that the normal force has taken from the bodies and not returned (J). The normal force may return no more
+    /// than this. Coupled method only.
     pub(crate) taken_j: f64,
-    /// Energy that the shear spring has taken from the bodies and still stores (J). It may return no more than this.
-    /// Coupled method only.
+    /// Energy that the shear spring has taken from the bodies and still stores (J). The shear spring may return no more
+    /// than this. Coupled method only.
     pub(crate) sheared_j: f64,
     /// The overlap area up to which the damper has acted (m²), in the coupled method: see [`crate::law::damper`].
     pub(crate) damped_m2: f64,
@@ -214,9 +214,9 @@ pub(crate) struct Past<'m> {
 }
 
 impl<'m> Past<'m> {
-    /// Splits off the memory of the candidates before `next`, or all memory if `next` is `None`. Both parts keep all
-    /// places, which are looked up by key. In most steps the part split off has `expected` patches: the search tries
-    /// this number first.
+    /// Splits off the memory of the candidates before `next`, or all memory if `next` is `None`. Both parts of the
+    /// memory keep all places, which are looked up by key. In most steps the part split off has `expected` patches: the
+    /// search tries this number first.
     pub(crate) fn before(&mut self, next: Option<(u32, u32, u32)>, expected: usize) -> Past<'m> {
         let Some(next) = next else { return *self };
         let is_before = |m: &PatchMemory| m.candidate() < next;
@@ -360,9 +360,9 @@ impl Memory {
 
     /// Writes for each body, in the order in which bodies were added, the time by which the engine's velocity of the
     /// body is older than the body's position (s): half of the last sub-step of [`crate::advance_in_place`]. The time
-    /// is 0 before the first step. It is −1 for fixed bodies, and for bodies whose velocity the host gave. A load that
-    /// depends on the position should be taken in the middle between the time of this velocity and the time of the next
-    /// step's velocity.
+    /// is 0 before the first step. The time is −1 for fixed bodies, and for bodies whose velocity the host gave. A load
+    /// that depends on the position should be taken in the middle between the time of this velocity and the time of the
+    /// next step's velocity.
     pub fn velocity_lags_into(&self, model: &Model, lags_s: &mut Vec<f64>) {
         lags_s.clear();
         let lag_of = |&rank: &u32| self.behind_s.get(rank as usize).copied().unwrap_or(0.0);

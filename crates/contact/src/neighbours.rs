@@ -20,7 +20,7 @@ use crate::vec2::Vec2;
 /// list longer; a smaller one makes the list short-lived.
 const MARGIN: f64 = 0.1;
 
-/// The fraction of the margin that a body may use. It is less than 1, to cover rounding.
+/// The fraction of the margin that a body may use. The fraction is less than 1, to cover rounding.
 const USABLE: f64 = 0.999;
 
 /// Strips are wider than the largest circle by this fraction, so that rounding puts no circle into the strip after the
@@ -95,7 +95,7 @@ impl NeighbourList {
         }
     }
 
-    /// The pairs of the list. They include all pairs that no `Pair` of the model names, in which at least one body
+    /// The pairs of the list. The list includes all pairs that no `Pair` of the model names, in which at least one body
     /// floats, and whose circles of `reach_m` meet.
     pub(crate) fn pairs(&self) -> &[RankedPair] {
         &self.pairs

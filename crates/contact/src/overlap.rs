@@ -101,7 +101,7 @@ fn convex_met<'m>(
     })
 }
 
-/// Clips one convex piece against another. They have at most one patch.
+/// Clips one convex piece against another. Two convex pieces have at most one patch.
 #[inline(always)]
 fn clip_convex(
     [a, b]: [&ConvexPolygon; 2],

@@ -4,8 +4,8 @@
 //! load. Beyond this the pile yields: the deflection grows while the spring's force stays at the yield load, and the
 //! plastic part stays.
 //!
-//! The midpoint rule takes spring and damping implicitly over a step of length κ. It is stable for any κ and adds no
-//! energy:
+//! The midpoint rule takes spring and damping implicitly over a step of length κ. The rule is stable for any κ and adds
+//! no energy:
 //!
 //! m (v⁺ − v) = κ (F − K (e + κ v̄ / 2) − C v̄), v̄ = (v + v⁺)/2, e⁺ = e + κ v̄.
 //!

@@ -32,7 +32,7 @@ pub(crate) struct Ranked {
     trees: Vec<BoxTree>,
 }
 
-/// The data of a body that steps often read. They fill one line of the processor's cache.
+/// The data of a body that steps often read. These data fill one line of the processor's cache.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub(crate) struct RankedBody {

@@ -35,13 +35,13 @@ pub struct Contact {
     /// Point where the force acts, earth-fixed (m): C, the centroid of the overlap; at a fender, a point near the
     /// centroid on the force's line of action.
     pub point_m: Vec2,
-    /// Vector from body 1's centre of gravity to `point_m`, earth-fixed (m). It stays exact far from the chart's
-    /// origin.
+    /// Vector from body 1's centre of gravity to `point_m`, earth-fixed (m). This vector stays exact far from the
+    /// chart's origin.
     pub arm_1_m: Vec2,
     /// Vector from body 2's centre of gravity to `point_m`, earth-fixed (m).
     pub arm_2_m: Vec2,
-    /// n, body 1's outward normal, earth-fixed. It is perpendicular to the chord of the overlap or, at a fender,
-    /// opposite to the fender's force on body 1.
+    /// n, body 1's outward normal, earth-fixed. The normal is perpendicular to the chord of the overlap or, at a
+    /// fender, opposite to the fender's force on body 1.
     pub normal: Vec2,
     /// V_n (m/s), positive while the bodies approach.
     pub v_normal_mps: f64,
@@ -78,9 +78,9 @@ pub struct Contact {
 /// Impulse of a contact's forces within one step (N·s): Σ N κ and Σ T κ over the sub-steps, where κ is the
 /// time over which a sub-step's force changes momentum (see [`Displacement::translation_m`]).
 ///
-/// If the engine moves the bodies by the coupled method, this is exactly the change of momentum. It differs from
-/// [`Contact::normal_force_n`] times Δt if the length of the sub-steps changes from one step to the next, because that
-/// mean weighs each force by the length of its sub-step. In the paper's method the impulse is the force times Δt.
+/// If the engine moves the bodies by the coupled method, this is exactly the change of momentum. The impulse differs
+/// from [`Contact::normal_force_n`] times Δt if the length of the sub-steps changes from one step to the next, because
+/// that mean weighs each force by the length of its sub-step. In the paper's method the impulse is the force times Δt.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ContactImpulse {
     /// Impulse of N (N·s).
@@ -145,9 +145,9 @@ pub struct EnergyParts {
     /// of the loading curve. This is the absorbed energy that catalogues rate. Without an unloading law it is the
     /// largest `stored_j`.
     pub peak_absorbed_j: f64,
-    /// Energy that a fender's unloading law dissipated. It is evaluated at the start of each sub-step, so it covers the
-    /// time from the start of the previous step's last sub-step to the start of this step's last sub-step. 0 without an
-    /// unloading law, and in the paper's method.
+    /// Energy that a fender's unloading law dissipated. This energy is evaluated at the start of each sub-step, so it
+    /// covers the time from the start of the previous step's last sub-step to the start of this step's last sub-step. 0
+    /// without an unloading law, and in the paper's method.
     pub hysteresis_j: f64,
     /// The part of `hysteresis_j` that belongs to the start of the step: what was dissipated since the last sub-step
     /// before it.
@@ -239,8 +239,8 @@ pub enum EventKind {
     Teleported,
     /// A fender is deflected beyond its rated deflection.
     FenderRatingExceeded(FenderId),
-    /// A fender is deflected into its stop, or by its whole projection. It has failed: the stop, or the structure
-    /// behind, holds the hull.
+    /// A fender is deflected into its stop, or by its whole projection. The fender has failed: the stop, or the
+    /// structure behind, holds the hull.
     FenderFailed(FenderId),
     /// The coupled solve of the contact of these bodies did not converge within its iteration limit.
     NotConverged,

@@ -2,8 +2,8 @@
 //! (docs/contact_model.md, section 8).
 //!
 //! A body with outlines by height has no single outline for fenders: each fender meets the outline at its own height.
-//! The host cuts these slices. It renews them between steps when tide, heave, roll or pitch have changed them: see
-//! [`crate::Model::renew_slice`].
+//! The host cuts these slices. The host renews the slices between steps when tide, heave, roll or pitch have changed
+//! them: see [`crate::Model::renew_slice`].
 
 use alloc::vec::Vec;
 
@@ -28,8 +28,8 @@ pub struct Slice {
 /// The side of a hull before a fender's face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SideMet {
-    /// The tangent of the angle by which the side leans out over the fender. It is the growth of the overlap with
-    /// height, over its growth with the hull's motion along the force. Positive if the side flares out upwards.
+    /// The tangent of the angle by which the side leans out over the fender. The tangent is the growth of the overlap
+    /// with height, over its growth with the hull's motion along the force. Positive if the side flares out upwards.
     pub slope: f64,
     /// The middle of the side, in the hull's frame (m).
     pub place_m: Vec2,
@@ -70,9 +70,9 @@ impl Slice {
     /// The hull's side before a fender's face: where hull and face touch, or where the hull is nearest. `None` if no
     /// side of the hull is before the face.
     ///
-    /// The slope is ∫ p v′·n ds / |∫ p n ds| over the sides before the face, with the pressure p on the face. It is the
-    /// ratio of two gradients of the stored energy: by height, and in the plane. p is uniform for a reaction curve, and
-    /// grows with the depth for the area law. `hull` and `host` are poses of the two bodies in one frame.
+    /// The slope is ∫ p v′·n ds / |∫ p n ds| over the sides before the face, with the pressure p on the face. The slope
+    /// is the ratio of two gradients of the stored energy: by height, and in the plane. p is uniform for a reaction
+    /// curve, and grows with the depth for the area law. `hull` and `host` are poses of the two bodies in one frame.
     pub(crate) fn side(
         &self,
         face: &RankedFender,

@@ -1,4 +1,4 @@
-//! A sort for many entries with evenly spread keys, such as places and ranks. It uses as many buckets as entries.
+//! A sort for many entries with evenly spread keys, such as places and ranks. The sort uses as many buckets as entries.
 
 use alloc::vec::Vec;
 

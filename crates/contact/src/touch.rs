@@ -50,7 +50,7 @@ pub(crate) enum Movers {
     A,
     /// Only B: A is fixed and at rest.
     B,
-    /// Both move, or it is not known which.
+    /// Both bodies move, or it is not known which of them moves.
     #[default]
     Both,
 }

@@ -41,9 +41,9 @@ pub enum Unloading {
     /// The share is between [`Unloading::MIN_RETURNED_SHARE`] and 1. A body that hits one such fender leaves with the
     /// square root of this share of its speed.
     ReturnedEnergy(f64),
-    /// Points (δ (m), R (N)) of the lower curve, from (0, 0) on, with straight lines between them. It needs a
-    /// [`FenderLaw::Curve`], and lies nowhere above it. Beyond the last point, and in the stop, the reaction falls to
-    /// the same share of the loading curve as at the last point.
+    /// Points (δ (m), R (N)) of the lower curve, from (0, 0) on, with straight lines between them. The lower curve
+    /// needs a [`FenderLaw::Curve`], and lies nowhere above that curve. Beyond the last point, and in the stop, the
+    /// reaction falls to the same share of the loading curve as at the last point.
     Curve(Vec<[f64; 2]>),
 }
 
@@ -53,7 +53,7 @@ pub(crate) const PLAYS: usize = 3;
 /// w_i: width of each play in D, as a share of the play's top.
 const WIDTHS: [f64; PLAYS] = [1.0 / 10.0, 1.0 / 80.0, 1.0 / 640.0];
 
-/// q_i: shares of the plays in z. They are proportional to the widths, so that each play adds the same stiffness.
+/// q_i: shares of the plays in z. The shares are proportional to the widths, so that each play adds the same stiffness.
 const SHARES: [f64; PLAYS] = [
     WIDTHS[0] / (WIDTHS[0] + WIDTHS[1] + WIDTHS[2]),
     WIDTHS[1] / (WIDTHS[0] + WIDTHS[1] + WIDTHS[2]),
@@ -65,7 +65,7 @@ const RETURNED_BY_PLAYS: f64 =
     0.5 * (SHARES[0] * WIDTHS[0] + SHARES[1] * WIDTHS[1] + SHARES[2] * WIDTHS[2]);
 
 impl Unloading {
-    /// The smallest returned share. It is not 0, because the force needs some distance to fall.
+    /// The smallest returned share. This share is not 0, because the force needs some distance to fall.
     pub const MIN_RETURNED_SHARE: f64 = 0.05;
 
     /// The share of ∫ R dδ that a loop to a deflection and back returns, without the stop. For
@@ -95,8 +95,8 @@ impl Unloading {
         }
     }
 
-    /// The first point (δ, R) at which an unloading curve lies above a loading curve by more than rounding. It is a
-    /// vertex of one of the two curves, because both are straight between vertices.
+    /// The first point (δ, R) at which an unloading curve lies above a loading curve by more than rounding. This point
+    /// is a vertex of one of the two curves, because both are straight between vertices.
     #[must_use]
     pub fn first_point_above(unloading: &[[f64; 2]], loading: &[[f64; 2]]) -> Option<[f64; 2]> {
         let end_m = unloading.last().map_or(0.0, |p| p[0]);

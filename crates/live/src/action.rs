@@ -13,8 +13,8 @@ use crate::approach::ApproachLimit;
 use crate::message::Pair;
 use crate::named_order::NamedOrder;
 
-/// A command that changes the simulated world. It uses the scenario's names and SI units. `web/src/protocol.ts`
-/// describes its JSON.
+/// A command that changes the simulated world. The command uses the scenario's names and SI units.
+/// `web/src/protocol.ts` describes its JSON.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
     /// An order that the table of orders in `fenderline_sim` lists.

@@ -12,9 +12,9 @@ pub(crate) const FENDER: &str = "fender";
 /// How urgent an alarm is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
-    /// Needs attention. It is removed when its cause ends.
+    /// A caution needs attention. It is removed when its cause ends.
     Caution,
-    /// Needs action. It stays until it is acknowledged.
+    /// An alarm needs action. It stays until somebody acknowledges it.
     Alarm,
 }
 

@@ -26,9 +26,9 @@ pub struct Cast {
     pub tugs: Vec<String>,
     /// For each vector tug, the index of the vessel that she serves.
     pub tug_serves: Vec<usize>,
-    /// For each vessel that is a tug, the index of the ship that she serves. It is the first ship to which she has a
-    /// towline, otherwise the first ship that she may touch, otherwise the own ship. The search begins with the own
-    /// ship and goes on with the other ships in their order.
+    /// For each vessel that is a tug, the index of the ship that she serves. This ship is the first one to which she
+    /// has a towline, otherwise the first ship that she may touch, otherwise the own ship. The search begins with the
+    /// own ship and goes on with the other ships in their order.
     pub serves: Vec<Option<usize>>,
     /// Name of each line, and the vessels to which its ends are attached.
     lines: Vec<(String, Vec<usize>)>,

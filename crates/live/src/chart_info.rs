@@ -31,7 +31,7 @@ fn places(line: &[Vec2]) -> Vec<Pair> {
     line.iter().copied().map(place).collect()
 }
 
-/// Rounds a position to a centimetre. That is enough for drawing, and short numbers make a short message.
+/// Rounds a position to a centimetre. Centimetres are enough for drawing, and short numbers make a short message.
 fn place(at_m: Vec2) -> Pair {
     [at_m.x, at_m.y].map(|coordinate| libm::round(coordinate * 100.0) / 100.0)
 }

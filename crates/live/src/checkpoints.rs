@@ -5,7 +5,8 @@ const FIRST_INTERVAL: u64 = 100;
 /// Largest number of checkpoints. The state of a harbour scene takes some 100 kB.
 const MOST: usize = 48;
 
-/// Checkpoints of one or more branches. Their number is limited: in a long session the intervals between them grow.
+/// Checkpoints of one or more branches. The number of checkpoints is limited: in a long session the intervals between
+/// them grow.
 #[derive(Clone, Debug)]
 pub(crate) struct Checkpoints<S> {
     interval: u64,

@@ -29,7 +29,7 @@ struct Place {
 pub struct Shown {
     /// Heading by the gyro compass, clockwise from north (rad).
     pub heading_rad: f64,
-    /// Rate of turn, positive to starboard (rad/s). It is 0 while the compass is frozen.
+    /// Rate of turn, positive to starboard (rad/s). The rate is 0 while the compass is frozen.
     pub turn_radps: f64,
     /// Position of the antenna, which is at midship (m).
     pub midship_m: Vec2,

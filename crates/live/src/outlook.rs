@@ -1,8 +1,8 @@
 //! Predictions one after the other. The latest prediction is continued as long as the run follows it.
 //!
 //! Nobody gives an order in most ticks. The run then reaches the state that the latest prediction has for this tick.
-//! The next prediction is the latest one without its first tick and with one more tick at its end. It costs one step in
-//! place of thousands, and has the same bits as a prediction from the beginning.
+//! The next prediction is the latest one without its first tick and with one more tick at its end. Continuing costs one
+//! step in place of thousands, and has the same bits as a prediction from the beginning.
 
 use std::collections::VecDeque;
 

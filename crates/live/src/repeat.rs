@@ -59,7 +59,7 @@ pub struct LoggedNote {
     pub t_s: f64,
     /// The person who wrote the note.
     pub who: String,
-    /// The text of the note. It is empty for a mark.
+    /// The text of the note. The text is empty for a mark.
     pub text: String,
 }
 

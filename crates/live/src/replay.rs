@@ -44,7 +44,8 @@ impl std::error::Error for ReplayError {}
 /// A replayed session that is ready to continue.
 #[derive(Debug)]
 pub struct Replayed {
-    /// The session at the end of the recording. Its new lines follow the lines that [`crate::copy_kept`] copies.
+    /// The session at the end of the recording. New lines of the session follow the lines that [`crate::copy_kept`]
+    /// copies.
     pub session: Session,
     /// Number of replayed states whose bits equal the recorded ones.
     pub same: u64,

@@ -1,5 +1,5 @@
 //! The instructor's script: events at given times. The script is a part of the state that is kept, rewound and
-//! branched. It runs before each step.
+//! branched. The script runs before each step.
 
 use fenderline_sim::{PlannedChange, Setup};
 
@@ -89,7 +89,7 @@ impl Planned {
     }
 }
 
-/// Plans an event. It must be possible to carry out the event now.
+/// Plans an event. The event must be one that could be carried out now.
 ///
 /// # Errors
 /// The reason why it cannot be planned.

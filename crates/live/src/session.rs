@@ -362,9 +362,9 @@ impl Session {
         self.events.push((t_s, text));
     }
 
-    /// The past that strip charts and log show: the last half hour before the present tick. It is that of the own ship,
-    /// or of another ship that can be conned, given by her index among the vessels. A pilot gets the values that the
-    /// instruments showed, frozen ones included. Everybody else gets the true values.
+    /// The past that strip charts and log show: the last half hour before the present tick. It is the past of the own
+    /// ship, or of another ship that can be conned, given by her index among the vessels. A pilot gets the values that
+    /// the instruments showed, frozen ones included. Everybody else gets the true values.
     ///
     /// # Errors
     /// The vessel is a tug or does not exist. The session keeps no past of such a vessel.
@@ -558,7 +558,7 @@ impl Session {
         self.restore(tick);
     }
 
-    /// Repeats a step. Its events are not reported again.
+    /// Repeats a step. The events of the step are not reported again.
     pub(crate) fn step_again(&mut self) {
         let events = self.events.len();
         self.apply_recorded();
@@ -640,8 +640,8 @@ impl Session {
         self.writer.take()
     }
 
-    /// The line that would end the recording after all lines so far. It ends the file when the session is over, and a
-    /// copy at any time.
+    /// The line that would end the recording after all lines so far. This line ends the file when the session is over,
+    /// and a copy at any time.
     #[must_use]
     pub fn end_line(&self) -> String {
         self.writer.end_line()

@@ -14,7 +14,7 @@ use crate::session::{Now, Session};
 /// Number of positions of a ship's path in a trial, not counting the present position.
 const POSITIONS: f64 = 60.0;
 
-/// A copy of the run to which orders were given. It can run ahead, also on another thread.
+/// A copy of the run to which orders were given. The copy can run ahead, also on another thread.
 #[derive(Clone, Debug)]
 pub struct Trial {
     prediction: Prediction,

@@ -12,7 +12,7 @@ use crate::info::Info;
 use crate::message::{self, EventNow, FenderNow, Hello, PROTOCOL, Role, RunState};
 use crate::session::Now;
 
-/// A simulation that pages show while it runs. It has no commands, recording or branches.
+/// A simulation that pages show while it runs. A watched simulation has no commands, recording or branches.
 #[derive(Clone, Debug)]
 pub struct Watched {
     title: String,

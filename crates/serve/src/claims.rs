@@ -33,7 +33,7 @@ impl Holder {
     }
 }
 
-/// A number that no client has. It stands for a holder from a former run.
+/// A number that no client has. The number stands for a holder from a former run.
 const NOBODY: ClientId = 0;
 
 /// Controls and their holders.
@@ -46,8 +46,8 @@ impl Claims {
         self.0.clear();
     }
 
-    /// Restores the holders of a former run of this session. They count as disconnected until they give their names
-    /// again.
+    /// Restores the holders of a former run of this session. These holders count as disconnected until they give their
+    /// names again.
     pub(crate) fn restore(&mut self, holders: &[KeptHolder]) {
         for KeptHolder { control, label } in holders {
             let holder =

@@ -1,4 +1,4 @@
-//! The task of one client with a token. It serves the client's websocket.
+//! The task of one client with a token. The task serves the client's websocket.
 
 use std::future::pending;
 use std::sync::Arc;

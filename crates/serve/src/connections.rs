@@ -8,7 +8,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use tokio::sync::Notify;
 
-/// A peer. Its connections are counted together. A peer is an IPv4 address, or the /64 network of an IPv6 address.
+/// A peer: all connections of a peer are counted together. A peer is an IPv4 address, or the /64 network of an IPv6
+/// address.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Peer(u128);
 

@@ -1,6 +1,6 @@
-//! The simulation's thread. It steps the session at the pace of wall time, carries out the commands of clients and
-//! publishes the latest frame. It waits for nothing except the clock: a slow client misses frames, and a flood of
-//! commands is refused.
+//! The simulation's thread. The thread steps the session at the pace of wall time, carries out the commands of clients
+//! and publishes the latest frame. The thread waits for nothing except the clock: a slow client misses frames, and a
+//! flood of commands is refused.
 
 mod chart_output;
 mod client;

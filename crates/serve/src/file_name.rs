@@ -4,8 +4,8 @@ use core::fmt;
 
 /// Longest name without its ending (bytes).
 pub(crate) const LONGEST: usize = 60;
-/// Names of devices on Windows (Microsoft: Naming Files, Paths, and Namespaces). They are reserved with any ending. COM
-/// and LPT are followed by a digit.
+/// Names of devices on Windows (Microsoft: Naming Files, Paths, and Namespaces). These names are reserved with any
+/// ending. COM and LPT are followed by a digit.
 const DEVICES: [&str; 4] = ["CON", "PRN", "AUX", "NUL"];
 const PORTS: [&str; 2] = ["COM", "LPT"];
 

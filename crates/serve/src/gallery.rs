@@ -71,8 +71,8 @@ impl Files {
         }
     }
 
-    /// Puts a file at the end of the list. It replaces a file with the same name. If there is no room, it replaces the
-    /// first file.
+    /// Puts a file at the end of the list. The file replaces an earlier file with the same name. If there is no room,
+    /// it replaces the first file.
     fn put_last(&mut self, path: &Path, entry: GalleryEntry) {
         let is_full = self.paths.len() >= MOST;
         if let Some(place) = self.place(&entry.file).or(is_full.then_some(0)) {
@@ -147,7 +147,7 @@ impl Gallery {
         &self.folder
     }
 
-    /// Adds an entry. It replaces an entry of the same file.
+    /// Adds an entry. The new entry replaces an entry of the same file.
     pub(crate) fn renew(&mut self, path: &Path, entry: GalleryEntry) {
         match self.files.place(&entry.file) {
             Some(place) => self.files.entries[place] = entry,
@@ -272,7 +272,7 @@ fn recording_entry(path: &Path, file: String) -> Option<GalleryEntry> {
     })
 }
 
-/// Makes a function that reads the files which a scenario names. They lie beside the scenario.
+/// Makes a function that reads the files which a scenario names. The files lie beside the scenario.
 pub(crate) fn beside(scenario: &Path) -> impl FnMut(&str) -> Result<String, String> {
     within(scenario.parent().unwrap_or(Path::new("")))
 }

@@ -17,8 +17,8 @@ use super::tokens::Tokens;
 
 /// Largest number of commands of all clients that may wait for the simulation's thread.
 const MOST_WAITING: usize = 256;
-/// Largest number of observers, and of clients with a control. They are counted separately, so that observers cannot
-/// block a control.
+/// Largest number of observers, and of clients with a control. Both groups are counted separately, so that observers
+/// cannot block a control.
 const MOST_WATCHING: usize = 48;
 const MOST_STEERING: usize = 32;
 

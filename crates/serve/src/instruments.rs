@@ -136,7 +136,7 @@ fn from_and_speed(air: Vec2) -> (f64, f64) {
     (libm::atan2(-air.y, -air.x), air.length())
 }
 
-/// MMSI of a passing ship. These numbers follow those of the vessels.
+/// MMSI of a passing ship. The numbers of passing ships follow those of the vessels.
 fn mmsi_of_traffic(session: &Session, index: usize) -> u32 {
     FIRST_MMSI + (session.simulation().vessels().len() + index) as u32
 }

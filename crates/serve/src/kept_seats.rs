@@ -1,6 +1,6 @@
 //! The links of a session and the holders of controls, in a file beside the recording. A server that starts again with
-//! this recording reads both. They are not in the recording itself, because a person who gets a recording to read must
-//! not get its links.
+//! this recording reads both. Links and holders are not in the recording itself, because a person who gets a recording
+//! to read must not get its links.
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, Read as _, Write as _};
@@ -18,7 +18,7 @@ use super::saved::ENDING;
 
 /// Number of the format. A file with another number is refused.
 const FORMAT: u32 = 1;
-/// The ending of the file's name. It replaces the ending of the recording's name.
+/// The ending of the file's name. This ending replaces the ending of the recording's name.
 const LINKS_ENDING: &str = ".links.json";
 /// Largest size of the file (bytes). A scenario has about ten roles of two hundred bytes each.
 const LARGEST_BYTES: u64 = 1 << 20;
@@ -131,8 +131,8 @@ fn write(path: &Path, seats: &KeptSeats) -> Result<(), String> {
     file.write_all(text.as_bytes()).and_then(|()| fs::rename(&new, path)).map_err(failed)
 }
 
-/// Writes links and holders to their file whenever they change. It uses another thread, because the simulation's thread
-/// must not wait for a disk.
+/// Writes links and holders to their file whenever they change. The keeper uses another thread, because the
+/// simulation's thread must not wait for a disk.
 #[derive(Debug)]
 pub(crate) struct Keeper {
     /// `None` only while the keeper is dropped.
@@ -169,7 +169,7 @@ impl Drop for Keeper {
     }
 }
 
-/// The thread. It writes the latest links and holders that wait, until the server ends.
+/// Writes, on the thread, the latest links and holders that wait, until the server ends.
 fn work(waiting: &Receiver<(PathBuf, KeptSeats)>, notify: Notify) {
     let mut written: Option<(PathBuf, KeptSeats)> = None;
     let mut has_failed = false;

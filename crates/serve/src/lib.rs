@@ -1,7 +1,7 @@
 //! The live server: a session in real time that people steer from browsers over websockets.
 //!
-//! One thread simulates, and some threads serve the network. They share only `hub`: the latest frame for every client,
-//! and a limited queue of commands.
+//! One thread simulates, and some threads serve the network. These threads share only `hub`: the latest frame for every
+//! client, and a limited queue of commands.
 //!
 //! | of the simulation | |
 //! |---|---|
@@ -330,7 +330,8 @@ fn wires(options: &Options, hub: &Arc<Hub>, runtime: &Runtime) -> Result<String,
     Ok(lines)
 }
 
-/// Opens a listening socket. Its connections have small send buffers, so that a slow client does not read old frames.
+/// Opens a listening socket. The socket's connections have small send buffers, so that a slow client does not read old
+/// frames.
 fn listen(address: SocketAddr) -> std::io::Result<TcpListener> {
     let socket = if address.is_ipv4() { TcpSocket::new_v4()? } else { TcpSocket::new_v6()? };
     // The port of a server that has just ended can be used again. On Windows the option has another meaning.

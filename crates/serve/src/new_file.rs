@@ -1,5 +1,5 @@
-//! Writes a new exercise to the gallery's folder. It never overwrites another file without permission, and never writes
-//! outside the folder.
+//! Writes a new exercise to the gallery's folder. The code never overwrites another file without permission, and never
+//! writes outside the folder.
 
 use std::collections::BTreeMap;
 use std::fs::{self, OpenOptions};
@@ -17,7 +17,7 @@ use super::gallery::{self, EXERCISE_ENDING};
 pub(crate) enum Content {
     /// Choices. If the exercise takes the berth of a scenario, the path of that scenario too.
     Choices(Box<NewExercise>, Option<PathBuf>),
-    /// A text, with the texts of the files that it names. Those files must lie in the folder with the same content.
+    /// A text, with the texts of the files that it names. The named files must lie in the folder with the same content.
     Text(String, BTreeMap<String, String>),
 }
 

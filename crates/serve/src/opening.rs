@@ -19,9 +19,9 @@ use super::new_file::NewFile;
 use super::recorder::{Copy, Recorder, SoFar};
 use super::saved::Progress as ReplayProgress;
 
-/// Makes the report of a recording as a page of HTML. Its arguments are the name of the recording's file, its bytes,
-/// the number of the branch, and a flag that asks to stop. The program supplies this function, because this crate does
-/// not know reports. The function runs on another thread.
+/// Makes the report of a recording as a page of HTML. The function's arguments are the name of the recording's file,
+/// its bytes, the number of the branch, and a flag that asks to stop. The program supplies this function, because this
+/// crate does not know reports. The function runs on another thread.
 ///
 /// The error is the reason, for the user.
 pub type MakeReport = fn(&str, &[u8], usize, &Arc<AtomicBool>) -> Result<String, String>;
@@ -37,7 +37,7 @@ pub(crate) struct Requester {
     pub(crate) id: Option<i64>,
 }
 
-/// An opened session. It is already recorded to a file of its own.
+/// An opened session. The session is already recorded to a file of its own.
 pub(crate) struct Ready {
     pub(crate) opened: Opened,
     pub(crate) recorder: Recorder,

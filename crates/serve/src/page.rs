@@ -1,4 +1,4 @@
-//! The files of the live server's pages, in memory. They come from the program itself or from a folder.
+//! The files of the live server's pages, in memory. The files come from the program itself or from a folder.
 
 use std::collections::BTreeMap;
 use std::fs;

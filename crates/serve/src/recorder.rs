@@ -95,7 +95,7 @@ impl Recorder {
     }
 }
 
-/// A recording up to a moment. It has not been read yet.
+/// A recording up to a moment, which has not been read yet.
 #[derive(Debug)]
 pub(crate) struct SoFar {
     from: PathBuf,
@@ -122,7 +122,7 @@ impl SoFar {
     }
 }
 
-/// A copy of a recording. It has not been written yet.
+/// A copy of a recording, which has not been written yet.
 #[derive(Debug)]
 pub(crate) struct Copy {
     from: PathBuf,

@@ -1,4 +1,4 @@
-//! Recordings as files. They are checked, then replayed.
+//! Recordings as files. A recording is checked, then replayed.
 
 use std::fmt;
 use std::fs::File;
@@ -39,7 +39,7 @@ pub(crate) struct Replayed<R> {
     pub(crate) outline: Outline,
     /// Version of the program that recorded the session.
     pub(crate) version: String,
-    /// The file that was read. Its position is not at the start.
+    /// The file that was read. The file's position is not at the start.
     pub(crate) file: R,
 }
 

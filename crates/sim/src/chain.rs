@@ -165,7 +165,7 @@ pub(crate) struct ChainLoad {
 const SLOW_MPS: f64 = 0.01;
 
 impl ChainLoad {
-    /// The load from a hull that sinks at a speed (m/s) along a fender of this material. It is computed with the
+    /// The load from a hull that sinks at a speed (m/s) along a fender of this material. This load is computed with the
     /// largest normal force of the step.
     pub(crate) fn of(contact: &Contact, material: &Material, sinking_mps: f64) -> ChainLoad {
         let (normal_n, along_mps) = (contact.peak_normal_force_n, contact.v_tangential_mps);

@@ -1,7 +1,7 @@
 //! Partial factors on the results of a run. The user gives the factors, with their source.
 //!
-//! fenderline contains no factors of any guideline. It multiplies its results by the factors that the user gives,
-//! compares them with limits, and names the user's source in all outputs.
+//! fenderline contains no factors of any guideline. The program multiplies its results by the factors that the user
+//! gives, compares them with limits, and names the user's source in all outputs.
 
 use crate::fender::FenderSummary;
 use crate::mooring::LineKind;

@@ -102,9 +102,9 @@ impl FenderSetup {
 pub enum HullPressure {
     /// By a panel: the pressure is the reaction over the area of the face.
     OverFace,
-    /// A pneumatic fender: the pressure is the internal pressure. It is taken as linear in the deflection, through the
-    /// initial and the rated pressure. The pressure of a compressed gas is a convex function of the deflection, so the
-    /// line is conservative up to the rated deflection, but not beyond.
+    /// A pneumatic fender: the pressure is the internal pressure. The pressure is taken as linear in the deflection,
+    /// through the initial and the rated pressure. The pressure of a compressed gas is a convex function of the
+    /// deflection, so the line is conservative up to the rated deflection, but not beyond.
     Inner {
         /// Pressure without deflection (N/m²).
         initial_npm2: f64,

@@ -1,9 +1,9 @@
 //! A ship-manoeuvring simulator in the horizontal plane around the contact engine `fenderline-contact`.
 //!
-//! It simulates ships, tugs, fenders, quays and mooring lines under wind, current, waves and tide: hull forces by the
-//! MMG method, propellers, rudders and thrusters, wind and wave loads, elastic lines with winches, pilots that follow
-//! orders, and the contact forces between all bodies. The simulator uses no files, clock or threads, and gives the same
-//! bits for the same input on every machine.
+//! The crate simulates ships, tugs, fenders, quays and mooring lines under wind, current, waves and tide: hull forces
+//! by the MMG method, propellers, rudders and thrusters, wind and wave loads, elastic lines with winches, pilots that
+//! follow orders, and the contact forces between all bodies. The simulator uses no files, clock or threads, and gives
+//! the same bits for the same input on every machine.
 //!
 //! [`Setup`] holds everything that is constant in a run. [`Simulation`] holds the state, advances it by one time step
 //! with [`Simulation::step`], and returns a [`StepRecord`] with forces, contacts, energies and events. Units are SI.

@@ -1,7 +1,7 @@
 //! Seeded random numbers, the same bits on every machine.
 
-/// SplitMix64 (Steele, Lea & Flood 2014), with the constants of Java's SplittableRandom. It is for random phases and
-/// not cryptographically secure.
+/// SplitMix64 (Steele, Lea & Flood 2014), with the constants of Java's SplittableRandom. The generator is for random
+/// phases and not cryptographically secure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct SplitMix64 {
     state: u64,

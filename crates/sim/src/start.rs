@@ -57,9 +57,9 @@ impl Setup {
         start.current.clone_from(&self.world.environment.current);
     }
 
-    /// Whether [`crate::Simulation::restart`] keeps most of a simulation of this set-up, and cannot fail. It is false
-    /// if more than states depends on the start: piles that stand there, hulls that are cut by height, lines that must
-    /// fit between their ends, planned changes, and the study of a berthing. The simulation is then made anew.
+    /// Whether [`crate::Simulation::restart`] keeps most of a simulation of this set-up, and cannot fail. The result is
+    /// false if more than states depends on the start: piles that stand there, hulls that are cut by height, lines that
+    /// must fit between their ends, planned changes, and the study of a berthing. The simulation is then made anew.
     #[must_use]
     pub fn restarts_in_place(&self) -> bool {
         let is_plain = |body: &BodySetup| body.dolphin.is_none() && body.hull.is_none();

@@ -3,8 +3,8 @@
 //! The mass of a vessel with added mass differs between surge and sway, so the momentum turns with the heading. The
 //! wrench that represents this does no work. But if its value at the start of a step were held over the step, it would
 //! do work, in a steady turn always of the same sign. So this module finds a mean wrench over the step with two
-//! properties. It takes the momentum M V of ship and added mass from the heading before the step to the heading after
-//! it. And it leaves the change of kinetic energy to the other forces.
+//! properties. The wrench takes the momentum M V of ship and added mass from the heading before the step to the heading
+//! after it. And it leaves the change of kinetic energy to the other forces.
 //!
 //! All of this is computed in the ship's axes at the start of the step. In these axes the mass is constant at the
 //! start, and the ship turns by a small angle. Differences by the turn are written with its sine and versine, so that
@@ -183,10 +183,10 @@ impl Turn<'_> {
     ///
     /// With the mass matrices M₀ and M₁ at the two headings, the impulse is −(M₁ − M₀)V₁, so that the loads alone
     /// change M V. The moment is the Munk moment −Δ u v at the middle of the turn. This wrench should do the work
-    /// −½V₁ᵀ(M₁ − M₀)V₁, which leaves the change of ½VᵀMV to the loads. Its work differs by a small amount: of third
-    /// order in Δt in a steady turn, of second order where the turn begins. The reason is that the integrators turn the
-    /// heading with one of the two yaw rates and not with their mean. A wrench along the mean momentum adds the missing
-    /// work.
+    /// −½V₁ᵀ(M₁ − M₀)V₁, which leaves the change of ½VᵀMV to the loads. The work of this wrench differs by a small
+    /// amount: of third order in Δt in a steady turn, of second order where the turn begins. The reason is that the
+    /// integrators turn the heading with one of the two yaw rates and not with their mean. A wrench along the mean
+    /// momentum adds the missing work.
     fn wrench(&self, inertia: &Inertia, step: &TurningStep) -> Wrench {
         let Turn { before, after, turned_rad } = *self;
         let middle = Rotation::from_angle(0.5 * turned_rad);

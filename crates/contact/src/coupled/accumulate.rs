@@ -254,7 +254,7 @@ impl Entry<'_> {
         }
     }
 
-    /// Adds a later sub-step. Its length is this `share` of the step.
+    /// Adds a later sub-step. The length of this sub-step is this `share` of the step.
     fn add_to(&self, contact: &mut Contact, share: f64) {
         let Entry { constraint, diagnostics, slip, .. } = self;
         let Forces { normal_n, tangential_n, friction } = constraint.forces;

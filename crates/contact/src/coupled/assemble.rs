@@ -286,8 +286,8 @@ fn answered(old: Option<&PatchMemory>, displaced: bool, lag_s: f64) -> Answered 
     }
 }
 
-/// The value of γ v_ref for a fender with an unloading law (m/s). It is so large that no speed reduces the reaction:
-/// only the unloading law does.
+/// The value of γ v_ref for a fender with an unloading law (m/s). This value is so large that no speed reduces the
+/// reaction: only the unloading law does.
 const UNBOUNDED_MPS: f64 = 1e12;
 
 /// The state of a fender's unloading law: the tops of its plays, and the energy lost (J).

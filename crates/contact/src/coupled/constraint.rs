@@ -334,10 +334,10 @@ impl Constraint {
 
     /// N of a sliding contact. `normal_n` is the N that would result if T stayed constant.
     ///
-    /// T = ±μ_k N follows each change of N, and T changes V_n through t·K n. That change of V_n is ρ = μ_k |t·K n| /
-    /// n·K n of the change by N itself. The two changes are opposed if T drives the bodies apart. Undamped sweeps would
-    /// then overshoot by ρ, and would never settle if ρ > 1. A change divided by 1 + ρ is exact where V_n⁺ = −γ v_ref
-    /// decides N.
+    /// T = ±μ_k N follows each change of N, and T changes V_n through t·K n. The change of V_n by friction is ρ = μ_k
+    /// |t·K n| / n·K n of the change by N itself. The two changes are opposed if T drives the bodies apart. Undamped
+    /// sweeps would then overshoot by ρ, and would never settle if ρ > 1. A change divided by 1 + ρ is exact where V_n⁺
+    /// = −γ v_ref decides N.
     #[inline]
     fn damped_by_friction(&self, normal_n: f64) -> f64 {
         let k = &self.inverse_mass;

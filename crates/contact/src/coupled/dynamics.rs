@@ -215,7 +215,7 @@ impl Dynamics {
     }
 
     /// Gives bodies that touch each other the same κ, the least of theirs. Otherwise a contact would push one body and
-    /// not the other. Their loads act for the same time. Returns whether any κ has changed.
+    /// not the other. The loads of these bodies act for the same time. Returns whether any κ has changed.
     #[inline(never)]
     fn agree(
         &mut self,
@@ -297,7 +297,8 @@ impl Dynamics {
         }
     }
 
-    /// Marks the fixed bodies that a group has moved through the step. Such a body may be in other groups as well.
+    /// Marks the fixed bodies that a group has moved through the step. Such a fixed body may be in other groups as
+    /// well.
     pub(crate) fn mark_moved_fixed(&mut self) {
         for &rank in &self.moving_fixed {
             let role = &mut self.roles[rank as usize];
@@ -385,7 +386,7 @@ fn for_each_floating(model: &Model, patches: &[Patch], mut call: impl FnMut(usiz
     }
 }
 
-/// The sum of a state's numbers. It is not finite if one of the numbers is not.
+/// The sum of a state's numbers. The sum is not finite if one of the numbers is not finite.
 #[inline(always)]
 fn sum_of(state: &BodyState) -> f64 {
     let linear = state.position_m + state.velocity_mps;

@@ -4,9 +4,9 @@
 //! load from one contact to the next for hundreds of rounds. In a raft of barges they pass it from barge to barge. The
 //! velocities, however, have only three unknowns per body. So the acceleration makes each N a very stiff line through
 //! the present force, N = mid(0, N_now + κ(V_n⁺ + γ v_ref), f). The line is right where N no longer changes (the method
-//! of multipliers; Hestenes 1969, Powell 1969). The velocities wanted are those at which the forces balance. They are
-//! the minimum of a convex, piecewise quadratic function. Newton's method with a line search finds it (Castro et al.
-//! 2022, IEEE Trans. Robotics 38(2)). Each Newton step solves
+//! of multipliers; Hestenes 1969, Powell 1969). The velocities wanted are those at which the forces balance. These
+//! velocities are the minimum of a convex, piecewise quadratic function. Newton's method with a line search finds it
+//! (Castro et al. 2022, IEEE Trans. Robotics 38(2)). Each Newton step solves
 //!
 //! (M + h Σ κ j_n j_nᵀ + h² Σ k_s j_t j_tᵀ) Δv = h Σ (j times the forces that are not yet balanced),
 //!

@@ -6,19 +6,19 @@ use crate::model::Model;
 use crate::number::greater;
 use crate::patch::Patch;
 
-/// Fraction used of the speed that unbalanced energy would give. It keeps this speed below v_ref in a hit, where the
-/// stored energy has an error of a few per cent because of the time step.
+/// Fraction used of the speed that unbalanced energy would give. The fraction keeps this speed below v_ref in a hit,
+/// where the stored energy has an error of a few per cent because of the time step.
 const SHARE: f64 = 0.8;
 
 /// Raises v_ref of each contact of an island to the speed that the unbalanced stored energy would give.
 /// `unbalanced_j` has room for one number a body.
 ///
 /// v_ref alone forgets. If the relative velocity changes sign by a small amount, v_ref starts again from almost
-/// nothing. This happens when a ship on several fenders yaws a little while she comes back. She would then rest deeper
-/// than her load holds her, for ever, or stay pressed on after the wind has died. A spring with deflection δ that is
-/// held by N < f stores about U (1 − N/f)² more than N balances (exactly, if it is linear). All contacts between the
-/// same two bodies release together, and so do all contacts of one body with fixed bodies. N ≤ f still holds, and N < f
-/// only while the contact opens, so release creates no energy.
+/// nothing. This happens when a ship on several fenders yaws a little while she comes back. The ship would then rest
+/// deeper than her load holds her, for ever, or stay pressed on after the wind has died. A spring with deflection δ
+/// that is held by N < f stores about U (1 − N/f)² more than N balances (exactly, if it is linear). All contacts
+/// between the same two bodies release together, and so do all contacts of one body with fixed bodies. N ≤ f still
+/// holds, and N < f only while the contact opens, so release creates no energy.
 #[inline]
 pub(crate) fn release_island(
     model: &Model,

@@ -83,8 +83,8 @@ pub(crate) fn solve_island(
 enum Equations {
     /// None: a mass matrix cannot be inverted.
     None,
-    /// The equations of one floating body. They are set up when the first acceleration needs them, because most sweeps
-    /// settle before.
+    /// The equations of one floating body. These equations are set up when the first acceleration needs them, because
+    /// most sweeps settle before.
     OfOne,
     /// The equations of several floating bodies, already set up.
     Joined,

@@ -1,5 +1,5 @@
-//! The number of sub-steps that an island needs in a step. It follows from bounds on the island's natural frequencies
-//! and on the travel of its bodies.
+//! The number of sub-steps that an island needs in a step. The number follows from bounds on the island's natural
+//! frequencies and on the travel of its bodies.
 
 use alloc::vec::Vec;
 
@@ -37,7 +37,7 @@ const EXISTING: f64 = (TURN_PER_SUB_STEP / TURN_IN_CONTACT) * (TURN_PER_SUB_STEP
 /// Largest distance that two bodies may close in a sub-step, as a fraction of the thinner body's half-width.
 const TRAVEL_PER_SUB_STEP: f64 = 0.5;
 
-/// Most sub-steps of a step. It bounds the work, whatever the host asks for.
+/// Most sub-steps of a step. This limit bounds the work, whatever the host asks for.
 pub(crate) const MOST_SUB_STEPS: u32 = 4096;
 
 /// What the candidates of an island demand of its sub-steps.

@@ -6,8 +6,8 @@
 //! in better and better directions. The edges of a convex polygon are sorted by angle, so bisection finds the corner in
 //! a direction.
 //!
-//! The gap along a direction is at most the distance of the polygons. It equals the distance along the line between
-//! their nearest points, and falls off to both sides. So the best edge is one that meets the nearest corners.
+//! The gap along a direction is at most the distance of the polygons. The gap equals the distance along the line
+//! between their nearest points, and falls off to both sides. So the best edge is one that meets the nearest corners.
 
 use super::axis::{BestAxis, EdgeGap};
 use super::convex::{ConvexPolygon, Placed};

@@ -1,4 +1,5 @@
-//! A tree of boxes over the convex pieces of an outline. It finds the pieces near a place without testing each piece.
+//! A tree of boxes over the convex pieces of an outline. The tree finds the pieces near a place without testing each
+//! piece.
 //!
 //! The pieces are in the order of their first corners along the outline, so that neighbours in the list are mostly
 //! neighbours in the plane. The tree halves the list again and again. A walk through the tree finds pieces in the order

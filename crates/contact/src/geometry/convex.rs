@@ -197,7 +197,8 @@ pub(crate) fn signed_area(vertices: &[Vec2]) -> f64 {
     0.5 * twice
 }
 
-/// The second polygon of a pair. Its vertices are transformed into the first polygon's frame one by one, as needed.
+/// The second polygon of a pair. The polygon's vertices are transformed into the first polygon's frame one by one, as
+/// needed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Placed<'a> {
     pub(crate) polygon: &'a ConvexPolygon,

@@ -57,8 +57,8 @@ impl Edge {
         }
     }
 
-    /// Is the part of another convex polygon behind this edge within the trapezoid? That part lies between the lines
-    /// through the two crossings, and reaches down to `deepest_m`.
+    /// Is the part of another convex polygon behind this edge within the trapezoid? The part behind the edge lies
+    /// between the lines through the two crossings, and reaches down to `deepest_m`.
     #[inline(always)]
     pub(super) fn holds(&self, [first, last]: [&Crosses; 2], deepest_m: f64) -> bool {
         let to_start = greater(self.from_start - last.slope, 0.0) * deepest_m;

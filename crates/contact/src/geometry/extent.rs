@@ -81,7 +81,7 @@ impl Extent {
         self.turned(b_in_a.apply_inverse(self.center_m()), b_in_a)
     }
 
-    /// The box around this box turned about this centre. It is the same for a turn to either side.
+    /// The box around this box turned about this centre. The result is the same for a turn to either side.
     #[inline]
     fn turned(&self, center_m: Vec2, b_in_a: Pose) -> Extent {
         let half = self.half_m();

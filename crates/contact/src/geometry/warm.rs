@@ -7,8 +7,8 @@
 //! corner. If neither chain turns by more than half a turn, Q turns by one full turn: so Q is convex and lies to the
 //! left of all its edges. It remains to show that the vertices of each chain lie within the *far* part of the other
 //! polygon: the part whose edges are not edges of Q. It is enough that they lie within a polygon of three or four
-//! vertices inscribed in that far part. Then Q's boundary is part of the overlap's boundary. Both are simple closed
-//! curves, so they are the same.
+//! vertices inscribed in that far part. Then Q's boundary is part of the overlap's boundary. Both boundaries are simple
+//! closed curves, so they are the same.
 //!
 //! A chain may turn by more than half a turn if the other chain is on a single edge. This happens at a fender of which
 //! all but one corner lie beyond a bow. The boundary of a convex polygon crosses the edge's line twice at most, so Q is

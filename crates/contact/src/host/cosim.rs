@@ -22,8 +22,8 @@ use crate::pause::pause;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
-/// The coupled method for a co-simulation host. Such a host integrates the bodies itself, with a step that may vary. It
-/// may pass states that are some steps old, and need not report its loads.
+/// The coupled method for a co-simulation host. Such a host integrates the bodies itself, with a step that may vary.
+/// The host may pass states that are some steps old, and need not report its loads.
 ///
 /// The host integrates M(v′ − v)/Δt = W + load. W is the wrench from the engine, and M the model's mass matrix in the
 /// body's heading at the start of the step. The wrenches of [`CoSimHost::step`] make the host's positions follow the
@@ -224,7 +224,7 @@ impl CoSimHost {
         }
     }
 
-    /// Does a step of 0 s. It counts as a step of the host's delay.
+    /// Does a step of 0 s. This step counts as a step of the host's delay.
     fn pause_step(
         &mut self,
         model: &Model,

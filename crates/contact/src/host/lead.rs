@@ -6,8 +6,8 @@
 //!
 //! So a host with a varying step gets the mean contact wrench of each step, and ends the step with the engine's
 //! *velocity*. The host's position is then up to ½ a Δt² from the engine's. The engine continues from its own state.
-//! Its lead, p in position and e in velocity, is remembered. The lead is closed like a critically damped spring in T =
-//! 10 s, by the implicit rule
+//! The host's lead, p in position and e in velocity, is remembered. The lead is closed like a critically damped spring
+//! in T = 10 s, by the implicit rule
 //!
 //! e′ = (e − Δt p/T²) / (1 + Δt/T)²,
 //!

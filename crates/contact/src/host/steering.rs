@@ -1,7 +1,7 @@
 //! Steering: wrenches with which the host's own integration ends at the position of the engine's motion.
 //!
-//! A semi-implicit host moves by Δt v_{n+1} in a step. It ends at the engine's position if v_{n+1} is v̄, the *mean*
-//! velocity of the engine's motion over the step. The wrench for this is W = M(v̄ − v_n)/Δt − load. The engine's
+//! A semi-implicit host moves by Δt v_{n+1} in a step. The host ends at the engine's position if v_{n+1} is v̄, the
+//! *mean* velocity of the engine's motion over the step. The wrench for this is W = M(v̄ − v_n)/Δt − load. The engine's
 //! velocity at the end, V, is remembered, and the difference from the host's velocity is applied with the next step's
 //! wrench. If the mean contact force gave the host the velocity V at once, the positions would differ by up to half the
 //! penetration with long Δt, and a host that stops within a step would never move again.

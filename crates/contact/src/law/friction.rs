@@ -262,7 +262,7 @@ impl ShearSpring {
 
     /// Does the contact still slide in the next sub-step? Δs and V_t⁺ are those at the end of this sub-step.
     ///
-    /// A slide begins when the spring passes the static limit. It ends when V_t turns back against the stretched
+    /// A slide begins when the spring passes the static limit. The slide ends when V_t turns back against the stretched
     /// spring. A spring force below μ_k N does not end a slide: N can jump within a sub-step, and the slide would have
     /// to pass μ_s N again. A slip in the sub-step of the first touch does not begin a slide: N then belongs to the
     /// start of the sub-step, when there was hardly any overlap, and T to the end.

@@ -55,8 +55,8 @@ pub(crate) fn factor(
     }
 }
 
-/// The angle between a fender's face and the hull's side in space (rad). It combines the tilt in the plane with the
-/// slope of the side, which outlines by height give: tan² of the angle is the sum of the two tan².
+/// The angle between a fender's face and the hull's side in space (rad). This angle combines the tilt in the plane with
+/// the slope of the side, which outlines by height give: tan² of the angle is the sum of the two tan².
 #[cold]
 #[inline(never)]
 fn angle_rad(model: &Model, face: &RankedFender, touch: &Touch, patch: &Patch) -> f64 {

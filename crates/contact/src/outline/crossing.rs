@@ -12,8 +12,8 @@ use crate::vec2::Vec2;
 /// the one with the lowest other edge. `None` means that the polygon is simple, provided that successive edges do not
 /// lie on each other.
 ///
-/// The sweep runs along the axis on which the edges are shorter. It takes n log n for hulls and quays, and at worst n²
-/// cheap tests (0.3 s for 10,000 vertices).
+/// The sweep runs along the axis on which the edges are shorter. The sweep takes n log n for hulls and quays, and at
+/// worst n² cheap tests (0.3 s for 10,000 vertices).
 pub(super) fn meeting_edges(vertices: &[Vec2]) -> Option<[usize; 2]> {
     let edges = swept(vertices);
     let neighbours = |i: usize, j: usize| {

@@ -39,8 +39,8 @@ fn turn_by_expansion(a: Vec2, b: Vec2, c: Vec2) -> f64 {
     parts.into_iter().rev().find(|part| *part != 0.0).unwrap_or(0.0)
 }
 
-/// Twice the signed area of a closed polygon. It is right to the last bit or two even if the polygon is far from the
-/// origin or almost cancels.
+/// Twice the signed area of a closed polygon. The result is right to the last bit or two even if the polygon is far
+/// from the origin or almost cancels.
 pub(super) fn doubled_area(vertices: &[Vec2]) -> f64 {
     let (mut high, mut low) = (0.0, 0.0);
     let Some(&last) = vertices.last() else { return 0.0 };

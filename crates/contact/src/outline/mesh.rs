@@ -159,8 +159,8 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// Would a flip help? It does if the angles opposite the diagonal sum to more than π and the other diagonal is
-    /// inside.
+    /// True if a flip helps. A flip helps if the angles opposite the diagonal sum to more than π and the other diagonal
+    /// is inside.
     fn flip_helps(&self, h: usize, g: usize) -> bool {
         let (a, b) = (self.point(h), self.point(g));
         let (c, d) = (self.point(self.previous[h]), self.point(self.previous[g]));

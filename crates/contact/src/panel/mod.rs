@@ -1,7 +1,8 @@
 //! A rigid panel on several fenders: it moves inwards and turns about the vertical axis.
 //!
-//! The panel has no mass. Its pose is d, the deflection of the panel's middle, and θ, the panel's turn (small). The
-//! cone at the place x along the panel is deflected by δ = d + θ x. The panel takes the pose of least stored energy
+//! The panel has no mass. The pose of the panel is d, the deflection of the panel's middle, and θ, the panel's turn
+//! (small). The cone at the place x along the panel is deflected by δ = d + θ x. The panel takes the pose of least
+//! stored energy
 //!
 //! E(d, θ) = Σ E_i(d + θ x_i)
 //!

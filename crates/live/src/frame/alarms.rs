@@ -57,7 +57,7 @@ pub(super) fn causes(of: &Input<'_>) -> Vec<Alarm> {
     all
 }
 
-/// An alarm. Its key joins its kind and its subjects.
+/// An alarm whose key joins the kind and the subjects of the alarm.
 fn of_level(level: Level, kind: &str, about: &[&str], text: String) -> Alarm {
     let key = format!("{kind} {}", about.join(" "));
     Alarm { level, key, text, about: about.iter().map(|&name| name.to_owned()).collect() }

@@ -41,7 +41,7 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// Reads a recording from start to end. `go_on` gets the number of bytes read from time to time. It stops the
+    /// Reads a recording from start to end. `go_on` gets the number of bytes read from time to time. `go_on` stops the
     /// reading by returning an error.
     ///
     /// # Errors

@@ -11,8 +11,8 @@ const DIGITS: usize = 8;
 const TAIL: usize = KEY.len() + DIGITS + 2;
 
 /// The check sum of a line and all lines before it: CRC-32 of IEEE 802.3. The sum of each line starts from the sum of
-/// the line before. It detects every change within 32 consecutive bits, and misses one in 2³² of other changes. It
-/// gives no protection against malice.
+/// the line before. CRC-32 detects every change within 32 consecutive bits, and misses one in 2³² of other changes. The
+/// check sum gives no protection against malice.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Chain(u32);
 
@@ -71,7 +71,7 @@ impl<R: BufRead> SealedLines<R> {
         SealedLines { input, buffer: Vec::new(), chain: Chain::default(), line: 0, bytes: 0 }
     }
 
-    /// The next line without its line end. Its check sum is not verified. `Torn` if the line end is missing.
+    /// The next line without its line end. The line's check sum is not verified. `Torn` if the line end is missing.
     pub(super) fn raw(&mut self, longest_bytes: u64) -> Result<Sealed<'_>, RecordingError> {
         self.line += 1;
         self.buffer.clear();

@@ -1,4 +1,4 @@
-//! Commands of clients. They are checked against the role and the claims, then carried out.
+//! Commands of clients. Commands are checked against the role and the claims, then carried out.
 
 use std::time::Instant;
 
@@ -73,7 +73,7 @@ impl Engine {
         Done::AtTick { tick, shows: self.paused }
     }
 
-    /// Checks that a client may give this command. Its role and the holders of the controls decide.
+    /// Checks that a client may give this command. The client's role and the holders of the controls decide.
     fn may_give(&self, client: ClientId, role: &Role, action: &Action) -> Result<Needs, Refusal> {
         let needs = permit::for_action(role, action, self.session.cast())?;
         if let Needs::Helm(control) | Needs::NobodyAt(control) = &needs {

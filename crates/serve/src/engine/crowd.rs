@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 
 use crate::rate::Bucket;
 
-/// Least wall time between a frame and the next frame that shows nothing new but the number of clients. It equals a
-/// step of most scenarios. A run at the pace of wall time therefore shows the number with its ticks.
+/// Least wall time between a frame and the next frame that shows nothing new but the number of clients. This time
+/// equals a step of most scenarios. A run at the pace of wall time therefore shows the number with its ticks.
 const BETWEEN_FRAMES: Duration = Duration::from_millis(100);
 /// Notices about observers per second, and in one burst.
 const NOTICES: (f64, f64) = (1.0, 10.0);
@@ -31,7 +31,7 @@ impl Crowd {
         self.has_changed = true;
     }
 
-    /// A frame was published. It shows the number of clients.
+    /// Notes that a frame was published, which shows the number of clients.
     pub(super) fn is_shown(&mut self) {
         self.has_changed = false;
     }

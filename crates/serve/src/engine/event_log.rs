@@ -28,7 +28,7 @@ impl EventLog {
         }
     }
 
-    /// Drops all events. Their numbers are not used again.
+    /// Drops all events. The numbers of these events are not used again.
     pub(super) fn clear(&mut self) {
         self.latest.clear();
     }

@@ -12,8 +12,8 @@ use crate::claims::ClientId;
 const BETWEEN: Duration = Duration::from_secs(1);
 
 impl Engine {
-    /// Sends a client the past up to the present tick. It is the past of the ship of the client's role, or of the ship
-    /// that `named` names.
+    /// Sends a client the past up to the present tick. This is the past of the ship of the client's role, or of the
+    /// ship that `named` names.
     ///
     /// # Errors
     /// The client asked a moment ago. The ship does not exist, or the role may not see her past.

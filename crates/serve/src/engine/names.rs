@@ -1,4 +1,4 @@
-//! Names of people and seats of pages. They tell who is at which page.
+//! Names of people and seats of pages. Names and seats tell who is at which page.
 
 use fenderline_live::message::Role;
 use fenderline_live::{LONGEST_NAME, Refusal};

@@ -1,4 +1,4 @@
-//! Predictions of the ships' paths. They run on another thread.
+//! Predictions of the ships' paths. Predictions run on another thread.
 
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
@@ -81,7 +81,8 @@ impl Inbox {
     }
 }
 
-/// The thread for predictions. It runs as long as the engine: threads that come and go would each leave memory behind.
+/// The thread for predictions. The thread runs as long as the engine: threads that come and go would each leave memory
+/// behind.
 #[derive(Debug)]
 struct Thread {
     inbox: Arc<Inbox>,

@@ -1,4 +1,4 @@
-//! Links and holders of controls. They are kept for a server that starts again.
+//! Links and holders of controls. Links and holders are kept for a server that starts again.
 
 use std::sync::PoisonError;
 

@@ -1,5 +1,5 @@
-//! Trial manoeuvres. They run on another thread, one after the other. Each client has at most one trial; a newer trial
-//! replaces it.
+//! Trial manoeuvres. The trials run on another thread, one after the other. Each client has at most one trial; a newer
+//! trial replaces it.
 
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -128,7 +128,7 @@ impl Drop for Trials {
     }
 }
 
-/// The thread. It runs the trials until the server ends.
+/// Runs the trials on the thread, until the server ends.
 fn work(shared: &Shared) {
     loop {
         let mut state = shared.state();

@@ -259,7 +259,7 @@ impl AnchorEvent {
         }
     }
 
-    /// Text of the event. It continues a sentence that begins with the anchor.
+    /// Text of the event. The text continues a sentence that begins with the anchor.
     #[must_use]
     pub fn text(self) -> &'static str {
         match self {

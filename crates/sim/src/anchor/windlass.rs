@@ -47,8 +47,8 @@ impl Windlass {
         OVERLOAD * self.pull_n
     }
 
-    /// Speed of heaving at a tension (m/s). It is the full speed up to the pull, and then falls to zero at the stall.
-    /// We assume a straight line between the two.
+    /// Speed of heaving at a tension (m/s). The speed is the full speed up to the pull, and then falls to zero at the
+    /// stall. We assume a straight line between the two.
     #[must_use]
     pub fn heaving_mps(&self, tension_n: f64) -> f64 {
         if tension_n <= self.pull_n {

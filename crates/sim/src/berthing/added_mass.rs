@@ -55,8 +55,8 @@ pub fn vasco_costa_added_mass(draught_m: f64, beam_m: f64) -> Result<f64, Berthi
 ///
 /// Source: found (mooringberthing, a public calculator in Python: `berth_coeff.py`); the text of the UFC was not read.
 /// In F the calculator uses the product of the other berthing factors instead of the block coefficient. The block
-/// coefficient is recalled: added mass depends on the hull, not on the point of contact. Both give F = 0.9 for a full
-/// ship broadside.
+/// coefficient is recalled: added mass depends on the hull, not on the point of contact. Both readings give F = 0.9 for
+/// a full ship broadside.
 ///
 /// # Errors
 /// A particular out of range, or a ship for which the formula is below 1.

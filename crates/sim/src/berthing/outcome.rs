@@ -8,9 +8,9 @@ use crate::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
 pub struct BerthingOutcome {
     /// Start of the step of the first touch (s).
     pub first_touch_s: f64,
-    /// The fenders that the ship meets together, by their index in [`crate::Setup::fenders`]. These are the first
-    /// fender touched, and those touched before the first is compressed by a tenth of its rated deflection (or of its
-    /// projection, if it has no rating).
+    /// The fenders that the ship meets together, by their index in [`crate::Setup::fenders`]. These fenders are the
+    /// first fender touched, and the fenders touched before the first is compressed by a tenth of its rated deflection
+    /// (or of its projection, if it has no rating).
     pub fenders: Vec<usize>,
     /// Speed of the ship's centre of gravity square to the fender's face, relative to the body that carries the fender
     /// (m/s). If another ship carries the fender, it is the closing speed of the two hulls at the contact.
@@ -95,7 +95,7 @@ pub struct AddedSway {
 pub struct OtherShip {
     /// Her displacement (kg).
     pub displacement_kg: f64,
-    /// Her mass normal to the face in the simulation, added mass included, over her displacement.
+    /// The ship's mass normal to the face in the simulation, added mass included, over her displacement.
     pub added_mass: f64,
 }
 

@@ -128,8 +128,8 @@ impl<'a> StudyStep<'a> {
 }
 
 impl Study {
-    /// A study with particulars that have been checked. It needs the displacement of each body (kg; `None`: fixed), and
-    /// the factor of shallow water on the ship's added mass in sway.
+    /// A study with particulars that have been checked. The study needs the displacement of each body (kg; `None`:
+    /// fixed), and the factor of shallow water on the ship's added mass in sway.
     pub(crate) fn new(
         setup: BerthingSetup,
         displacements_kg: Vec<Option<f64>>,

@@ -1,5 +1,5 @@
-//! Changes of a running simulation that nobody orders: weather, faults, lines that part, tugs that drop out. They are
-//! planned for times in the set-up ([`crate::WorldSetup::planned`]), or come from outside
+//! Changes of a running simulation that nobody orders: weather, faults, lines that part, tugs that drop out. Changes
+//! are planned for times in the set-up ([`crate::WorldSetup::planned`]), or come from outside
 //! ([`crate::Simulation::change`]).
 
 mod error;
@@ -74,7 +74,7 @@ pub enum Change {
     },
 }
 
-/// A change at a time of the run. It takes effect in the step that contains its time.
+/// A change at a time of the run. The change takes effect in the step that contains its time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlannedChange {
     /// The time (s).

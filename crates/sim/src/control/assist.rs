@@ -70,7 +70,7 @@ impl Handling {
         }
     }
 
-    /// The heading for a tug far from her position. She goes there bow first, because units at her stern move her
+    /// The heading for a tug far from her position. The tug goes there bow first, because units at her stern move her
     /// sideways only slowly.
     fn bow_first(&self, off: Vec2, going_mps: Vec2) -> Option<f64> {
         let far = off.length() > FAR * self.length_m && going_mps.length() > BOW_FIRST_MPS;
@@ -228,8 +228,8 @@ pub fn assist(
     }
 }
 
-/// Velocity of the tug relative to the ship while she comes alongside. She goes to the stand-off distance until heading
-/// and position along the side are right, and then on until she makes contact.
+/// Velocity of the tug relative to the ship while she comes alongside. The tug goes to the stand-off distance until
+/// heading and position along the side are right, and then on until she makes contact.
 fn alongside(
     state: &BodyState,
     handling: &Handling,

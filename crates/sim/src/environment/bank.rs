@@ -76,8 +76,8 @@ impl Bank {
         self.method
     }
 
-    /// Force and moment about midship by Norrbin's formulas, [X, Y, N] in (N, N, N·m). They are suction towards the
-    /// bank and, for a ship going ahead, a moment that turns the bow away from the bank. NOT VALIDATED.
+    /// Force and moment about midship by Norrbin's formulas, [X, Y, N] in (N, N, N·m). The forces are suction towards
+    /// the bank and, for a ship going ahead, a moment that turns the bow away from the bank. NOT VALIDATED.
     ///
     /// Y = ½ρu²BT·(B/y)(0.0925 + 0.372(T/h)²), N = −½ρu²BTL·(B/y)(0.0025 + 0.0755(T/h)²) for a bank to starboard:
     /// Norrbin (1974) for a vertical wall, recalled; the source could not be read. y is the distance of midship from

@@ -34,8 +34,8 @@ impl Realisation {
     }
 
     /// Divides the band from `low` to `high` into bins; the limits are in geometric progression. Each bin becomes one
-    /// harmonic with the energy of the bin, ½a² = ∫S df. Its frequency is random within the bin, so that the sum is not
-    /// periodic.
+    /// harmonic with the energy of the bin, ½a² = ∫S df. The frequency of a harmonic is random within the bin, so that
+    /// the sum is not periodic.
     pub(super) fn harmonics_of(
         &self,
         density: impl Fn(f64) -> f64,

@@ -1,5 +1,5 @@
-//! Long waves at a berth: infragravity waves and seiches. They are given by level and velocity of the water at the
-//! berth.
+//! Long waves at a berth: infragravity waves and seiches. Long waves are given by level and velocity of the water at
+//! the berth.
 //!
 //! Long waves are much longer than the depth and the ship. So the level is taken to be the same all over the berth. The
 //! velocity is taken to be the same all over the berth and over the depth. The level lifts a ship as the tide does. The

@@ -73,7 +73,7 @@ pub struct Deduction<'a> {
     pub points: f64,
 }
 
-/// An exercise that goes on or has ended. It is plain data, and is copied with the state of a session.
+/// An exercise that goes on or has ended. An exercise is plain data, and is copied with the state of a session.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assessment {
     setup: Arc<ExerciseSetup>,

@@ -68,7 +68,7 @@ pub enum ProviderEvent {
     Died(String),
 }
 
-/// The largest force or moment that is accepted (N, N·m). It is the contact engine's limit for loads.
+/// The largest force or moment that is accepted (N, N·m). This limit is the contact engine's limit for loads.
 const LARGEST_LOAD: f64 = 1e15;
 
 /// The wrench of one provider, which is held between replies.

@@ -1,7 +1,7 @@
 //! The equations of motion of a ship in three degrees of freedom, about midship, in water without current.
 //!
 //! (m + m_x)u̇ = X + m v r + x_G m r², (m + m_y)v̇ + x_G m ṙ = Y − m u r and (I_z + x_G² m + J_z)ṙ + x_G m v̇ = N − x_G
-//! m u r, with X, Y, N from [`Mmg::forces`]. These include the Coriolis terms of the added mass.
+//! m u r, with X, Y, N from [`Mmg::forces`]. These equations include the Coriolis terms of the added mass.
 
 use super::mmg::Mmg;
 use super::quantities::{Controls, Force, Velocity, Water};

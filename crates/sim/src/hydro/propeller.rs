@@ -4,10 +4,10 @@
 //! has the same form with another factor D. This form has no division by n or va: thrust is continuous through zero
 //! revolutions and zero speed.
 //!
-//! c_T is the ship's polynomial K_T = k₀ + k₁J + k₂J² in the measured range (0 ≤ β_p ≤ 30°). It is the four-quadrant
-//! series of a Wageningen B4-70 for β_p < −25°, for β_p > 60°, and for all revolutions astern. Between the two it is a
-//! smooth interpolation, which is our addition. c_Q is always from the series, because no torque is published with the
-//! manoeuvring models.
+//! c_T is the ship's polynomial K_T = k₀ + k₁J + k₂J² in the measured range (0 ≤ β_p ≤ 30°). Elsewhere it is the
+//! four-quadrant series of a Wageningen B4-70 for β_p < −25°, for β_p > 60°, and for all revolutions astern. Between
+//! the two it is a smooth interpolation, which is our addition. c_Q is always from the series, because no torque is
+//! published with the manoeuvring models.
 
 use std::f64::consts::PI;
 
@@ -105,7 +105,7 @@ struct Flow {
     sin: f64,
 }
 
-/// Weight of the ship's polynomial. It is a smooth function of β_p.
+/// Weight of the ship's polynomial. The weight is a smooth function of β_p.
 fn own_weight(cos: f64, sin: f64) -> f64 {
     if cos <= 0.0 {
         return 0.0;

@@ -20,7 +20,7 @@ pub fn critical_mps(depth_m: f64) -> f64 {
 /// independent calculations, but not validated against trials.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Squat {
-    /// Barrass for open water, [`barrass_squat_m`]. It does not depend on depth. For 1.1 to 1.4 draughts.
+    /// Barrass for open water, [`barrass_squat_m`]. The formula does not depend on depth. For 1.1 to 1.4 draughts.
     Barrass,
     /// ICORELS, [`icorels_squat_m`].
     #[default]

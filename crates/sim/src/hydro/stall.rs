@@ -1,19 +1,20 @@
 //! The lift of a drifting hull, and the loss of lift as the drift increases.
 //!
-//! In deep water a slender hull is a wing with an aspect ratio of 0.1. Its lift does not break down below half a right
-//! angle, and the form of Yoshimura et al., Y_v v|u|, has this lift at all angles. Near the bottom the hull is a wing
-//! between walls, with an effective aspect ratio above 1. Y_v and N_v are then seven or eight times as large, and such
-//! a wing stalls at 15 to 20°. So beyond this angle the hull loses the lift that the bottom adds. In a fully separated
-//! flow no hull keeps more lift than 0.8 of its cross-flow drag (our choice): the side force is then at most 1.15 times
-//! that of a flow abeam. Of the vessels in the library only a tug would have more, with 1.0 in deep water.
+//! In deep water a slender hull is a wing with an aspect ratio of 0.1. The lift of such a hull does not break down
+//! below half a right angle, and the form of Yoshimura et al., Y_v v|u|, has this lift at all angles. Near the bottom
+//! the hull is a wing between walls, with an effective aspect ratio above 1. Y_v and N_v are then seven or eight times
+//! as large, and such a wing stalls at 15 to 20°. So beyond this angle the hull loses the lift that the bottom adds. In
+//! a fully separated flow no hull keeps more lift than 0.8 of its cross-flow drag (our choice): the side force is then
+//! at most 1.15 times that of a flow abeam. Of the vessels in the library only a tug would have more, with 1.0 in deep
+//! water.
 //!
 //! Only one curve over all angles could be read: OCIMF's curve for a loaded tanker in 1.1 draughts of water
 //! (`validation/current.toml`). From its side force the cross-flow drag C_D sin²β is subtracted. The rest is 1.08 C_D
 //! sin β cos β at 10° and 20°, 0.29 of C_D sin β cos β at 40° and 0.13 at 60°, which is the value of deep water. In a
 //! flow over the stern it is the same. A fuller stern shifts the moment by 0.02 L. Without this shift the moment falls
 //! to half of N_v sin β cos β and no further: bow and stern are still pushed apart, as by a flow that is not separated
-//! (Munk). The angles and this half are read from the curve. They are used at all depths, because there is no other
-//! curve.
+//! (Munk). The angles and this half are read from the curve. The angles and the half are used at all depths, because
+//! there is no other curve.
 
 use fenderline_contact::number::lesser;
 
@@ -67,7 +68,7 @@ fn lost(kept: f64, term: f64) -> f64 {
     if term.abs() > kept { 1.0 - kept / term.abs() } else { 0.0 }
 }
 
-/// How far the flow is separated, 0 to 1. It depends on the drift angle, in the same way ahead and astern.
+/// How far the flow is separated, 0 to 1. The separation depends on the drift angle, in the same way ahead and astern.
 fn separated(velocity: &Velocity) -> f64 {
     let speed_mps = velocity.speed_mps();
     if speed_mps == 0.0 {

@@ -109,8 +109,8 @@ impl AzimuthThruster {
 
 /// Halvings of the range of revolutions.
 const HALVINGS: u32 = 24;
-/// Half the width of the bracket around the root, over the greatest revolutions. It is less than the interval that the
-/// last halving leaves.
+/// Half the width of the bracket around the root, over the greatest revolutions. The half width is less than the
+/// interval that the last halving leaves.
 const FINE: f64 = 1.0 / 134_217_728.0;
 
 /// The revolutions (1/s) from 0 to `max_rps` at which a surplus of thrust becomes positive, found by bisection. The

@@ -52,9 +52,9 @@ struct Extent {
 ///
 /// The elastic catenary: x = H/w·[asinh(V/H) − asinh((V−wL)/H)] + HL/EA, z = (√(H²+V²) − √(H²+(V−wL)²))/w + (VL −
 /// ½wL²)/EA; with a part L − V/w on the bottom, x = L − V/w + H/w·asinh(V/H) + HL/EA, z = (√(H²+V²) − H)/w + V²/(2EAw)
-/// (Jonkman's quasi-static module, as MoorPy has it: found). It is solved by Newton's method in H and V from Jonkman's
-/// first guess. If that does not converge, two nested one-dimensional problems are solved: V for the rise at each H,
-/// and H for the span. Both are monotonic, so that bracketed Newton cannot fail.
+/// (Jonkman's quasi-static module, as MoorPy has it: found). The system is solved by Newton's method in H and V from
+/// Jonkman's first guess. If that does not converge, two nested one-dimensional problems are solved: V for the rise at
+/// each H, and H for the span. Both problems are monotonic, so that bracketed Newton cannot fail.
 #[must_use]
 pub fn catenary(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> Catenary {
     if on_bottom && let Some(slack) = slack_on_bottom(cable, span_m, rise_m) {

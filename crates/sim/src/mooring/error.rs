@@ -26,8 +26,8 @@ pub enum MooringError {
         /// Distance between the ends of the line (m).
         span_m: f64,
     },
-    /// A pretension that cannot be reached. It is above the break load or above the winch's render tension, it is below
-    /// the tension by the line's own weight, or it would leave less than the tail outboard.
+    /// A pretension that cannot be reached. The pretension is above the break load or above the winch's render tension,
+    /// it is below the tension by the line's own weight, or it would leave less than the tail outboard.
     Pretension {
         /// The line.
         line: String,

@@ -232,8 +232,8 @@ impl Line {
         low_n + (high_n - low_n) * (span.distance_m - low_m) / (high_m - low_m)
     }
 
-    /// Unstretched length outboard that gives a tension at the ship's end, on the taut side. It is the tail alone if
-    /// the tail is long enough. `None` if the weight of a cable gives more tension at every length.
+    /// Unstretched length outboard that gives a tension at the ship's end, on the taut side. The length is that of the
+    /// tail alone if the tail is long enough. `None` if the weight of a cable gives more tension at every length.
     fn length_for(&self, tension_n: f64, ends: &LineEnds) -> Option<f64> {
         let span = Span::of(ends);
         match &self.setup.kind {

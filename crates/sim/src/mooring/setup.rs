@@ -53,9 +53,9 @@ pub struct LineDetails {
     pub on_deck: Option<OnDeck>,
     /// Weight of rope and tail outboard per unstretched length (N/m); 0: neglected.
     ///
-    /// With weight, the rope hangs in a flat parabola. Its stretched length S and the distance c of its ends, of which
-    /// h is horizontal, satisfy S = c (1 + (W h/S)²/(24 T²)). W is the weight outboard, and T the tension along the
-    /// chord, at the middle of the chord. Each end bears half of the weight. The error is of the next order, about
+    /// With weight, the rope hangs in a flat parabola. The rope's stretched length S and the distance c of its ends, of
+    /// which h is horizontal, satisfy S = c (1 + (W h/S)²/(24 T²)). W is the weight outboard, and T the tension along
+    /// the chord, at the middle of the chord. Each end bears half of the weight. The error is of the next order, about
     /// (W/T)⁴/1920 of the length.
     pub weight_npm: f64,
     /// Working load (N), if it is not the guideline's share of the break load.

@@ -20,9 +20,9 @@ pub struct Winch {
     pub constant_tension: Option<ConstantTension>,
 }
 
-/// The automatic control of a constant-tension winch. It pays out if the tension is above a band around the set
-/// tension, down to the band. It heaves in if the tension is below the band, up to the band. Motions faster than its
-/// speeds leave the tension outside the band. The brake renders as on other winches.
+/// The automatic control of a constant-tension winch. The winch pays out if the tension is above a band around the set
+/// tension, down to the band. The winch heaves in if the tension is below the band, up to the band. Motions faster than
+/// its speeds leave the tension outside the band. The brake renders as on other winches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConstantTension {
     /// The set tension (N).

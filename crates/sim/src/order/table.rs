@@ -228,7 +228,7 @@ orders! {
     Hold = "hold" to Line with Winch: &[];
     /// Send the line to a bollard. Line handlers make it fast there.
     Send = "send" to Line with None: &[name("bollard", Named::Bollard, "bollard")];
-    /// Let the line go. It is then hauled in.
+    /// Let the line go. The line is then hauled in.
     LetGo = "let_go" to Line with None: &[];
     /// Let the anchor go, and hold on the brake when this length of chain is out.
     LetGoAnchor = "let_go_anchor" to Anchor with None: CHAIN_OUT;

@@ -203,7 +203,7 @@ impl TugWords {
         name.build(tug, &arguments, setup)
     }
 
-    /// The order to a tug that is a vessel and works at another vessel. Both are given by their index among the
+    /// The order to a tug that is a vessel and works at another vessel. Both vessels are given by their index among the
     /// vessels.
     ///
     /// # Errors

@@ -21,8 +21,8 @@ const TOO_NEAR: [f64; 2] = [0.125, 0.25];
 const FADES: [f64; 2] = [8.0, 10.0];
 
 /// Force and moment [X, Y, N] of a wall along a line on a ship that goes ahead or astern beside it, in the ship's axes
-/// and about the origin of her sections (N, N, N·m). It is the force of the ship's image: a ship on the other side of
-/// the wall with the mirrored motion.
+/// and about the origin of her sections (N, N, N·m). This force is the force of the ship's image: a ship on the other
+/// side of the wall with the mirrored motion.
 ///
 /// For a ship parallel to the wall Y = (ρu²y/π) ∬ S'S' Σ 1/r³, with r² = (x₂−x₁)² + 4y² + 4n²h². y is the distance of
 /// the ship's axis from the wall, h the depth (m; `None`: deep water, n = 0), and n runs over the images in surface and
@@ -93,8 +93,8 @@ pub(crate) fn act_of_banks(
     }
 }
 
-/// The share of the image's flow that is used. It depends on the ship's angle to the wall, on the clear gap, and on how
-/// much of the ship is abreast of the wall.
+/// The share of the image's flow that is used. The share depends on the ship's angle to the wall, on the clear gap, and
+/// on how much of the ship is abreast of the wall.
 fn share_of(own: &Afloat<'_>, [from_m, to_m]: [Vec2; 2]) -> f64 {
     let length_m = (to_m - from_m).length();
     let along = (to_m - from_m) * (1.0 / length_m);

@@ -19,8 +19,8 @@ pub struct PassingShip<'s> {
 }
 
 /// Force and moment [X, Y, N] of a passing ship on a ship at rest (N, N, N·m): forward, to starboard, clockwise from
-/// above. They are in the axes of the ship at rest, about the origin of her sections. The formulas are for deep, open
-/// water; [`super::factors`] are for shallow water and quays.
+/// above. Force and moment are in the axes of the ship at rest, about the origin of her sections. The formulas are for
+/// deep, open water; [`super::factors`] are for shallow water and quays.
 ///
 /// `closest_m` is the least distance that any two points of the axes are taken to have, such as the mean of the two
 /// beams. Nearer than this the hulls would overlap, and the force at this distance is used.
@@ -39,8 +39,8 @@ pub fn force(
     force_under_way(&at_rest, passing, density_kgpm3, closest_m)
 }
 
-/// As [`force`], but the ship that feels the force goes ahead or astern herself, at U₁ along her axis. Both velocities
-/// are through the water.
+/// As [`force`], but the ship that feels the force goes ahead or astern herself, at U₁ along her axis. The velocities
+/// of both ships are through the water.
 ///
 /// The flow of the other ship gives the water the velocity (u, v) at a section of area S. The water displaced by that
 /// section feels the acceleration at a fixed place, ρS ∂(u, v)/∂t. Across the ship's axis, the added mass of the

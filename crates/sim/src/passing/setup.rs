@@ -26,7 +26,7 @@ pub struct FlowHull {
     pub draught_m: f64,
 }
 
-/// A ship that passes on a track, whatever forces act. She pushes the vessels; they do not push her.
+/// A ship that passes on a track, whatever forces act. The ship pushes the vessels; they do not push her.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PassingSetup {
     /// Name of the ship.

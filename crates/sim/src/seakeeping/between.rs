@@ -1,11 +1,11 @@
 //! Interpolates forces of waves between the headings and frequencies of the data.
 //!
 //! **Headings.** The force in a wave is a sum over places x of the hull of e^{−ik·x}, with weights that do not depend
-//! on the heading (Haskind's relation, recalled). So the force has few harmonics in the heading: about kL/2. It is
-//! interpolated with functions of the same kind, which belong to sources spread evenly over a disc: the kernel is K(μ −
-//! μ′) = 2J₁(z)/z with z = 2b sin(½(μ − μ′)), and b is k times the radius of the disc. At equal steps this is nearly
-//! the trigonometric polynomial through the data. b is the largest value that the widest step of the headings resolves.
-//! At the headings of the data the result is the data.
+//! on the heading (Haskind's relation, recalled). So the force has few harmonics in the heading: about kL/2. The force
+//! is interpolated with functions of the same kind, which belong to sources spread evenly over a disc: the kernel is
+//! K(μ − μ′) = 2J₁(z)/z with z = 2b sin(½(μ − μ′)), and b is k times the radius of the disc. At equal steps this is
+//! nearly the trigonometric polynomial through the data. b is the largest value that the widest step of the headings
+//! resolves. At the headings of the data the result is the data.
 //!
 //! **Frequencies.** At one heading the phases of bow and stern turn by ±½L Δk cos μ from one frequency to the next. For
 //! a long ship this is fast. The phases stay the same at a heading at which the wave is as long along the ship as
@@ -381,8 +381,8 @@ fn weights_of(axis: &[f64], at: f64) -> Vec<(usize, f64)> {
     parts
 }
 
-/// The slope at a row, as weights of rows. It is the slope of the parabola through the row and its two neighbours; at
-/// an end, through the row and the next two.
+/// The slope at a row, as weights of rows. The result is the slope of the parabola through the row and its two
+/// neighbours; at an end, through the row and the next two.
 fn slope_of(axis: &[f64], row: usize) -> [(usize, f64); 3] {
     if axis.len() == 2 {
         let inverse = 1.0 / (axis[1] - axis[0]);

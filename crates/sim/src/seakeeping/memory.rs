@@ -24,8 +24,8 @@ use crate::environment::waves::Complex;
 
 /// Number of resonators, from frequency zero to where the damping has faded.
 const RESONATORS: usize = 36;
-/// Frequency and half-width of a wide resonator, over the last frequency of the data. It takes no part in the fit. It
-/// adds damping beyond the data where the fit lacks damping.
+/// Frequency and half-width of a wide resonator, over the last frequency of the data. This resonator takes no part in
+/// the fit. The resonator adds damping beyond the data where the fit lacks damping.
 const WIDE: [f64; 2] = [2.5, 2.5];
 /// Number of points of the fit, and the frequency of the last point over the last frequency of the data.
 const POINTS: (usize, f64) = (200, 2.0);

@@ -62,8 +62,8 @@ pub struct Seakeeping {
 
 impl Seakeeping {
     /// Whether the data are for a depth of water (m; `None`: deep), for a ship with this draught (m). The depths must
-    /// agree within a tenth, or both count as deep. Water of more than ten draughts counts as deep. Both bounds are our
-    /// choice.
+    /// agree within a tenth, or both count as deep. Water of more than ten draughts counts as deep. The bounds of a
+    /// tenth and of ten draughts are our choice.
     #[must_use]
     pub fn is_for_depth(&self, depth_m: Option<f64>, draught_m: f64) -> bool {
         let [of_data_m, of_run_m] =

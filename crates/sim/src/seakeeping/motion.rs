@@ -84,9 +84,9 @@ impl Motion {
         motion
     }
 
-    /// The mass matrix over surge, sway and yaw with which the engine moves the ship (kg, kg·m, kg·m²). It is the
-    /// resistance to a push in the plane of a ship that is free to heave, roll and pitch. It includes the water's
-    /// reaction within the step.
+    /// The mass matrix over surge, sway and yaw with which the engine moves the ship (kg, kg·m, kg·m²). The matrix is
+    /// the resistance to a push in the plane of a ship that is free to heave, roll and pitch. The matrix includes the
+    /// water's reaction within the step.
     #[must_use]
     pub fn plane_mass(&self) -> &[[f64; 3]; 3] {
         &self.plane_mass

@@ -1,8 +1,8 @@
 //! The place and heading of a ship at which the forces of waves are computed.
 //!
 //! Forces of first order belong to the mean place of a ship. At her present place, excitation times her own wave motion
-//! would add a second-order force, which the drift already contains. So a slow place p̂ follows the ship. It has no lag
-//! if she moves steadily: p̂′ = v̂ + 2c(p − p̂), v̂′ = c²(p − p̂).
+//! would add a second-order force, which the drift already contains. So a slow place p̂ follows the ship. The slow
+//! place has no lag if she moves steadily: p̂′ = v̂ + 2c(p − p̂), v̂′ = c²(p − p̂).
 
 use fenderline_contact::{BodyState, Vec2};
 

@@ -90,7 +90,7 @@ impl Retardation {
 
 /// The effective added mass at infinite frequency. At each frequency of the data, A(ω) less the change that follows
 /// from the damping by Ogilvie's relation gives a value; the result is the median of these values, up to where the
-/// damping has faded. It differs from A∞ by the part of the water's reaction that is faster than the data.
+/// damping has faded. The median differs from A∞ by the part of the water's reaction that is faster than the data.
 pub(super) fn effective_infinite(data: &Hydrodynamics, retardation: &Retardation) -> Matrix6 {
     let of = |i: usize, j: usize| {
         let mut values: Vec<f64> = data

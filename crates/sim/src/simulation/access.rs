@@ -169,8 +169,8 @@ impl Simulation {
         statistics.values(&self.setup, &tensions, self.fender_summaries())
     }
 
-    /// Findings on bodies that start inside each other; empty in a sound scenario. They are known before the first
-    /// step.
+    /// Findings on bodies that start inside each other; empty in a sound scenario. These findings are known before the
+    /// first step.
     #[must_use]
     pub fn start_findings(&self) -> &[Finding] {
         self.watch.starts()
@@ -251,10 +251,10 @@ impl Simulation {
         Ok(())
     }
 
-    /// Checks that an order can be carried out in the present state. It cannot if its line is on board or has parted,
-    /// if the bollard is taken or out of reach, if the anchor is home, down or lost, or if a station pilot uses the
-    /// tug. Orders to lines and anchors that wait for the next step count as carried out. This check does not apply to
-    /// orders for a later time.
+    /// Checks that an order can be carried out in the present state. The order cannot be carried out if its line is on
+    /// board or has parted, if the bollard is taken or out of reach, if the anchor is home, down or lost, or if a
+    /// station pilot uses the tug. Orders to lines and anchors that wait for the next step count as carried out. This
+    /// check does not apply to orders for a later time.
     ///
     /// # Errors
     /// The reason why the order cannot be carried out.

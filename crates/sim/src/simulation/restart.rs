@@ -13,8 +13,8 @@ use crate::verdict::starts_inside;
 
 impl Simulation {
     /// Starts the simulation again, with another initial state of its bodies, another wind and another current. The
-    /// result is the same, to the bit, as a new simulation of the set-up with this start. It takes a fraction of the
-    /// time: most of the simulation stays as it is, and nothing is allocated for plain bodies.
+    /// result is the same, to the bit, as a new simulation of the set-up with this start. A restart takes a fraction of
+    /// the time: most of the simulation stays as it is, and nothing is allocated for plain bodies.
     ///
     /// Orders, wind and current given during the last run, and wrenches of the host, are forgotten, as in a new
     /// simulation.

@@ -120,8 +120,8 @@ impl Path {
         }
     }
 
-    /// Points for drawing, from `from_m` to `to_m` along the path (m), given north and east (m). They are the ends of
-    /// legs, and points on bends at most a twelfth of a turn apart.
+    /// Points for drawing, from `from_m` to `to_m` along the path (m), given north and east (m). The points are the
+    /// ends of legs, and points on bends at most a twelfth of a turn apart.
     #[must_use]
     pub fn points_m(&self, from_m: f64, to_m: f64) -> Vec<Vec2> {
         let mut points = vec![self.at(from_m).position_m];

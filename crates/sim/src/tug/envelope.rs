@@ -36,12 +36,12 @@ impl TugEnvelope {
     /// The greatest force (N) of the tug at an angle (rad) from the direction of motion of tug and ship through the water, at a
     /// speed (m/s).
     ///
-    /// We derived this; it is not validated, because no published envelope was found. The tug lies along the force. Her
-    /// thrust gives the force F and overcomes her drag D against the motion: |F·e + D·x| = BP. So F = √(BP² − D² sin²θ)
-    /// − D cos θ. With her side to the motion F is √(BP² − D²), and 0 if BP < D. The drag is D = ½ρ Cd T V² (L sin²θ +
-    /// B cos²θ): the flow meets her side when she pushes across the motion, and her end when she pushes along it (with
-    /// the same Cd; our choice). Drag that assists (cos θ < 0) is neglected, so that the force never exceeds the
-    /// bollard pull.
+    /// We derived this; it is not validated, because no published envelope was found. The tug lies along the force. The
+    /// tug's thrust gives the force F and overcomes her drag D against the motion: |F·e + D·x| = BP. So F = √(BP² − D²
+    /// sin²θ) − D cos θ. With her side to the motion F is √(BP² − D²), and 0 if BP < D. The drag is D = ½ρ Cd T V² (L
+    /// sin²θ + B cos²θ): the flow meets her side when she pushes across the motion, and her end when she pushes along
+    /// it (with the same Cd; our choice). Drag that assists (cos θ < 0) is neglected, so that the force never exceeds
+    /// the bollard pull.
     #[must_use]
     pub fn available_n(&self, angle_rad: f64, speed_mps: f64, water_density_kgpm3: f64) -> f64 {
         let (sin, cos) = (libm::sin(angle_rad), libm::cos(angle_rad));

@@ -58,7 +58,7 @@ impl FenderSummary {
 }
 
 /// One finding on all fenders that took more than their catalogue's rating but stayed within their rating with the
-/// factors of the run. It names the fender that is farthest above.
+/// factors of the run. The finding names the fender that is farthest above.
 pub(super) fn above_catalogue<'a>(
     setups: &[FenderSetup],
     fenders: impl Iterator<Item = &'a FenderSummary>,

@@ -55,7 +55,7 @@ pub enum Law {
     PassingShape,
     /// Two vessels are so near each other that the flow between them is left out.
     FlowLeftOut,
-    /// A program that gives forces did not reply. Its last force was held for a time, and then dropped.
+    /// A program that gives forces did not reply. The program's last force was held for a time, and then dropped.
     ProviderSilent,
 }
 
@@ -288,7 +288,7 @@ pub struct Departure {
     pub lasting_s: f64,
     /// `lasting_s` over the time of the run so far; 1 for a departure that lasts from start to end.
     pub share_of_run: f64,
-    /// Two numbers that say how far the law was left. Their meaning depends on the law:
+    /// Two numbers that say how far the law was left. The meaning of the numbers depends on the law:
     ///
     /// | law | first | second |
     /// |---|---|---|

@@ -1,4 +1,4 @@
-//! The totals of a run from which its findings follow. Their size does not grow with the run.
+//! The totals of a run from which its findings follow. The size of the totals does not grow with the run.
 
 use fenderline_contact::number::greater;
 

@@ -1,10 +1,10 @@
-//! The parts of a world that a step changes. They are restored if the step fails.
+//! The parts of a world that a step changes. These parts are restored if the step fails.
 
 use super::{
     AnchorAtWork, Mooring, TugAtWork, VesselForces, VesselState, WaterInertia, World, WorldEvent,
 };
 
-/// The state of a world before a step. Its buffers are reused from step to step.
+/// The state of a world before a step. The buffers of the backup are reused from step to step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct WorldBackup {
     vessels: Vec<VesselState>,

@@ -46,7 +46,8 @@ pub struct LineHandling {
 }
 
 impl Default for LineHandling {
-    /// Two gangs, a heaving line of 30 m and 60 s, and a boat of 1 m/s. These are our assumptions: no source was read.
+    /// Two gangs, a heaving line of 30 m and 60 s, and a boat of 1 m/s. These values are our assumptions: no source was
+    /// read.
     fn default() -> LineHandling {
         LineHandling { gangs: 2, heaving_line_m: 30.0, heaving_line_s: 60.0, boat_mps: Some(1.0) }
     }

@@ -126,7 +126,7 @@ impl Mooring {
         }
     }
 
-    /// Lets the line go at time `t_s`. It is then hauled in.
+    /// Lets the line go at time `t_s`. The line is then hauled in.
     pub(crate) fn let_go(&mut self, setup: &MooringSetup, t_s: f64) {
         let outboard_m = self.line.as_ref().map_or(0.0, |(_, state)| state.length_m);
         let rate_mps = match setup.line.inboard_end {

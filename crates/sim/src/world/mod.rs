@@ -1,9 +1,9 @@
 //! The world around the bodies of a set-up: everything that acts on the bodies besides contact and plain loads.
 //!
 //! [`WorldSetup`] is the constant part. In each step, before contact, `World::step` carries out the orders that are
-//! due, runs the pilots, and moves rudders, shafts and thrusters. It adds the wrench of hull, propeller, rudder,
-//! thrusters and wind to each vessel's body. After contact, `World::settle` moves the vessels in heave, roll and pitch,
-//! from all horizontal forces and the heights at which they act.
+//! due, runs the pilots, and moves rudders, shafts and thrusters. `World::step` adds the wrench of hull, propeller,
+//! rudder, thrusters and wind to each vessel's body. After contact, `World::settle` moves the vessels in heave, roll
+//! and pitch, from all horizontal forces and the heights at which they act.
 
 mod anchor;
 mod assist;
@@ -380,8 +380,8 @@ impl World {
         line_work::after_orders(&self.lines, setup, self.waiting(times_s), times_s.0)
     }
 
-    /// Checks that a line can be sent to a bollard at a time. Both are given by index; `lines` are the lines at that
-    /// time.
+    /// Checks that a line can be sent to a bollard at a time. Line and bollard are given by index; `lines` are the
+    /// lines at that time.
     pub(crate) fn may_send(
         &self,
         lines: &[Mooring],

@@ -184,8 +184,8 @@ pub(crate) struct PilotWork {
     pub(crate) shares: ThrustShares,
 }
 
-/// Sets the orders of this step. `helpers` of `work` are other lateral devices. Their forces are written to `helpers_n`
-/// of `work`.
+/// Sets the orders of this step. `helpers` of `work` are other lateral devices. The forces of these devices are written
+/// to `helpers_n` of `work`.
 pub(crate) fn pilot(
     vessel: &mut VesselState,
     setup: &VesselSetup,

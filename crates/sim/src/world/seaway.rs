@@ -238,8 +238,8 @@ pub(super) struct Given<'l> {
 }
 
 impl Given<'_> {
-    /// Adds forces of the ship that act above or below her centre of gravity, at points that turn with her. Their
-    /// moments in the upright position are already in the load in the plane.
+    /// Adds forces of the ship that act above or below her centre of gravity, at points that turn with her. The moments
+    /// of these forces in the upright position are already in the load in the plane.
     pub(super) fn add_own(&mut self, afloat: &Afloat, forces: impl Iterator<Item = (Force, f64)>) {
         for (Force { surge_n, sway_n, .. }, above_gravity_m) in forces {
             self.upright.add(surge_n, sway_n, above_gravity_m);
@@ -247,7 +247,7 @@ impl Given<'_> {
         }
     }
 
-    /// Adds a force north, east and up (N). Its moment in the plane is already in the load.
+    /// Adds a force north, east and up (N). The moment of this force in the plane is already in the load.
     pub(super) fn add_force(&mut self, heading_rad: f64, lever: Lever, force_n: [f64; 3]) {
         let [north_n, east_n, up_n] = force_n;
         let own = Rotation::from_angle(heading_rad).apply_inverse(vec2(north_n, east_n));

@@ -55,8 +55,9 @@ pub struct VesselSetup {
     pub response: Option<MotionResponse>,
     /// Hull data for mean wave drift.
     pub drift: Option<DriftHull>,
-    /// Hydrodynamic data, with which the vessel moves in six degrees of freedom. She then has no `response`, and her
-    /// `float` gives her centre of gravity. Only in the coupled method with the semi-implicit integrator.
+    /// Hydrodynamic data, with which the vessel moves in six degrees of freedom. A vessel with such data has no
+    /// `response`, and her `float` gives her centre of gravity. Only in the coupled method with the semi-implicit
+    /// integrator.
     pub seakeeping: Option<Seakeeping>,
 }
 
@@ -163,7 +164,7 @@ pub struct VesselForces {
     /// Exciting force of the waves on a vessel with hydrodynamic data.
     pub excitation: Force,
     /// Reaction of the water to the motion of a vessel with hydrodynamic data, and the effect of heave, roll and pitch
-    /// on the motion in the plane. It is the difference to a body with the engine's constant mass.
+    /// on the motion in the plane. This reaction is the difference to a body with the engine's constant mass.
     pub radiation: Force,
     /// Banks: unvalidated.
     pub banks: Force,
@@ -559,7 +560,7 @@ impl VesselSetup {
     /// Accelerating water accelerates the vessel: M (v̇ − DU/Dt) = W. The pressure gradient acts on the displaced
     /// water, and the added mass acts with the relative acceleration (Auton, Hunt & Prud'homme 1988, recalled, for a
     /// body that is small compared with the scale of the current). So M·DU/Dt is added, with the `mass` that the engine
-    /// moves. It is zero in a steady uniform current.
+    /// moves. This force is zero in a steady uniform current.
     pub(crate) fn water_inertia(
         &self,
         (state, velocity): (&BodyState, &Velocity),

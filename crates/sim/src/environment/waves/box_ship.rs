@@ -10,7 +10,7 @@ use crate::range::{OutOfRange, within};
 /// (2004), for a box with the ship's displacement and the waterline's length. Source: found (a public package of the
 /// authors' university); the paper was not read.
 ///
-/// Roll: derived here, because Jensen's roll needs a fitted damping that jumps at B/T = 3. It has one degree of
+/// Roll: derived here, because Jensen's roll needs a fitted damping that jumps at B/T = 3. Roll has one degree of
 /// freedom, with the given period and damping. The wave slope drives it, averaged over length and beam of the box; the
 /// factor e^(−kT/2) averages it over the draught. In long waves the ship follows the slope.
 ///
@@ -63,7 +63,7 @@ impl BoxShip {
     }
 
     /// Jensen's F and G divided by the factor of the equation of motion, (1 − 2kTα²) + i A²/(kBα²), α = ω_e/ω. The
-    /// damping term has the sign of ω_e. It is negative if the ship overtakes a following sea.
+    /// damping term has the sign of ω_e. This term is negative if the ship overtakes a following sea.
     fn heave_and_pitch(&self, k: f64, cos: f64, alpha: f64) -> (Complex, Complex) {
         let (l, t) = (self.length_m, self.draught_m);
         let b = self.beam_m * self.block_coefficient;

@@ -19,7 +19,7 @@ impl WindFront {
     pub const POINT: WindFront = WindFront { width_m: 0.0, height_m: 0.0 };
 
     /// The share of a gust's amplitude that remains in the mean over the front, for a frequency (Hz) and a mean wind
-    /// (m/s). It is the root of the aerodynamic admittance χ² = R(C f b/U) R(C f h/U).
+    /// (m/s). This share is the root of the aerodynamic admittance χ² = R(C f b/U) R(C f h/U).
     ///
     /// R(a) = 2 (a − 1 + e⁻ᵃ)/a² is the closed integral of the coherence over all pairs of points of a line:
     /// (1/b²) ∬ exp(−C f |y₁ − y₂|/U) dy₁ dy₂ with a = C f b/U. The same function is R_h and R_b of EN 1991-1-4 (B.7, B.8) and R_ℓ of

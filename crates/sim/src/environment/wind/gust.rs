@@ -10,7 +10,7 @@ use crate::environment::harmonics::{Harmonic, Realisation};
 /// Frequency band of the gusts (Hz): from one per hour to one in two seconds. Ships do not respond to faster gusts.
 const BAND_HZ: [f64; 2] = [1.0 / 3600.0, 0.5];
 
-/// The fluctuation of the wind speed about its mean. It is a pure function of time.
+/// The fluctuation of the wind speed about its mean. The fluctuation is a pure function of time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gusts {
     harmonics: Vec<Harmonic>,

@@ -1,6 +1,7 @@
 //! Gusts, four harmonics at a time. The compiler makes vector instructions of these loops: the functions have no calls.
-//! Their only branch is the choice between two formulas for a group. Each ship needs a sum of 200 harmonics in each
-//! step. With one call of libm's functions per harmonic, this sum took half of the time of a whole berthing.
+//! The only branch in these functions is the choice between two formulas for a group. Each ship needs a sum of 200
+//! harmonics in each step. With one call of libm's functions per harmonic, this sum took half of the time of a whole
+//! berthing.
 //!
 //! The bits are the same on every machine: the functions use only additions, multiplications, divisions and square
 //! roots, in a fixed order.

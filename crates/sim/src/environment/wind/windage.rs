@@ -42,8 +42,8 @@ pub struct WindCoefficients {
 impl ShipWindage {
     /// Checks every number.
     ///
-    /// The first number out of range. It may be a coefficient, if a regression is used far outside the range of ships
-    /// from which it was derived.
+    /// The first number out of range. This number may be a coefficient, if a regression is used far outside the range
+    /// of ships from which it was derived.
     pub fn check(&self) -> Result<(), OutOfRange> {
         within("length overall [m]", self.length_m, 0.1, 2000.0)?;
         within("beam [m]", self.beam_m, 0.05, 500.0)?;
@@ -73,8 +73,8 @@ impl ShipWindage {
         Ok(())
     }
 
-    /// Coefficients at an angle γ (rad). They are computed for |γ| from 0 to π and mirrored, so that port and starboard
-    /// agree at every angle, 180° included. A user's table that has both sides is used as it is.
+    /// Coefficients at an angle γ (rad). The coefficients are computed for |γ| from 0 to π and mirrored, so that port
+    /// and starboard agree at every angle, 180° included. A user's table that has both sides is used as it is.
     #[must_use]
     pub fn coefficients(&self, angle_rad: f64) -> WindCoefficients {
         let wrapped_rad = libm::remainder(angle_rad, TAU);
@@ -119,8 +119,8 @@ impl ShipWindage {
         ]
     }
 
-    /// Height above the water of the wind to which the coefficients refer (m). It is 10 m, to which the methods refer
-    /// (recalled), or the height that the user's table states.
+    /// Height above the water of the wind to which the coefficients refer (m). The height is 10 m, to which the methods
+    /// refer (recalled), or the height that the user's table states.
     #[must_use]
     pub fn reference_height_m(&self) -> f64 {
         match &self.method {

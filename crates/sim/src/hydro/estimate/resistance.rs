@@ -20,13 +20,13 @@ pub(super) fn ahead(ship: &Particulars) -> f64 {
     -TOTAL_RESISTANCE * wetted_over_side(ship)
 }
 
-/// X'₀ astern, of a drifting ship or in a current: UFC 4-159-03 (2005), "Design: Moorings", 4-5.2, eqs. 16 to 20. It is
-/// 0.1 on the midship section, plus the friction of ITTC 1957 on Mumford's wetted surface. The manual's third
-/// component, the drag of a locked propeller, is part of the propeller model.
+/// X'₀ astern, of a drifting ship or in a current: UFC 4-159-03 (2005), "Design: Moorings", 4-5.2, eqs. 16 to 20. The
+/// coefficient is 0.1 on the midship section, plus the friction of ITTC 1957 on Mumford's wetted surface. The manual's
+/// third component, the drag of a locked propeller, is part of the propeller model.
 ///
-/// The manual gives this for any ship-shaped vessel, with bow or stern into the current. It computes friction at the
-/// actual speed. Here one Froude number is used, so that the coefficient is constant. At half that speed friction is 10
-/// % higher.
+/// The manual gives this for any ship-shaped vessel, with bow or stern into the current. The manual computes friction
+/// at the actual speed. Here one Froude number is used, so that the coefficient is constant. At half that speed
+/// friction is 10 % higher.
 pub(super) fn astern(ship: &Particulars) -> f64 {
     let speed_mps = ADRIFT_FROUDE * (STANDARD_GRAVITY_MPS2 * ship.length_m).sqrt();
     let [least, most] = REYNOLDS;

@@ -18,7 +18,7 @@
 //! - N_r: at h/T 1.2 the effective aspect ratio gives 1.40, Ankudinov 2.68, and the tanker has 2.02. At 1.5 they give
 //!   1.21 and 1.51, and the tanker has 1.41. The mean of the two is within 4 % of the tanker's value at both depths.
 //!   Kijima's power (`taimuri.rs`) gives 2.29 for the tanker, but 3.4 to 5.7 for ships with a smaller ratio of draught
-//!   to length. Their turning circles would be three times as wide, so it is not used.
+//!   to length. The turning circles of such ships would be three times as wide, so it is not used.
 //! - Y_r: the tanker has 4.9, Ankudinov gives 2.4 and the effective aspect ratio 1.9. Ankudinov is nearer, and is used.
 //! - Taimuri's set has cubics in T/h that leave their range for broad ships.
 //!
@@ -129,8 +129,8 @@ pub struct Corrections {
 }
 
 impl Corrections {
-    /// The corrections of a set for a ship in water of a depth (m), which may be infinite. They are constant below
-    /// [`SHALLOWEST_RATIO`] draughts.
+    /// The corrections of a set for a ship in water of a depth (m), which may be infinite. The corrections are constant
+    /// below [`SHALLOWEST_RATIO`] draughts.
     ///
     /// # Panics
     /// If the depth is NaN.

@@ -1,6 +1,6 @@
-//! Squat by three formulas for open water of PIANC (Harbour Approach Channels, report 121, 2014). They were read in
-//! public programs that agree (the first two in stebiondi/pyCoastal), and compared with independently calculated
-//! numbers. Each formula refuses water that is not deeper than the draught.
+//! Squat by three formulas for open water of PIANC (Harbour Approach Channels, report 121, 2014). The formulas were
+//! read in public programs that agree (the first two in stebiondi/pyCoastal), and compared with independently
+//! calculated numbers. Each formula refuses water that is not deeper than the draught.
 
 use super::draught_over_depth;
 use crate::constants::{KNOTS_PER_MPS, STANDARD_GRAVITY_MPS2};

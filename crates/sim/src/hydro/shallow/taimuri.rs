@@ -1,6 +1,6 @@
-//! The corrections of Taimuri et al. (2020), as printed in the public implementation nikpau/mmgdynamics. They are for
-//! comparison with the other sets: powers of 1 − T/h and cubics in T/h after Kijima et al. (1990), the rest after
-//! Ankudinov.
+//! The corrections of Taimuri et al. (2020), as printed in the public implementation nikpau/mmgdynamics. These
+//! corrections are for comparison with the other sets: powers of 1 − T/h and cubics in T/h after Kijima et al. (1990),
+//! the rest after Ankudinov.
 //!
 //! The cubics were fitted to tankers: for a container ship of B/T 5 the factor on N_vrr is −21 at h/T 2. The two branches of
 //! γ_R do not meet. So this set is not the default.

@@ -104,8 +104,8 @@ impl DriftHull {
 }
 
 /// The mean drift force of a sea on a hull, [X, Y, N] about midship in (N, N, N·m), for the ship's heading and her
-/// velocity through the water, north and east (m/s). It is ρg Σ a²·C(k, μ) over the sea's harmonics, which equals the
-/// integral of 2ρg S(ω)·C over the spectrum.
+/// velocity through the water, north and east (m/s). The force is ρg Σ a²·C(k, μ) over the sea's harmonics, which
+/// equals the integral of 2ρg S(ω)·C over the spectrum.
 #[must_use]
 pub fn mean_drift(
     sea: &Sea,
@@ -130,10 +130,10 @@ pub fn mean_drift(
     sum.map(|sum| water_density_kgpm3 * STANDARD_GRAVITY_MPS2 * sum)
 }
 
-/// Correction for a ship that moves against the wave with a share τ of its phase speed. It gives the wave number at the
-/// frequency of encounter ω(1 + τ), and the factor 1 + 4τ on the force (Aranha, "A formula for 'wave damping' in the
-/// drift of a floating body", J. Fluid Mech. 275, 1994; recalled, without Aranha's change of direction). The correction
-/// is of first order in τ, so τ is limited to ±0.25; at −0.25 the force is zero.
+/// Correction for a ship that moves against the wave with a share τ of its phase speed. The correction gives the wave
+/// number at the frequency of encounter ω(1 + τ), and the factor 1 + 4τ on the force (Aranha, "A formula for 'wave
+/// damping' in the drift of a floating body", J. Fluid Mech. 275, 1994; recalled, without Aranha's change of
+/// direction). The correction is of first order in τ, so τ is limited to ±0.25; at −0.25 the force is zero.
 fn encountered(number_radpm: f64, against: f64) -> (f64, f64) {
     let against = bounded(against, -0.25, 0.25);
     let ratio = 1.0 + against;
