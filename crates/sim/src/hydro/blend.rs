@@ -28,7 +28,8 @@ use super::particulars::Particulars;
 use super::quantities::{Force, Velocity, Water, smooth_step};
 use super::stall::Stall;
 
-/// |v|/U up to which only the polynomial is used, and |v|/U from which on only the low-speed form is used. The values are for deep water.
+/// Up to the first value of |v|/U only the polynomial is used, and from the second value on only the low-speed form.
+/// The values are for deep water.
 const DRIFT: [f64; 2] = [0.52, 0.72];
 /// How much the limits decrease for each unit of draught over depth.
 const DRIFT_BY_DEPTH: [f64; 2] = [0.285, 0.297];
