@@ -24,7 +24,7 @@ pub enum Mobility {
         /// symmetric (kg, kg·m, kg·m²).
         matrix: [[f64; 3]; 3],
     },
-    /// A floating body whose mass differs between surge and sway. Where the engine moves it, the engine adds the
+    /// A floating body whose mass differs between surge and sway. If the engine moves the body, the engine adds the
     /// Coriolis and centripetal terms (Kirchhoff's equations, with the Munk moment), and the host's loads must not
     /// contain them. All else is as with [`Mobility::FullMatrix`].
     SurgeSway {

@@ -23,8 +23,8 @@ use crate::vec2::{Pose, Rotation, Vec2, vec2};
 ///
 /// The force is the gradient of the stored energy (see [`FenderLaw`]). So a closed path without friction does no work.
 /// Where a corner presses on the face, the force points along the face's axis. Where a flat side covers the whole face,
-/// it is perpendicular to the hull. With an [`Unloading`] law the force is the gradient of the energy that the fender
-/// can return, and a closed path dissipates what the law says.
+/// the force is perpendicular to the hull. With an [`Unloading`] law the force is the gradient of the energy that the
+/// fender can return, and a closed path dissipates what the law says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fender {
     /// Name, used in errors.

@@ -5,7 +5,8 @@ use alloc::vec::Vec;
 use crate::geometry::clip::Hint;
 use crate::memory::HintMemory;
 
-/// Reads the hints of the last step and writes those of the next step. A hint tells where the search of a clip begins.
+/// Reads the hints of the last step and writes the hints of the next step. A hint tells where the search of a clip
+/// begins.
 ///
 /// Most hints stay unchanged and are copied in runs. If all hints stay, nothing is copied: this saves 4 % of the
 /// instructions of a step in which all contacts continue.

@@ -18,7 +18,7 @@ use crate::patch::{Patch, Place};
 use crate::report::{Event, EventKind};
 use crate::room::room_for;
 
-/// What the patches of a step or sub-step inherit. Computed by [`Inheritance::find`].
+/// The memory that the patches of a step or sub-step inherit. Computed by [`Inheritance::find`].
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Inheritance {
     /// One entry per patch.

@@ -1,8 +1,8 @@
-//! What a patch inherits from the last step.
+//! The memory that a patch inherits from the last step.
 
 use crate::memory::PatchMemory;
 
-/// What a patch inherits from the last step.
+/// The memory that a patch inherits from the last step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Inherited {
     /// Nothing: a new contact.

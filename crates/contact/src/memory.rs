@@ -26,9 +26,9 @@ pub struct Memory {
     pub(crate) last_step_s: f64,
     /// Sorted ranks of the bodies that the host has marked as teleported for its next input.
     pub(crate) placed: Vec<u32>,
-    /// By rank, after a step of the coupled method: the time by which the engine's velocity of a body is older than the
-    /// body's position (s). This is half of the body's last sub-step. [`NOT_BEHIND`] for fixed bodies. See
-    /// [`crate::coupled::dynamics`].
+    /// For each body by rank, after a step of the coupled method: the time by which the engine's velocity of a body is
+    /// older than the body's position (s). This is half of the body's last sub-step. [`NOT_BEHIND`] for fixed bodies.
+    /// See [`crate::coupled::dynamics`].
     pub(crate) behind_s: Vec<f64>,
     /// Chains of panels that have parted, sorted: see [`crate::panel::chains`].
     pub(crate) parted: Vec<u32>,
@@ -36,7 +36,7 @@ pub struct Memory {
     pub(crate) pile_offsets_m: Vec<Vec2>,
 }
 
-/// What contacts leave for the next step or sub-step.
+/// The memory of contacts for the next step or sub-step.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ContactMemory {
     /// Contact patches, sorted by pair and patch.
@@ -201,8 +201,8 @@ impl HintMemory {
     }
 }
 
-/// What a step or sub-step knows of the past: the memory that the last one left for some candidates, each list sorted,
-/// and the time since the last one began (s). The time is 0 before the first step.
+/// The data from the past for a step or sub-step: the memory that the last one left for some candidates, each list
+/// sorted, and the time since the last one began (s). The time is 0 before the first step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Past<'m> {
     pub(crate) patches: &'m [PatchMemory],

@@ -24,7 +24,7 @@ const AT_LIMIT: f64 = 1e-9;
 /// horizontal directions. The pile does not let the body turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pile {
-    /// Where the body stands without load, north and east (m).
+    /// Position of the body without load, north and east (m).
     pub place_m: Vec2,
     /// Stiffness at the height of the load (N/m).
     pub stiffness_npm: f64,

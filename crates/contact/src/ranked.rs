@@ -42,7 +42,7 @@ pub(crate) struct RankedBody {
     pub(crate) stands: bool,
     /// Largest distance of a vertex from the centre of gravity (m).
     pub(crate) radius_m: f64,
-    /// The same distance, but with the body's fenders included (m).
+    /// Largest distance of a point of the body or its fenders from the centre of gravity (m).
     pub(crate) reach_m: f64,
     /// 1/m (1/kg); 0 for a fixed body.
     pub(crate) inverse_mass: f64,

@@ -166,8 +166,8 @@ impl Part {
 /// The slices of a model.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Slices {
-    /// By rank: the body's number among the bodies with outlines by height, from 1; 0 for other bodies. Empty if there
-    /// are no such bodies.
+    /// For each body by rank: its number among the bodies with outlines by height, from 1; 0 for other bodies. Empty if
+    /// there are no such bodies.
     numbers: Vec<u32>,
     /// Number of bodies with outlines by height.
     count: u32,

@@ -123,7 +123,7 @@ struct Stage<'w> {
     results: &'w mut Results,
     next_memory: &'w mut ContactMemory,
     /// Length of this step, and the time since the last step began (s). The backward difference of eq. 3 is taken over
-    /// the latter.
+    /// the time since the last step began.
     step_s: f64,
     elapsed_s: f64,
 }

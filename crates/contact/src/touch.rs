@@ -20,7 +20,8 @@ pub(crate) struct Touch {
     pub(crate) normal_in_a: Vec2,
     /// n, A's outward normal, earth-fixed.
     pub(crate) normal: Vec2,
-    /// Where the force acts, in A's frame (m): C or, at a fender, a point on the line of the fender's force.
+    /// The point at which the force acts, in A's frame (m): C or, at a fender, a point on the line of the fender's
+    /// force.
     pub(crate) point_in_a_m: Vec2,
     /// Levers of the force about each body's centre of gravity.
     pub(crate) levers_a: Levers,

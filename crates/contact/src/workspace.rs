@@ -23,6 +23,7 @@ use crate::state::BodyState;
 
 /// Buffers that a step writes to, and the step's results. The next step does not depend on them: a workspace can be
 /// shared between runs, of one model or of several, or dropped at any time.
+///
 /// The parts are in the order in which a step computes them. Each stage takes the parts that it reads or writes.
 #[derive(Clone, Debug)]
 pub struct Workspace {
@@ -137,8 +138,8 @@ impl Workspace {
     /// wrench of the sub-step in which the force was greatest. In the paper's method, and if the step was one sub-step,
     /// this is [`Workspace::wrenches`].
     ///
-    /// Use it to size fenders and structures, not to move bodies: a force that falls off within a long step is this
-    /// large only for a part of the step. Several floating bodies that do not touch each other may touch one fixed
+    /// Use this wrench to size fenders and structures, not to move bodies: a force that falls off within a long step is
+    /// this large only for a part of the step. Several floating bodies that do not touch each other may touch one fixed
     /// body. The wrench on the fixed body is then computed as if their greatest forces acted at the same time.
     pub fn peak_wrenches_into(&self, into: &mut Vec<Wrench>) {
         peaks::write(&self.results.peaks, &self.results.wrenches, into);

@@ -12,7 +12,7 @@ use crate::refusal::Refusal;
 use crate::session::Now;
 use crate::world_change;
 
-/// What became of a planned event.
+/// The fate of a planned event.
 #[derive(Clone, Debug, PartialEq)]
 enum Fate {
     Waits,

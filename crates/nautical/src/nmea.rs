@@ -50,7 +50,7 @@ pub struct Shaft {
     pub rps: f64,
 }
 
-/// What the instruments of a ship measure.
+/// The values that the instruments of a ship measure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Instruments {
     /// Time of the measurements.

@@ -10,7 +10,7 @@ use crate::range::{OutOfRange, within};
 /// The user's factors on energies, reactions and line loads.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PartialFactors {
-    /// Where the factors come from, in the user's words.
+    /// The source of the factors, in the user's words.
     pub source: String,
     /// Factor on the energy that a fender absorbs. The product is compared with the fender's rated energy.
     pub energy: Option<f64>,

@@ -56,7 +56,7 @@ pub struct FenderSetup {
     pub hull_pressure: HullPressure,
     /// Permissible hull pressure (N/m²).
     pub hull_pressure_limit_npm2: Option<f64>,
-    /// Where the fender's data come from.
+    /// The source of the fender's data.
     pub source: Option<FenderSource>,
     /// A panel on several cones. Law, stop and rated deflection are then those of each cone. Rated reaction and energy
     /// are sums over all cones.

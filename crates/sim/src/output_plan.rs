@@ -77,8 +77,8 @@ impl OutputTable {
     }
 }
 
-/// What a run writes, as the table `[output]` of a scenario says. Summary, verdict and report use every step, whatever
-/// is written.
+/// The outputs that a run writes, as the table `[output]` of a scenario says. Summary, verdict and report use every
+/// step, whatever is written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OutputPlan {
     /// Number of steps that one row stands for, 1 or more: the output interval over Δt.

@@ -63,6 +63,7 @@ impl StepRecord<'_> {
 
 /// Work and energy of one contact in one step: a fender and a hull, or two outlines. Integrator stages and sub-steps of
 /// the engine are included.
+///
 /// The energy that the normal force takes from the bodies is stored, or lost in one of three ways: `height_j - normal_j
 /// = Δstored + hysteresis_j + damping_j + restitution_j`. The energy that the tangential force takes is stored or lost:
 /// `-tangential_j = Δshear_stored + friction_j`.

@@ -182,7 +182,7 @@ fn between_0_and(most_j: f64, value_j: f64) -> f64 {
     lesser(greater(value_j, 0.0), most_j)
 }
 
-/// What a sub-step adds to the report of a contact.
+/// The values that a sub-step adds to the report of a contact.
 struct Entry<'w> {
     constraint: &'w Constraint,
     diagnostics: &'w Diagnostics,

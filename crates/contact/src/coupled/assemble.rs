@@ -27,7 +27,7 @@ use crate::touch::{Movers, Scene, Touch, touch, touch_again};
 use crate::unloading::{Loading, PLAYS, unload};
 use crate::vec2::Vec2;
 
-/// What the report of a contact of a sub-step needs besides [`Constraint`] and [`PatchMemory`].
+/// The data that the report of a contact in a sub-step needs besides [`Constraint`] and [`PatchMemory`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Diagnostics {
     /// Depth of the contact, as in [`Touch`] (m).
@@ -57,8 +57,8 @@ pub(crate) struct Start<'w> {
 }
 
 impl Start<'_> {
-    /// What a floating body adds to the inverse effective mass of a contact, along the contact's normal n. `levers` are
-    /// those of n and t.
+    /// The part of a floating body in the inverse effective mass of a contact, along the contact's normal n. `levers`
+    /// are the levers of n and t.
     #[inline(always)]
     fn response(&self, rank: u32, n: Vec2, levers: Levers) -> Response {
         let body = &self.scene.model.ranked[rank as usize];
@@ -101,7 +101,7 @@ pub(crate) struct Aside<'w> {
     pub(crate) parted: &'w mut Vec<u32>,
 }
 
-/// What a patch inherits from the last step or sub-step.
+/// The memory that a patch inherits from the last step or sub-step.
 #[derive(Clone, Copy)]
 pub(crate) struct Heritage<'m> {
     pub(crate) inherited: Inherited,
@@ -110,7 +110,7 @@ pub(crate) struct Heritage<'m> {
     pub(crate) displaced: u32,
 }
 
-/// Where a contact of a sub-step is written.
+/// The place to which a contact of a sub-step is written.
 pub(crate) struct Target<'w> {
     pub(crate) constraint: &'w mut Constraint,
     /// `None` if contacts are not reported.
@@ -299,8 +299,8 @@ struct Unloaded {
     share: f64,
 }
 
-/// Replaces the forces and the stored energy of a touch, which are those of loading, by those of the fender's unloading
-/// law.
+/// Replaces the forces and the stored energy of a touch. They are those for loading; the new ones follow from the
+/// fender's unloading law.
 #[inline(never)]
 fn apply_unloading(
     model: &Model,

@@ -110,7 +110,7 @@ pub(crate) struct Speeds {
     pub(crate) tangential_mps: f64,
 }
 
-/// What the laws give for a contact.
+/// The results of the laws for a contact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Laws<'m> {
     pub(crate) material: &'m Material,
@@ -334,10 +334,10 @@ impl Constraint {
 
     /// N of a sliding contact. `normal_n` is the N that would result if T stayed constant.
     ///
-    /// T = ±μ_k N follows each change of N, and T changes V_n through t·K n. The change of V_n by friction is ρ = μ_k
-    /// |t·K n| / n·K n of the change by N itself. The two changes are opposed if T drives the bodies apart. Undamped
-    /// sweeps would then overshoot by ρ, and would never settle if ρ > 1. A change divided by 1 + ρ is exact where V_n⁺
-    /// = −γ v_ref decides N.
+    /// T = ±μ_k N follows each change of N, and T changes V_n through t·K n. With ρ = μ_k |t·K n| / n·K n, V_n changes
+    /// by friction ρ times as much as the change by N itself. The two changes are opposed if T drives the bodies apart.
+    /// Undamped sweeps would then overshoot by ρ, and would never settle if ρ > 1. A change divided by 1 + ρ is exact
+    /// where V_n⁺ = −γ v_ref decides N.
     #[inline]
     fn damped_by_friction(&self, normal_n: f64) -> f64 {
         let k = &self.inverse_mass;

@@ -32,7 +32,7 @@ const CORRECTIONS: u32 = 6;
 /// Most tight contacts. More tight contacts, at fenders in a line, would not determine N of each.
 const MOST_TIGHT: usize = 2;
 
-/// What a solution says of the bounds that were assumed.
+/// The result of checking the assumed bounds against a solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Verdict {
     /// The assumed bounds are right.

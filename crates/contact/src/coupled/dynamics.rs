@@ -1,7 +1,7 @@
 //! The bodies' dynamics in the coupled method: the state at the start of a step, and the motion in it.
 //!
 //! Sub-steps are a leapfrog: x⁺ = x + h v⁺ with v⁺ = v + κ M⁻¹ (W + contact). So v⁺ belongs to the middle of its
-//! sub-step, and v to the middle of the sub-step before. The time between the two is κ = (h_before + h)/2. While all
+//! sub-step, and v to the middle of the sub-step before. The time between v and v⁺ is κ = (h_before + h)/2. While all
 //! sub-steps have the same length, κ = h. Loads and contacts have the same κ, so that at rest they cancel, whatever the
 //! sub-steps.
 
@@ -26,7 +26,7 @@ use crate::results::Results;
 use crate::state::{BodyState, Velocity};
 use crate::vec2::Pose;
 
-/// What the coupled method knows of the bodies. Lists are by rank.
+/// The data of the bodies for the coupled method. Lists are by rank.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Dynamics {
     /// Layout of the model that all lists are valid for. `None` if the last step used another method, or failed.
@@ -51,7 +51,7 @@ pub(crate) struct Dynamics {
     state_sum: f64,
 }
 
-/// What the host gives for a step.
+/// The input of the host for a step.
 #[derive(Clone, Copy)]
 pub(crate) struct HostInput<'a> {
     /// States by id.

@@ -42,9 +42,9 @@ pub(crate) struct Group {
     pub(crate) patches: Range<usize>,
     /// Ranks of the group's moving bodies, ascending.
     pub(crate) bodies: Vec<u32>,
-    /// Where the group's patches, places and hints begin in the memory of the next step.
+    /// The indices at which the group's patches, places and hints begin in the memory of the next step.
     pub(crate) first: [usize; 3],
-    /// Where the group's contacts begin in the results.
+    /// The index at which the group's contacts begin in the results.
     pub(crate) first_contact: usize,
 }
 

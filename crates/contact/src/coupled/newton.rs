@@ -94,7 +94,7 @@ pub(crate) struct NewtonBuffers {
     pub(crate) unknowns: Unknowns,
     /// One trial per contact of the island.
     trials: Vec<Trial>,
-    /// By place: the last Newton step, and the change of the velocities by all Newton steps.
+    /// For each contact by its place: the last Newton step, and the change of the velocities by all Newton steps.
     pub(crate) step: Vec<Triple>,
     moved: Vec<Triple>,
 }

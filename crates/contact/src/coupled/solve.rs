@@ -7,7 +7,7 @@
 //!   the paper's limiter (eq. 26).
 //! - T_i = −k_s(Δs + ϑ h V̄), V̄ = (1 − ϑ) V_t + ϑ V_t⁺: the shear spring, taken implicitly, within Coulomb's limit
 //!   (eq. 4–8). See [`crate::law::friction`].
-//! - N_i gives the bodies no more energy than N_i has taken from them. The same holds for T_i.
+//! - N_i gives the bodies no more energy than N_i has taken from them, and T_i no more than T_i has taken.
 //!
 //! If an island with one floating body reaches no bound, the forces follow directly ([`super::direct`]). Otherwise the
 //! solver uses projected Gauss–Seidel sweeps on the bodies' velocities. The sweeps start with the last forces and run

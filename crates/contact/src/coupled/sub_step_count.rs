@@ -40,7 +40,7 @@ const TRAVEL_PER_SUB_STEP: f64 = 0.5;
 /// Most sub-steps of a step. This limit bounds the work, whatever the host asks for.
 pub(crate) const MOST_SUB_STEPS: u32 = 4096;
 
-/// What the candidates of an island demand of its sub-steps.
+/// The demands of an island's candidates on its sub-steps.
 #[derive(Clone, Copy, Default)]
 struct Demand {
     /// A bound on the largest ω² of their springs and dampers (1/s²): see [`Sums`].
@@ -220,7 +220,7 @@ impl Bounded<'_> {
         demand.sub_steps(turn)
     }
 
-    /// What a candidate with these patches demands, and false; or a bound on that demand, and true. If a fender is not
+    /// The demand of a candidate with these patches, and false; or a bound on this demand, and true. If a fender is not
     /// touched, the bound saves the computation of the gap to the hull: a quarter of a step of a ship before eight
     /// fenders.
     #[inline(always)]
@@ -244,7 +244,7 @@ impl Bounded<'_> {
         self.demand_of(pairing, own, share)
     }
 
-    /// What a candidate with these patches demands.
+    /// The demand of a candidate with these patches.
     #[inline(always)]
     fn demand_of(&self, pairing: &Pairing, own: &[Patch], share: f64) -> Demand {
         let Pairing { candidate, pair, .. } = pairing;
@@ -301,7 +301,7 @@ impl Bounded<'_> {
         self.fastest_m(candidate) > TRAVEL_PER_SUB_STEP * bounds.half_width_m
     }
 
-    /// What a candidate demands if it is not two outlines that touch in one patch.
+    /// The demand of a candidate that is not two outlines that touch in one patch.
     #[inline(never)]
     fn demand_of_other(&self, pairing: &Pairing, own: &[Patch]) -> Demand {
         let model = self.model;
@@ -320,7 +320,7 @@ impl Bounded<'_> {
         }
     }
 
-    /// What a fender demands if its hull touches it or may touch it. `counts` is the weight of the fender's spring.
+    /// The demand of a fender if its hull touches it or may touch it. `counts` is the weight of the fender's spring.
     #[inline(never)]
     fn demand_of_face(
         &self,

@@ -14,7 +14,7 @@ use crate::number::lesser;
 use crate::panel::press::PanelPress;
 use crate::vec2::{Pose, Vec2};
 
-/// What the last step found: the start of the search in this step. A hint changes the speed of the clip, never the
+/// The result of the last step: the start of the search in this step. A hint changes the speed of the clip, never the
 /// result.
 // The tag is a whole word: a one-byte tag would be copied apart from the rest.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -123,7 +123,7 @@ impl Frame {
         Frame { origin_m: self.origin_m - turned.turned(pose.position_m), ..turned }
     }
 
-    /// The same map, with x measured from `x_m`.
+    /// This map, with x measured from `x_m`.
     #[inline(always)]
     pub(super) fn measured_from(&self, x_m: f64) -> Frame {
         Frame { origin_m: vec2(self.origin_m.x - x_m, self.origin_m.y), ..*self }

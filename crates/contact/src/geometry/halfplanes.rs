@@ -18,7 +18,7 @@ const SAME_LINE_M: f64 = 1e-9;
 /// The crossing of edges within this sine of parallel has no digit that rounding leaves right.
 const PARALLEL: f64 = 1e-14;
 
-/// What the cold path found.
+/// The result of the cold path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Found {
     /// No common area.
@@ -55,7 +55,7 @@ pub(crate) struct Buffers {
     queue: Vec<HalfPlane>,
     /// `corners[k]` is where `queue[k]` meets `queue[k − 1]`.
     corners: Vec<Vec2>,
-    /// Where the bounding half-planes begin in `queue`, and their corners in `corners`. The first corner is where the
+    /// Index of the first bounding half-plane in `queue`, and of its corner in `corners`. The first corner is where the
     /// last half-plane meets the first.
     front: usize,
 }
@@ -212,7 +212,8 @@ fn outside(h: HalfPlane, point: Vec2) -> bool {
     h.along.cross(point - h.start) < 0.0
 }
 
-/// Where two half-planes' lines meet. Neighbouring edges of one polygon meet in a vertex of the polygon.
+/// The point at which the lines of two half-planes meet. Neighbouring edges of one polygon meet in a vertex of the
+/// polygon.
 ///
 /// `from` is where the first half-plane's part of the boundary begins. The second half-plane meets that part ahead of
 /// `from`. By rounding, nearly parallel lines may seem to meet behind `from`; the result is then `from`.
@@ -294,7 +295,7 @@ impl<'a> Merge<'a> {
     }
 }
 
-/// True where the angle of `u`, in [0, 2π), is not larger than that of `v`.
+/// True where the angle of `u`, in [0, 2π), is not larger than the angle of `v`.
 #[inline]
 fn not_after(u: Vec2, v: Vec2) -> bool {
     match (upper_half(u), upper_half(v)) {

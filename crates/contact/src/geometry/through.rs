@@ -64,9 +64,9 @@ pub(crate) fn find(
 
 /// The part of a polygon behind an edge, in the edge's frame. x is measured from where the boundary enters.
 struct Behind {
-    /// Where the boundary enters, with x as in [`Edge`] (m).
+    /// Place at which the boundary enters, with x as in [`Edge`] (m).
     first_m: f64,
-    /// Where the boundary leaves (m); negative.
+    /// Place at which the boundary leaves (m); negative.
     last_m: f64,
     twice_m2: f64,
     centroid_m: Vec2,

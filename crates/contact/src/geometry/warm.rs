@@ -21,7 +21,8 @@ use super::lens::{Crossing, Located, Stretch, point_along, trace};
 use super::ring::{after, before, ring_distance};
 use crate::vec2::Vec2;
 
-/// Largest number of steps of a walk. For longer walks the cold path is cheaper.
+/// Largest number of steps in the walk from the last step's crossing to this step's crossing. Beyond this number the
+/// cold path is cheaper.
 const WALK: usize = 8;
 /// Chains longer than this (in vertices) are left to the cold path.
 const CHAIN: usize = 32;

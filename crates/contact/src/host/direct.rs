@@ -44,7 +44,7 @@ pub struct DirectHost {
     pub(super) last_step_s: f64,
 }
 
-/// What a direct host remembers of one body.
+/// The memory of a direct host for one body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct DirectRecord {
     /// The last input state, and the engine's state at the end of that step.

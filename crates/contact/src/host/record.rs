@@ -1,11 +1,11 @@
-//! What a co-simulation host remembers of one body.
+//! The memory of a co-simulation host for one body.
 
 use crate::host::lead::Lead;
 use crate::host::mass_check::Answers;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
-/// What a co-simulation host remembers of one body.
+/// The memory of a co-simulation host for one body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct BodyRecord {
     /// The last input state.

@@ -120,7 +120,8 @@ impl HostWorkspace {
     }
 
     /// The largest contact wrench on each body within the last step, in the engine's motion: see
-    /// [`Workspace::peak_wrenches_into`]. Use it to size structures; use [`HostWorkspace::wrenches`] to move the bodies.
+    /// [`Workspace::peak_wrenches_into`]. Use this wrench to size structures; use [`HostWorkspace::wrenches`] to move
+    /// the bodies.
     #[must_use]
     pub fn peak_wrenches(&self) -> &[Wrench] {
         &self.peaks

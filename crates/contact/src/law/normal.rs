@@ -13,6 +13,7 @@ use crate::vec2::Pose;
 
 /// The normal force before the momentum limit: N = max(0, spring + stop + damper) (N). The damper's part cṠ comes from
 /// the growth of the overlap.
+///
 /// Eq. 2–3 print −(kS − c dS/dt). With c > 0, that damper pulls the bodies together and makes a bounce leave faster
 /// than it came. The maximum is there because a contact does not pull.
 #[inline]

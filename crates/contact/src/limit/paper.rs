@@ -17,8 +17,8 @@ pub(crate) struct Velocities {
 
 /// The normal force that momentum allows in one step (N): V_n⁺ ≥ −γ V_n⁰ (eq. 26, first line).
 ///
-/// N ≤ max(0, V_n + γ max(V_n⁰, 0)) E_x/Δt. Eq. 11 and 26 print V − γV⁰. With that sign the bodies would still close at
-/// γV⁰ when the contact ends.
+/// N ≤ max(0, V_n + γ max(V_n⁰, 0)) E_x/Δt. Eq. 11 and 26 print V − γV⁰. With the printed sign the bodies would still
+/// close at γV⁰ when the contact ends.
 #[inline]
 pub(crate) fn limited_normal_n(
     normal_n: f64,

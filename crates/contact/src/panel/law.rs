@@ -80,7 +80,7 @@ impl<'p> Springs<'p> {
         self.law.places_m.len() + self.law.chains.len()
     }
 
-    /// The chain, if this spring is one.
+    /// The chain, if this spring is a chain.
     fn chain(&self, spring: usize) -> Option<(usize, &'p ChainLaw)> {
         let index = spring.checked_sub(self.law.places_m.len())?;
         Some((index, &self.law.chains[index]))

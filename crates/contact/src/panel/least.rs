@@ -21,7 +21,7 @@ pub(crate) struct Pose {
     /// d (m).
     pub(crate) middle_m: f64,
     pub(crate) energy_j: f64,
-    /// Indices into the hull's points. There is a second one if the panel lies along a side.
+    /// Indices into the hull's points. There is a second point if the panel lies along a side.
     pub(crate) on: (usize, Option<usize>),
 }
 

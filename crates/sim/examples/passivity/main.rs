@@ -46,7 +46,7 @@ fn main() -> ExitCode {
     if passive && decreases && closed { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-/// Runs episodes with γ up to 0.9, or with unloading laws. Returns false if one gained energy.
+/// Runs episodes with γ up to 0.9, or with unloading laws. Returns false if an episode gained energy.
 fn impacts(what: &str, episodes: u64, anisotropic: bool, unloads: bool) -> bool {
     let of_seed = |seed| episode::random(seed, anisotropic, unloads);
     let all = in_two_threads(episodes, |seed| play(&of_seed(seed)));

@@ -52,7 +52,7 @@ pub struct AnchorGear {
     pub chain_length_m: f64,
     /// Holding power of the anchor over its weight in air, if the chain lies along the bottom.
     pub holding_factor: f64,
-    /// The same ratio while the anchor drags.
+    /// Holding power of the anchor over its weight in air while the anchor drags.
     pub dragging_factor: f64,
     /// Friction of the chain on the bottom over its weight in water.
     pub chain_friction: f64,

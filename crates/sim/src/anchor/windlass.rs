@@ -48,7 +48,7 @@ impl Windlass {
     }
 
     /// Speed of heaving at a tension (m/s). The speed is the full speed up to the pull, and then falls to zero at the
-    /// stall. We assume a straight line between the two.
+    /// stall. We assume a straight line between the pull and the stall.
     #[must_use]
     pub fn heaving_mps(&self, tension_n: f64) -> f64 {
         if tension_n <= self.pull_n {

@@ -51,7 +51,7 @@ impl AddedMassFormula {
     }
 }
 
-/// Where the Cm of a berthing comes from.
+/// The source of the Cm of a berthing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AddedMass {
     /// A formula computes Cm.

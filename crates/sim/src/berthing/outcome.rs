@@ -34,7 +34,7 @@ pub struct BerthingOutcome {
     /// Cm by each formula, in the order of [`super::AddedMassFormula::ALL`]; `None` if the formula does not apply to
     /// the ship.
     pub added_mass: [Option<f64>; 4],
-    /// Where the Cm of `energy_j` comes from.
+    /// The source of the Cm of `energy_j`.
     pub chosen: AddedMass,
     /// The Cm used for `energy_j`.
     pub chosen_added_mass: f64,

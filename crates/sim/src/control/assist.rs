@@ -132,7 +132,7 @@ pub enum Task {
     },
 }
 
-/// What a task demands of the thrusters in a step.
+/// The demand of a task on the thrusters in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AssistDemand {
     /// Force and moment demanded.

@@ -142,7 +142,7 @@ impl LongWaves {
     /// One regular long wave; with a wall it is a seiche, and the height is the height at the wall.
     ///
     /// # Errors
-    /// A number out of range, a wave that would break, or one that is too short for the depth.
+    /// A number out of range, a wave that would break, or a wave that is too short for the depth.
     pub fn regular(wave: RegularWave, site: &LongWaveSite) -> Result<LongWaves, EnvironmentError> {
         site.check()?;
         site.check_height(wave.height_m)?;

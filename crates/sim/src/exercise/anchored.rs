@@ -11,7 +11,7 @@ use crate::world::AnchorAtWork;
 /// rounding.
 const CHAIN_SLACK_M: f64 = 1e-3;
 
-/// Where an anchor must lie.
+/// The place where an anchor must lie.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnchorPlace {
     /// North and east (m).
@@ -25,7 +25,7 @@ pub struct AnchorPlace {
 pub(super) struct Holding<'a> {
     /// Least chain out (m).
     pub chain_m: f64,
-    /// Where the anchor must lie.
+    /// The place where the anchor must lie.
     pub place: &'a Option<AnchorPlace>,
 }
 

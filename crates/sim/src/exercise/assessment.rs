@@ -45,7 +45,7 @@ impl State {
     }
 }
 
-/// What an exercise has recorded for one of its limits.
+/// The record of an exercise for one of its limits.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Mark {
     /// The worst value so far, the subject to which it belonged, and its time (s). `None` before the limit counted.

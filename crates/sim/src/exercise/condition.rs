@@ -51,7 +51,7 @@ pub enum Condition {
         at_least: usize,
         /// Least chain out of each (m).
         chain_m: f64,
-        /// Where each anchor must lie; `None`: anywhere.
+        /// The place where each anchor must lie; `None` if it may lie anywhere.
         place: Option<AnchorPlace>,
     },
 }

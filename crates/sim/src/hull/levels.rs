@@ -51,7 +51,7 @@ pub enum HullError {
         /// Number of its vertices.
         count: usize,
     },
-    /// A height that is not above the one before it.
+    /// A height that is not greater than the height before it.
     NotAscending {
         /// Number of the outline, from 0.
         level: usize,

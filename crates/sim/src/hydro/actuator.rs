@@ -157,8 +157,8 @@ impl Telegraph {
         }
     }
 
-    /// Revolutions over those at full ahead at sea. The revolutions are typical values for slow-running engines. A
-    /// vessel with a table of her own uses her table.
+    /// Revolutions over the revolutions at full ahead at sea. The revolutions are typical values for slow-running
+    /// engines. A vessel with a table of her own uses her table.
     pub fn revolutions_ratio(self) -> f64 {
         match self {
             Telegraph::FullAstern => -0.70,

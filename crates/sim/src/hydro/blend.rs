@@ -33,7 +33,7 @@ use super::stall::Stall;
 const DRIFT: [f64; 2] = [0.52, 0.72];
 /// How much the limits decrease for each unit of draught over depth.
 const DRIFT_BY_DEPTH: [f64; 2] = [0.285, 0.297];
-/// The same two limits for |r|L/U, at any depth.
+/// The two limits of |r|L/U, in the same sense, at any depth.
 const YAW: [f64; 2] = [1.5, 3.0];
 
 /// Hull coefficients for all directions of motion.

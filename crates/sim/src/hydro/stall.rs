@@ -21,7 +21,8 @@ use fenderline_contact::number::lesser;
 use super::low_speed::LowSpeedHull;
 use super::quantities::{Velocity, smooth_step};
 
-/// |u|/U from which on the flow is attached (20°), and |u|/U up to which it is separated (46°).
+/// From the first value of |u|/U on, the flow is attached (20°). Up to the second value of |u|/U, it is separated
+/// (46°).
 const ATTACHED: f64 = 0.94;
 const SEPARATED: f64 = 0.70;
 /// Share of the moment due to the bottom that is left in separated flow.

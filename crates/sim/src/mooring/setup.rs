@@ -15,7 +15,7 @@ pub struct LineSetup {
     pub name: String,
     /// Type and material.
     pub kind: LineKind,
-    /// What holds the inboard end of the line.
+    /// The device that holds the inboard end of the line.
     pub inboard_end: InboardEnd,
     /// Length outboard at the start.
     pub initial_length: InitialLength,
@@ -94,7 +94,7 @@ pub struct Tail {
     pub length_m: f64,
 }
 
-/// What holds the inboard end of a line.
+/// The device that holds the inboard end of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum InboardEnd {
     /// Bitts: the line is held until it parts.

@@ -19,7 +19,7 @@ pub enum TargetKind {
     Anchor,
 }
 
-/// What the target of an order must have to carry it out.
+/// The equipment that the target of an order must have to carry the order out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Gear {
     /// No special gear.

@@ -36,8 +36,8 @@ const FINE: usize = 120;
 /// The bandwidth of the kernel, over the bandwidth that the widest step of the headings resolves (half a wave per
 /// step).
 const BAND: f64 = 0.9;
-/// This is added to the diagonal of the kernel's matrix. Without it, headings very near each other would make the
-/// matrix singular to rounding.
+/// This value is added to the diagonal of the kernel's matrix. Without this value, headings very near each other would
+/// make the matrix singular to rounding.
 const RIDGE: f64 = 1e-10;
 
 /// Fine headings: equal steps from 0 to π for data that are alike to both sides, otherwise from −π all round. One extra

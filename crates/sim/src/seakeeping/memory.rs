@@ -185,8 +185,9 @@ impl Bank {
     }
 
     /// Adds damping where the fit gives a damping below zero in some direction. First the nearest resonator adds
-    /// damping, because its first output takes energy at every frequency; or the wide resonator does. What is then
-    /// still lacking is added at all frequencies. Directions are compared by the mass that moves in them.
+    /// damping, because its first output takes energy at every frequency; or the wide resonator does. Damping that is
+    /// still lacking after this step is added at all frequencies. Directions are compared by the mass that moves in
+    /// them.
     fn make_passive(&mut self, mass: &Matrix6) {
         let scale: Six = std::array::from_fn(|k| 1.0 / mass[k][k].sqrt());
         let least = |bank: &Bank| {

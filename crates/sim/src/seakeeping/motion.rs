@@ -109,7 +109,7 @@ impl Motion {
     }
 
     /// The force of the water against a motion from rest, at the end of each step. The velocities belong to the middles
-    /// of steps. What acts as mass is subtracted: it is in [`Motion::mass`].
+    /// of steps. The part of the forces that acts as mass is subtracted: it is in [`Motion::mass`].
     #[must_use]
     pub fn memory_force(&self, velocities: &[Six]) -> Vec<Six> {
         let mut memory = self.bank.steady([0.0; 6]);

@@ -304,8 +304,8 @@ impl Simulation {
         }
     }
 
-    /// Keeps only the pending orders, including those of the set-up, for which `keep` returns true. Use it when a user
-    /// takes manual control, so that planned orders do not interfere.
+    /// Keeps only the pending orders, including those of the set-up, for which `keep` returns true. Use this method
+    /// when a user takes manual control, so that planned orders do not interfere.
     pub fn retain_orders(&mut self, keep: impl FnMut(&Order) -> bool) {
         self.world.retain_orders(keep);
     }

@@ -16,7 +16,8 @@ impl Simulation {
     /// mean over the step; for other bodies it is the value at the start of the step.
     ///
     /// The contact forces of this step are not known yet, so the prediction of a vessel's motion uses the contact
-    /// forces of the last step. Without them, a vessel at rest on her fenders would be expected to move through them.
+    /// forces of the last step. Without these forces, a vessel at rest on her fenders would be expected to move through
+    /// them.
     pub(super) fn turn_momentum(&mut self) {
         if self.engine_moves() && self.setup.world.vessels.is_empty() {
             return; // the engine turns that of plain bodies

@@ -4,8 +4,8 @@ use fenderline_contact::number::greater;
 
 /// Statistics of one motion. Peaks are counted between crossings of the mean: the largest distance from the mean
 /// between two crossings is one peak, and peaks of both sides count. A range goes from a crest to the trough after it,
-/// between up-crossings. What lies before the first crossing and after the last one counts only for mean, deviation and
-/// maximum.
+/// between up-crossings. Values before the first crossing and after the last crossing count only for mean, deviation
+/// and maximum.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MotionStatistics {
     /// Mean (m or rad). For surge and sway it is measured from the first position that counts.

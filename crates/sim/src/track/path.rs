@@ -155,7 +155,7 @@ fn check_bends(legs: &[Vec2], turns_rad: &[f64], radius_m: f64) -> Result<(), Tr
     Ok(())
 }
 
-/// The same angle between −π and π (rad).
+/// The angle in the range from −π to π (rad).
 fn within_half_turn(angle_rad: f64) -> f64 {
     angle_rad - 2.0 * PI * libm::round(angle_rad / (2.0 * PI))
 }

@@ -1,4 +1,4 @@
-//! What can be found in a run.
+//! The findings that a run can have.
 
 use super::Verdict;
 use super::law::Departure;

@@ -70,7 +70,7 @@ pub struct LawRow {
     pub verdict: Verdict,
     /// When the law is left, for documents.
     pub when: &'static str,
-    /// What the engine does then, for documents.
+    /// The engine's action in this case, for documents.
     pub then: &'static str,
 }
 

@@ -55,7 +55,7 @@ impl CurrentTable {
         [self.alone_until_mps, self.gone_from_mps]
     }
 
-    /// Where the table comes from, in the user's words.
+    /// The source of the table, in the user's words.
     #[must_use]
     pub fn source(&self) -> &str {
         &self.source

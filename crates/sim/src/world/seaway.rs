@@ -218,7 +218,7 @@ impl Afloat {
     }
 }
 
-/// Where a force acts on a ship in her present attitude.
+/// The point at which a force acts on a ship in her present attitude.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Lever {
     /// Place forward and to starboard of the centre of gravity (m).

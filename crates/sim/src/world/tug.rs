@@ -115,7 +115,8 @@ impl TugSetup {
         -FRAC_PI_2.copysign(self.tug.push_at_m.y)
     }
 
-    /// The tug as a device of a pilot. The tug can pull on her line with the same force as she can push.
+    /// Describes the tug as a device for an automatic pilot of the ship. The tug can pull on her line with the same
+    /// force as she can push.
     pub(crate) fn device(&self, vessel: &VesselSetup) -> LateralDevice {
         let most_n = 0.95 * self.tug.envelope.bollard_pull_n;
         LateralDevice {

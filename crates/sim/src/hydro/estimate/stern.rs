@@ -12,8 +12,8 @@ use crate::hydro::propeller::{Propeller, Series};
 use crate::hydro::rudder::Rudder;
 use crate::hydro::vessels::{Figure, Source, Standing};
 
-/// Thrust deduction astern. With it, the series of pitch 0.8, which gives −0.255 at bollard, gives the −0.175 ρn²D⁴
-/// that Miyauchi et al. (2022) have for Esso Osaka (pitch 0.715).
+/// Thrust deduction astern. With this deduction, the series of pitch 0.8, which gives −0.255 at bollard, gives the
+/// −0.175 ρn²D⁴ that Miyauchi et al. (2022) have for Esso Osaka (pitch 0.715).
 const DEDUCTION_ASTERN: f64 = 0.314;
 
 /// x'_P if it is not known.

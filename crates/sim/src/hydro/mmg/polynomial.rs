@@ -90,8 +90,8 @@ pub struct LinearTerms {
 }
 
 impl Polynomial {
-    /// Force at midship *with* the Coriolis terms of the added mass, X + m_y v r and Y − m_x u r. With them both forms
-    /// are equivalent. The ship must be moving (U > 0).
+    /// Force at midship *with* the Coriolis terms of the added mass, X + m_y v r and Y − m_x u r. With the Coriolis
+    /// terms both forms are equivalent. The ship must be moving (U > 0).
     pub(crate) fn force(
         &self,
         velocity: &Velocity,

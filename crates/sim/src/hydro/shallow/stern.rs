@@ -6,6 +6,7 @@ use crate::hydro::particulars::Particulars;
 
 /// With x = T/h, the factor on γ_R is 1 + 0.0161x + 4.4222x² − 4.9825x³. The factor on (1 − t) is the square root of
 /// 1/(1 − 0.2x + 0.7295x²). The factor on (1 − w) is the square root of cos(1.4 Cb x).
+///
 /// The square roots are ours. Each is the geometric mean of the published factor and 1, because published factors
 /// contradict each other. For KVLCC2 at h/T 1.2, Taimuri et al. have 0.80 on (1 − w) and 1.05 on (1 − t), and the
 /// formulas without the root give 0.59 and 0.75. The tanker of van Berlekom & Goddard has the same thrust at any depth.

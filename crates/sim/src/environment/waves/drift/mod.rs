@@ -73,8 +73,8 @@ impl DriftHull {
         self.sum(&reflected, number_radpm, direction_rad)
     }
 
-    /// [`DriftHull::coefficients`] at several directions, for any wave number. What does not depend on the wave number
-    /// is computed once.
+    /// [`DriftHull::coefficients`] at several directions, for any wave number. Values that do not depend on the wave
+    /// number are computed once.
     pub(crate) fn at_directions(
         &self,
         directions_rad: impl Iterator<Item = f64>,

@@ -15,8 +15,9 @@ const PITCH_GYRATION: f64 = 0.25;
 /// The part of the SNNM method (ITTC 7.5-04-01-01.1; Liu & Papanikolaou 2020, see [`super::depth`]) that is due to
 /// motions, over ρga² (m), positive forward. The ship is at rest on an even keel. The method's angle α is 0 for waves
 /// from ahead.
-///  4 B²/L · 241.2 C_B^1.34 k_yy² a₁ a₂ ω̄^b₁ exp(b₁/d₁ (1 − ω̄^d₁)), with ω̄, the frequency over the frequency at
-///  which the force is largest.
+///
+/// The value is 4 B²/L · 241.2 C_B^1.34 k_yy² a₁ a₂ ω̄^b₁ exp(b₁/d₁ (1 − ω̄^d₁)), where ω̄ is the frequency over the
+/// frequency at which the force is largest.
 pub(super) fn surge_m(hull: &DriftHull, number_radpm: f64, direction_rad: f64) -> f64 {
     let block = hull.block_coefficient;
     let [least, most] = BEAM_OVER_DRAUGHT;

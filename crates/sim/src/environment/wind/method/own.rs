@@ -13,7 +13,7 @@ pub struct OwnWindTable {
     pub loads: Arc<LoadTable>,
     /// The height above the water of the wind speed to which the coefficients refer (m).
     pub reference_height_m: f64,
-    /// Where the table comes from, in the user's words.
+    /// The source of the table, in the user's words.
     pub source: Arc<str>,
 }
 
