@@ -1,4 +1,4 @@
-//! Carries commands out on the simulation.
+//! Carries out commands on the simulation.
 
 use fenderline_sim::order::{TugWord, TugWords, Word as _};
 use fenderline_sim::{Action as SimAction, Order, Setup, Simulation};
@@ -11,11 +11,11 @@ use crate::now::Now;
 use crate::refusal::Refusal;
 use crate::{happening, place, world_change};
 
-/// Carries a command out; it takes effect at the next step. The first manual order to a vessel, tug or line drops the
-/// scenario's later timed orders to it; the result is true if there were any.
+/// Carries out a command, which takes effect at the next step. The first manual order to a vessel, tug, line or anchor
+/// drops the scenario's later timed orders to it. Returns true if there were such orders.
 ///
 /// # Errors
-/// The reason, for the person who gave the command. Nothing is changed then.
+/// The reason for the person who gave the command. Nothing is changed in this case.
 pub(crate) fn carry_out(action: &Action, cast: &Cast, now: &mut Now) -> Result<bool, Refusal> {
     match action {
         Action::Order(named) => {
@@ -79,7 +79,7 @@ fn order(action: SimAction, now: &mut Now) -> Result<bool, Refusal> {
     Ok(dropped)
 }
 
-/// Resolves an order in words to a tug: a vector tug, or a vessel that assists the ship that she serves.
+/// Resolves an order in words to a tug. The tug is a vector tug, or a vessel that assists the ship that she serves.
 fn tug_order(
     name: &str,
     words: &TugWords,
@@ -96,7 +96,7 @@ fn tug_order(
     words.for_vessel(tug, ship, setup, simulation.states()).map_err(Refusal::new)
 }
 
-/// The power of an order to a tug. It may be missing only where the order asks for no force.
+/// The power of an order to a tug. Only an order that asks for no force may leave the power out.
 fn power_of(word: TugWord, power: Option<f64>) -> Result<f64, Refusal> {
     match (word, power) {
         (_, Some(power)) => {

@@ -1,4 +1,4 @@
-//! The exercise of a session, as pages see it.
+//! The exercise of a session, for pages.
 
 use fenderline_sim::Setup;
 use fenderline_sim::exercise::{AnchorPlace, Assessment, Condition, Deduction, State};
@@ -7,7 +7,7 @@ use crate::message::{
     ConditionNow, ExerciseInfo, ExerciseMarks, ExerciseNow, LimitInfo, LimitNow, PlaceInfo,
 };
 
-/// How an exercise ended, without its score; `None` while it goes on.
+/// The text of how an exercise ended, without its score. `None` while the exercise goes on.
 pub(crate) fn ending(exercise: &Assessment) -> Option<&'static str> {
     match exercise.state() {
         State::Running => None,
@@ -16,7 +16,7 @@ pub(crate) fn ending(exercise: &Assessment) -> Option<&'static str> {
     }
 }
 
-/// The constant part of an exercise.
+/// The data of an exercise that do not change.
 pub(crate) fn info(exercise: &Assessment, setup: &Setup) -> ExerciseInfo {
     let of = exercise.setup();
     let ship = setup.world.vessels[of.vessel].body;
@@ -44,7 +44,7 @@ pub(crate) fn info(exercise: &Assessment, setup: &Setup) -> ExerciseInfo {
     }
 }
 
-/// The present state of an exercise: what everybody sees.
+/// The present state of an exercise that everybody sees.
 pub(crate) fn now(exercise: &Assessment, t_s: f64) -> ExerciseNow {
     let conditions = exercise.conditions().iter();
     ExerciseNow {
@@ -57,7 +57,7 @@ pub(crate) fn now(exercise: &Assessment, t_s: f64) -> ExerciseNow {
     }
 }
 
-/// Score and limits of an exercise: what the instructor sees.
+/// Score and limits of an exercise, which only the instructor sees.
 pub(crate) fn marks(exercise: &Assessment, setup: &Setup) -> ExerciseMarks {
     let deductions: Vec<Deduction<'_>> = exercise.deductions().collect();
     let limits = exercise.setup().limits.iter().zip(exercise.marks()).map(|(limit, mark)| {

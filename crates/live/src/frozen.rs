@@ -1,11 +1,11 @@
-//! Instruments that stay as they are: what they show on board instead of the truth.
+//! Frozen instruments: what they show on board in place of the true values.
 
 use fenderline_contact::{Vec2, vec2};
 use fenderline_sim::{Fault, Simulation};
 
 use crate::speeds::{Speeds, speeds};
 
-/// The last values of a vessel's instruments that are frozen.
+/// The last values of a vessel's frozen instruments.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Frozen {
     pub(crate) heading_rad: Option<f64>,
@@ -13,38 +13,38 @@ pub(crate) struct Frozen {
     pub(crate) place: Option<Place>,
 }
 
-/// Where a vessel is.
+/// The position of a vessel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Place {
-    /// Her centre of gravity (m).
+    /// The vessel's centre of gravity (m).
     pub(crate) centre_m: Vec2,
-    /// Midship, where her antenna is (m).
+    /// Midship, where the vessel's antenna is (m).
     pub(crate) midship_m: Vec2,
 }
 
 impl Frozen {
-    /// None, for each vessel.
+    /// For each vessel, no frozen instrument.
     pub(crate) fn none(simulation: &Simulation) -> Vec<Frozen> {
         vec![Frozen::default(); simulation.vessels().len()]
     }
 
-    /// Whether an instrument is frozen.
+    /// True if any instrument is frozen.
     pub(crate) fn any(&self) -> bool {
         *self != Frozen::default()
     }
 
-    /// What the speed instruments show, if they are frozen.
+    /// The speeds that the instruments show, if they are frozen.
     pub(crate) fn speeds(&self) -> Option<Speeds> {
         self.speeds
     }
 
-    /// The rate of turn that is shown, of which this is the true one (rad/s).
+    /// The rate of turn that the compass shows, given the true rate of turn (rad/s).
     pub(crate) fn turn_radps(&self, now_radps: f64) -> f64 {
         if self.heading_rad.is_some() { 0.0 } else { now_radps }
     }
 }
 
-/// Takes the values of instruments whose fault has begun, and forgets those whose fault is over.
+/// Keeps the values of instruments whose fault has begun, and forgets the values of instruments whose fault is over.
 pub(crate) fn renew(all: &mut [Frozen], simulation: &Simulation) {
     for (index, own) in all.iter_mut().enumerate() {
         let state = &simulation.states()[simulation.setup().world.vessels[index].body];
@@ -57,7 +57,7 @@ pub(crate) fn renew(all: &mut [Frozen], simulation: &Simulation) {
     }
 }
 
-/// Where a vessel is now.
+/// The present position of a vessel.
 pub(crate) fn place(simulation: &Simulation, index: usize) -> Place {
     let of = &simulation.setup().world.vessels[index];
     let state = &simulation.states()[of.body];
@@ -65,7 +65,7 @@ pub(crate) fn place(simulation: &Simulation, index: usize) -> Place {
     Place { centre_m: state.position_m, midship_m: state.pose().apply(vec2(-ahead_m, 0.0)) }
 }
 
-/// The value that was kept, or that of now if the fault has just begun.
+/// The value that was kept, or the present value if the fault has just begun.
 fn kept<T>(is_frozen: bool, before: Option<T>, now: T) -> Option<T> {
     is_frozen.then(|| before.unwrap_or(now))
 }

@@ -1,15 +1,16 @@
 //! A simulation that people steer: a deterministic session without clock, threads, sockets or files.
 //!
-//! A [`Session`] consists of a scenario ([`Source`]) and a log of commands, each with its tick and its author. These two
-//! determine every state, bit for bit. So a session can be rewound, branched from any tick, recorded line by line
-//! ([`RecordingReader`]) and replayed ([`Replay`]). This crate also makes the messages to pages ([`message`]) and reads their
-//! requests ([`Request`]).
+//! A [`Session`] consists of a scenario ([`Source`]) and a log of commands, each with its tick and its author. The
+//! scenario and the log determine every state, bit for bit. A session can therefore be rewound, branched from any tick,
+//! recorded line by line ([`RecordingReader`]) and replayed ([`Replay`]). This crate also makes the messages to pages
+//! ([`message`]) and reads the requests of pages ([`Request`]).
 //!
-//! After it, a [`Repeat`] steps through a branch from its start and keeps the log: commands, alarms, acknowledgements, notes and events.
+//! When the session is over, a [`Repeat`] steps through a branch from its start and keeps the log: commands, alarms,
+//! acknowledgements, notes and events.
 //!
-//! A run that nobody steers gives the same messages by [`Watched`].
+//! [`Watched`] gives the same messages for a run that nobody steers.
 //!
-//! The owner of a session decides when it steps: `fenderline serve` paces it to wall time.
+//! The owner of a session decides when it steps. `fenderline serve` paces the session to wall time.
 #![forbid(unsafe_code)]
 
 mod action;

@@ -1,5 +1,5 @@
-//! What the instructor has prepared: events at given times. Part of the state that is kept, rewound and branched;
-//! `happening.rs` runs it before each step.
+//! The instructor's script: events at given times. The script is a part of the state that is kept, rewound and
+//! branched. The script runs before each step.
 
 use fenderline_sim::{PlannedChange, Setup};
 
@@ -9,13 +9,13 @@ use crate::message::PlannedNow;
 use crate::refusal::Refusal;
 use crate::world_change;
 
-/// What became of a planned event.
+/// The fate of a planned event.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Fate {
     Waits,
     Fired,
     Cancelled,
-    /// It could not be carried out when its time came, for this reason.
+    /// The event could not be carried out at its time. The text is the reason.
     Refused(String),
 }
 
@@ -54,7 +54,7 @@ impl Script {
         waiting.map(|planned| (planned.at_s, &planned.event))
     }
 
-    /// The planned events for the instructor's page, by time.
+    /// The planned events in the order of their times, for the instructor's page.
     pub(crate) fn messages(&self) -> Vec<PlannedNow> {
         let mut all: Vec<PlannedNow> = self.planned.iter().map(Planned::message).collect();
         all.sort_by(|one, other| one.at_s.total_cmp(&other.at_s));
@@ -64,7 +64,7 @@ impl Script {
     /// Cancels an event that waits.
     ///
     /// # Errors
-    /// There is none of this number that waits.
+    /// No event with this number waits.
     pub(crate) fn cancel(&mut self, id: u64) -> Result<(), Refusal> {
         let waits = |planned: &&mut Planned| planned.id == id && planned.fate == Fate::Waits;
         let planned = self.planned.iter_mut().find(waits);

@@ -1,13 +1,13 @@
 //! A ship-manoeuvring simulator in the horizontal plane around the contact engine `fenderline-contact`.
 //!
-//! It simulates ships, tugs, fenders, quays and mooring lines under wind, current, waves and tide: hull forces by the
-//! MMG method, propellers, rudders and thrusters, wind and wave loads, elastic lines with winches, pilots that follow
-//! orders, and the contact forces between all bodies. It has no files, clock or threads, and gives the same bits
-//! for the same input on every machine.
+//! The crate simulates ships, tugs, fenders, quays and mooring lines under wind, current, waves and tide: hull forces
+//! by the MMG method, propellers, rudders and thrusters, wind and wave loads, elastic lines with winches, pilots that
+//! follow orders, and the contact forces between all bodies. The simulator uses no files, clock or threads, and gives
+//! the same bits for the same input on every machine.
 //!
-//! [`Setup`] is everything that is constant in a run. [`Simulation`] holds the state, advances it by one time step with
-//! [`Simulation::step`], and returns a [`StepRecord`] with forces, contacts, energies and events. Units are SI. North is x,
-//! east is y; headings and moments are positive clockwise, seen from above.
+//! [`Setup`] holds everything that is constant in a run. [`Simulation`] holds the state, advances it by one time step
+//! with [`Simulation::step`], and returns a [`StepRecord`] with forces, contacts, energies and events. Units are SI.
+//! North is x, east is y; headings and moments are positive clockwise, seen from above.
 //!
 //! # Example
 //!
@@ -130,7 +130,7 @@
 //! ```
 //!
 //! For a ship with a manoeuvring model, propeller, rudder, lines and a berth, start from a scenario file: the crate
-//! `fenderline-scenario` reads one into a [`Setup`].
+//! `fenderline-scenario` reads scenario files into a [`Setup`].
 //!
 //! # Where to look next
 //!
@@ -143,12 +143,12 @@
 //! | mooring lines and winches | [`mooring`] |
 //! | anchors, chain, windlass and holding ground | [`anchor`] |
 //! | ships that pass, and the flow between ships | [`passing`] |
-//! | where a ship is that follows waypoints at given speeds | [`track`] |
+//! | the position of a ship that follows waypoints at given speeds | [`track`] |
 //! | statistics of motions, and limits on them | [`statistics`] |
 //! | heave, roll and pitch | [`attitude`] |
 //! | tugs as force vectors | [`tug`] |
 //! | controllers for heading, position and thrust | [`control`] |
-//! | the line through a berth's fenders, and how a ship lies to it | [`berth`] |
+//! | the line through a berth's fenders, and a ship's position relative to it | [`berth`] |
 //! | berthing energy by PIANC's formulas | [`berthing`] |
 //! | exercises: goal, limits and score | [`exercise`] |
 //! | weather and faults that change during a run | [`change`] |

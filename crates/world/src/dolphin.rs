@@ -6,12 +6,12 @@ use fenderline_contact::{Pile, Vec2};
 
 pub use self::run::{DolphinMotion, DolphinSummary, Dolphins};
 
-/// What makes a body a flexible dolphin: its pile, and the mass on it.
+/// A flexible dolphin: its pile, and the mass on the pile.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DolphinSetup {
-    /// Mass that moves with the head: the head itself, and the pile's share by its first mode (kg).
+    /// Mass that moves with the head (kg): the head, and the share of the pile that moves in its first mode.
     pub mass_kg: f64,
-    /// Horizontal stiffness at the fender's height, the same in all directions (N/m).
+    /// Horizontal stiffness at the fender's height, equal in all directions (N/m).
     pub stiffness_npm: f64,
     /// Damping over the critical damping.
     pub damping_ratio: f64,
@@ -32,7 +32,7 @@ impl DolphinSetup {
         core::f64::consts::TAU / self.rate_radps()
     }
 
-    /// The pile of a dolphin that stands here.
+    /// The pile of a dolphin that stands at this place.
     pub fn pile(&self, place_m: Vec2) -> Pile {
         Pile {
             place_m,
@@ -43,8 +43,8 @@ impl DolphinSetup {
     }
 }
 
-/// Tubular steel piles that stand upright and are fixed in the ground: beams of constant section, clamped at the point of
-/// fixity. Several piles of one dolphin bend alike.
+/// Tubular steel piles that stand upright and are fixed in the ground: beams of constant section, clamped at the point
+/// of fixity. All piles of a dolphin bend alike.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SteelPiles {
     /// Number of piles.
@@ -53,7 +53,7 @@ pub struct SteelPiles {
     pub diameter_m: f64,
     /// Wall thickness (m).
     pub wall_m: f64,
-    /// From the point of fixity to the height of the fender (m).
+    /// Length from the point of fixity to the height of the fender (m).
     pub length_m: f64,
     /// Young's modulus (N/m²).
     pub modulus_npm2: f64,
@@ -65,8 +65,9 @@ impl SteelPiles {
     /// Density of steel (kg/m³).
     const STEEL_KGPM3: f64 = 7850.0;
 
-    /// Share of a clamped beam's mass μL that acts at its free end in the first mode. With ω₁ = β² √(EI/μ)/L², 1 + cos β cosh β
-    /// = 0, and K = 3EI/L³ it is K/(μ L ω₁²) = 3/β⁴. With a heavy head it tends to 33/140 = 0.236, that of the static deflection.
+    /// Share of a clamped beam's mass μL that acts at its free end in the first mode. With ω₁ = β² √(EI/μ)/L², 1 + cos
+    /// β cosh β = 0, and K = 3EI/L³ it is K/(μ L ω₁²) = 3/β⁴. With a heavy head the share tends to 33/140 = 0.236, the
+    /// value for the static deflection.
     const FIRST_MODE: f64 = 0.242_672;
 
     /// K = 3EI/L³ of all piles (N/m).
@@ -77,7 +78,7 @@ impl SteelPiles {
         f64::from(self.number) * 3.0 * bending_nm2 / cube_m3
     }
 
-    /// The part of the piles' steel that moves with the head (kg). Water in and around the piles is not in it.
+    /// The part of the piles' steel that moves with the head (kg). Water in and around the piles is not included.
     #[must_use]
     pub fn moving_mass_kg(&self) -> f64 {
         let [outer_m, inner_m] = self.diameters_m();
@@ -126,8 +127,9 @@ mod tests {
         assert!((SteelPiles::FIRST_MODE / share - 1.0).abs() < 1e-5, "{share}");
     }
 
-    /// A monopile of 2.5 m by 40 mm, 25 m long, E = 210 GPa, 420 MPa. By hand: I = π/64 (2.5⁴ − 2.42⁴) = 0.233905 m⁴,
-    /// K = 3EI/L³ = 9.4311 MN/m, A = 0.309133 m², ρ A L = 60.667 t, of which 0.24267, W = 0.187124 m³, f_y W/L = 3.1437 MN.
+    /// A monopile of 2.5 m diameter and 40 mm wall, 25 m long, E = 210 GPa, yield stress 420 MPa. By hand: I = π/64
+    /// (2.5⁴ − 2.42⁴) = 0.233905 m⁴, K = 3EI/L³ = 9.4311 MN/m, A = 0.309133 m², ρ A L = 60.667 t, of which 0.24267, W =
+    /// 0.187124 m³, f_y W/L = 3.1437 MN.
     #[test]
     fn a_monopile_is_a_cantilever() {
         let pile = SteelPiles {

@@ -3,9 +3,9 @@
 /// Work and energy of one contact in one step: a fender and a hull, or two outlines. Integrator stages and sub-steps of
 /// the engine are included.
 ///
-/// The energy that the normal force takes from the bodies is stored or lost in one of three ways:
-/// `height_j - normal_j = Δstored + hysteresis_j + damping_j + restitution_j`. The energy that the tangential force takes is
-/// stored or lost: `-tangential_j = Δshear_stored + friction_j`.
+/// The energy that the normal force takes from the bodies is stored, or lost in one of three ways: `height_j - normal_j
+/// = Δstored + hysteresis_j + damping_j + restitution_j`. The energy that the tangential force takes is stored or lost:
+/// `-tangential_j = Δshear_stored + friction_j`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ContactEnergy {
     /// Indices of the bodies in the set-up, the smaller first.
@@ -14,16 +14,16 @@ pub struct ContactEnergy {
     pub fender: Option<usize>,
     /// Normal impulse ∫ N dt (N·s).
     pub normal_impulse_ns: f64,
-    /// Work of the normal force on the two bodies (J), negative where it takes energy from them.
+    /// Work of the normal force on the two bodies (J), negative if the force takes energy from them.
     pub normal_j: f64,
     /// Work of the tangential force on the two bodies (J).
     pub tangential_j: f64,
-    /// Energy that tide, heave, roll and pitch put into the fender by changing the outline that it meets of a hull by
-    /// height (J); negative where they took some out.
+    /// Energy that tide, heave, roll and pitch put into the fender (J), because they change the outline of the hull
+    /// that the fender meets. Negative if they take energy out.
     pub height_j: f64,
-    /// Work of both forces on the two bodies since the contact began, less [`ContactEnergy::height_j`] (J). It is positive if the contact returned more
-    /// energy than it absorbed, and −∞ for a contact that exists at the start of the run, whose stored energy is not
-    /// known.
+    /// Work of both forces on the two bodies since the contact began, less [`ContactEnergy::height_j`] (J). Positive if
+    /// the contact returned more energy than it absorbed. −∞ for a contact that exists at the start of the run, because
+    /// its stored energy is not known.
     pub since_began_j: f64,
     /// Recoverable energy stored in spring and stop at the end of the step (J).
     pub stored_j: f64,
@@ -37,19 +37,20 @@ pub struct ContactEnergy {
     pub restitution_j: f64,
     /// Friction loss, and the numerical damping of the implicit shear spring (J).
     pub friction_j: f64,
-    /// Accumulated stored energy that does not agree with the spring (J): for a fender the difference from its
-    /// potential at each step, and for any contact what is left when it ends. For fenders it is a discretisation error,
-    /// which decreases with the time step. Between outlines it also contains the energy that the rotation of the chord
-    /// normal creates (negative) or loses, as that force law has no potential.
+    /// Accumulated stored energy that does not agree with the spring (J). For a fender it is the difference from the
+    /// spring's potential at each step; for any contact it also includes what is left when the contact ends. For
+    /// fenders it is a discretisation error, which decreases with the time step. Between outlines it also contains the
+    /// energy that the rotation of the chord normal creates (negative) or loses, because that force law has no
+    /// potential.
     pub residual_j: f64,
 }
 
-/// Work of the loads on the bodies, by cause (J): force times displacement over the ground, positive where the load
-/// accelerates the body. A hull that drifts with a current gains energy from it.
+/// Work of the loads on the bodies, by cause (J): force times displacement over the ground, positive if the load
+/// accelerates the body. A hull that drifts with a current gains energy from the current.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LoadWork {
     /// Drag and lift of the vessels' hulls, current included. The Coriolis part of the hull force in
-    /// [`crate::world::VesselForces`] is not included, as it does no work.
+    /// [`crate::VesselForces`] is not included, because it does no work.
     pub hull_j: f64,
     /// Propellers.
     pub propeller_j: f64,
@@ -61,16 +62,17 @@ pub struct LoadWork {
     pub wind_j: f64,
     /// Waves: mean and slow drift, and excitation of vessels with hydrodynamic data.
     pub waves_j: f64,
-    /// The water's answer to the motion of vessels with hydrodynamic data, and their coupling with heave, roll and pitch.
+    /// Reaction of the water to the motion of vessels with hydrodynamic data, and the coupling of this motion with
+    /// heave, roll and pitch.
     pub radiation_j: f64,
     /// Banks.
     pub banks_j: f64,
     /// The flow of passing ships and of other vessels.
     pub passing_j: f64,
-    /// The bottom, where vessels are aground.
+    /// The bottom, on vessels that are aground.
     pub bottom_j: f64,
     /// Work of a current beyond its part in the hull force: an accelerating current accelerates the vessel, and the
-    /// energy of the added mass in the current changes with her heading. Zero in still water.
+    /// energy of the added mass in the current changes with the vessel's heading. Zero in still water.
     pub current_j: f64,
     /// Vector tugs.
     pub tugs_j: f64,
@@ -78,7 +80,7 @@ pub struct LoadWork {
     pub lines_j: f64,
     /// Chains of anchors, windlasses included.
     pub anchors_j: f64,
-    /// Piles of flexible dolphins: less what they store, and less their losses.
+    /// Piles of flexible dolphins: minus the energy that they store, and minus their losses.
     pub piles_j: f64,
     /// Loads of the set-up, and external wrenches.
     pub other_j: f64,
@@ -136,9 +138,9 @@ impl LoadWork {
 }
 
 /// The energy ledger since the start of the run (J). Velocities and displacements are over the ground, so that the
-/// kinetic energy is what a fender on a quay has to absorb.
+/// kinetic energy is the energy that a fender on a quay has to absorb.
 ///
-/// Work is force times mean velocity times Δt, which gives the change of kinetic energy exactly:
+/// Work is force times mean velocity times Δt, and gives the change of kinetic energy exactly:
 ///
 /// kinetic = kinetic at the start + load_work + normal_work + tangential_work + residual, and
 /// height_work − (normal_work + tangential_work) = stored + shear_stored + hysteresis + damping + restitution + friction +
@@ -158,12 +160,12 @@ pub struct Energy {
     pub normal_work_j: f64,
     /// Work of tangential contact forces on the bodies.
     pub tangential_work_j: f64,
-    /// Energy put into fenders by changes of the height at which they meet hulls: tide, heave, roll and pitch. The motion
-    /// in the plane gives the rest. Zero where all hulls have one outline.
+    /// Energy that changes of height put into fenders: tide, heave, roll and pitch change the height at which a fender
+    /// meets a hull. The motion in the plane gives the rest of the energy. Zero if all hulls have one outline.
     pub height_work_j: f64,
-    /// Currently stored in springs and stops.
+    /// Energy now stored in springs and stops.
     pub stored_j: f64,
-    /// Currently stored in shear springs.
+    /// Energy now stored in shear springs.
     pub shear_stored_j: f64,
     /// Hysteresis losses of fenders.
     pub hysteresis_j: f64,
@@ -173,7 +175,8 @@ pub struct Energy {
     pub restitution_j: f64,
     /// Friction losses.
     pub friction_j: f64,
-    /// Currently stored in the bending of dolphins' piles. `loads.piles_j` is less this and less the next two, but for rounding.
+    /// Energy now stored in the bending of dolphins' piles. Apart from rounding, `loads.piles_j` is −(this energy + the
+    /// two losses below).
     pub pile_stored_j: f64,
     /// Losses to damping of piles.
     pub pile_damping_j: f64,
@@ -183,11 +186,11 @@ pub struct Energy {
     pub contact_residual_j: f64,
     /// Energy absorbed by contacts: the sum over all steps and contacts in which the bodies lost energy.
     pub contact_taken_j: f64,
-    /// Energy that contacts returned to the bodies beyond what they absorbed since each began. Contacts that exist at
-    /// the start of the run are not counted, as they may have had energy stored.
+    /// Energy that contacts returned to the bodies beyond what they had absorbed since each contact began. Contacts
+    /// that exist at the start of the run are not counted, because they may have had energy stored.
     pub contact_gained_j: f64,
-    /// Change of kinetic energy less all work. It is rounding error for bodies with equal mass in surge and sway and for
-    /// vessels without contact. Otherwise it also contains the error of the Coriolis terms over a step, which
+    /// Change of kinetic energy, less all work. For bodies with equal mass in surge and sway, and for vessels without
+    /// contact, it is rounding error. Otherwise it also contains the error of the Coriolis terms over a step, which
     /// decreases with Δt.
     pub residual_j: f64,
 }

@@ -1,8 +1,9 @@
-//! The laws and data of a run, and the table of all ways to leave them.
+//! The laws and data of a run, and the table of all conditions under which a run leaves them.
 //!
-//! Each force comes from a law or from data with a range. Where a run leaves the range the engine goes on, with the law beyond its range or with the
-//! value at the end of the data. [`Law::TABLE`] lists all these conditions once. Each is a [`super::Finding`]: terminal, exit code, files, pages
-//! and campaigns show it with its time and its share of the run.
+//! Each force comes from a law or from data, and each law and each data set has a range. If a run leaves the range, the
+//! engine goes on: it uses the law beyond its range, or the value at the end of the data. [`Law::TABLE`] lists all
+//! these conditions once. Each condition is a [`super::Finding`]. Terminal, exit code, files, pages and campaigns show
+//! it with its time and its share of the run.
 
 use super::Verdict;
 
@@ -11,13 +12,14 @@ use super::Verdict;
 pub enum Law {
     /// Two bodies without a fender between them overlap by more than half of the smaller body.
     DeepOverlap,
-    /// A body was placed so deep in another that the contact would eject it; it is pushed out slowly instead.
+    /// A body was placed so deep in another body that the contact would eject it. The contact pushes it out slowly
+    /// instead.
     PlacedInOverlap,
     /// The coupled solve of a contact did not settle within its iteration limit.
     NotConverged,
     /// Contacts returned more energy than they absorbed.
     EnergyGained,
-    /// A vessel is off the grid of the current, or the run before or after its times.
+    /// A vessel is off the grid of the current, or the run is before or after the times of the current.
     CurrentHeld,
     /// The run is before the first or after the last time of the wind.
     WindHeld,
@@ -35,23 +37,25 @@ pub enum Law {
     WavesOfResponse,
     /// A vessel's hydrodynamic data are for another depth.
     DepthOfHydrodynamics,
-    /// The water is shallower than all shallow-water formulas: their values at 1.1 draughts are used.
+    /// The water is shallower than all shallow-water formulas cover: the values at 1.1 draughts are used.
     ShallowHeld,
-    /// The water is shallower than the published tests behind the shallow-water formulas, which are extrapolated.
+    /// The water is shallower than in the published tests behind the shallow-water formulas. The formulas are
+    /// extrapolated.
     ShallowExtrapolated,
     /// The water is deeper than the formula of squat covers.
     SquatDepth,
     /// A vessel is faster than the formula of squat covers in this depth.
     SquatSpeed,
-    /// A vessel is estimated by formulas, and a ratio of her dimensions is outside the ships that they were held against.
+    /// A vessel is estimated by formulas, and a ratio of the vessel's dimensions is outside the range of ships with
+    /// which the formulas were compared.
     EstimateOutside,
-    /// A passing ship is nearly as fast as long waves, which the flow about her does not know.
+    /// A passing ship is nearly as fast as long waves. The flow about her does not include waves.
     PassingSpeed,
-    /// A passing ship is too short for the flow about slender ships.
+    /// A passing ship is too short for the theory of slender ships.
     PassingShape,
     /// Two vessels are so near each other that the flow between them is left out.
     FlowLeftOut,
-    /// A program that gives forces did not reply: its last force was held, and later none acted.
+    /// A program that gives forces did not reply. The program's last force was held for a time, and then dropped.
     ProviderSilent,
 }
 
@@ -60,13 +64,13 @@ pub enum Law {
 pub struct LawRow {
     /// The law.
     pub law: Law,
-    /// Its key in files.
+    /// Key of the law in files.
     pub key: &'static str,
-    /// The verdict on a run that leaves it.
+    /// The verdict on a run that leaves the law.
     pub verdict: Verdict,
-    /// When it is left, for documents.
+    /// When the law is left, for documents.
     pub when: &'static str,
-    /// What the engine does then, for documents.
+    /// The engine's action in this case, for documents.
     pub then: &'static str,
 }
 
@@ -239,7 +243,7 @@ impl Law {
         ),
     ];
 
-    /// Its row in the table.
+    /// Row of the law in the table.
     #[must_use]
     pub fn row(self) -> &'static LawRow {
         let found = Law::TABLE.iter().find(|row| row.law == self);
@@ -247,7 +251,7 @@ impl Law {
     }
 }
 
-/// What left a law: indices into the [`fenderline_world::setup::Setup`].
+/// The part of a run that left a law, as indices into the [`crate::Setup`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
     /// The run as a whole.
@@ -271,20 +275,20 @@ pub enum Subject {
     Provider(usize),
 }
 
-/// A law that was left: by what, when, and how far.
+/// A law that a run left: the subject, when, and how far.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Departure {
     /// The law.
     pub law: Law,
-    /// What left it.
+    /// The part of the run that left the law.
     pub subject: Subject,
-    /// Start of the first step of it (s).
+    /// Start of the first step in which the law was left (s).
     pub first_s: f64,
-    /// How long it lasted in all (s).
+    /// How long this lasted in all (s).
     pub lasting_s: f64,
-    /// That over the time of the run so far: 1 for what holds from the start to the end.
+    /// `lasting_s` over the time of the run so far; 1 for a departure that lasts from start to end.
     pub share_of_run: f64,
-    /// How far, and the end of the range; what they are is the law's.
+    /// Two numbers that say how far the law was left. The meaning of the numbers depends on the law:
     ///
     /// | law | first | second |
     /// |---|---|---|

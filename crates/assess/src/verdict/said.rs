@@ -1,4 +1,4 @@
-//! What is said of a law that was left.
+//! Sentences on a law that a run has left.
 
 use super::finding::{duration, length};
 use super::law::{Departure, Law, Subject};
@@ -30,7 +30,7 @@ impl Departure {
         format!("{}, {}", self.said(setup, names), self.when())
     }
 
-    /// When it was, and for which share of the run.
+    /// The time of the departure, and its share of the run, in words.
     fn when(&self) -> String {
         let Departure { first_s, lasting_s, share_of_run, .. } = *self;
         if share_of_run >= 1.0 {
@@ -144,7 +144,7 @@ impl Departure {
     }
 }
 
-/// A series that had ended.
+/// The sentence on a series that had ended.
 fn held(what: &str) -> String {
     format!(
         "The run went on before the first or after the last row of the {what}, which kept that value: add a row at the end of the \

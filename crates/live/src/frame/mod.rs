@@ -48,7 +48,7 @@ pub(crate) fn causes(now: &Now, cast: &Cast, info: &Info) -> Vec<Alarm> {
     after_tick(now, cast, info).0
 }
 
-/// What is kept of every tick: the causes of alarms, and the values for strip charts.
+/// The causes of alarms and the values for strip charts, which are kept for every tick.
 pub(crate) fn after_tick(now: &Now, cast: &Cast, info: &Info) -> (Vec<Alarm>, Sample) {
     let simulation = &now.simulation;
     let of = alarms::Input {
@@ -139,7 +139,7 @@ fn tugs(simulation: &Simulation) -> Vec<TugNow> {
     simulation.tugs().iter().zip(setups).map(|(tug, of)| tug_now(tug, of)).collect()
 }
 
-/// The docking board's signals for each vessel that has a distance to the berth.
+/// Fills in the docking board's signals for each vessel that has a distance to the berth.
 fn fill_in_signals(of: &BoardInput<'_>, berth: &Berth, vessels: &mut [VesselNow]) {
     for (index, vessel) in vessels.iter_mut().enumerate() {
         let ends = board::ends(of, berth, index, vessel);
@@ -156,7 +156,7 @@ fn line_now(line: &Mooring, setup: &MooringSetup, working_n: f64, t_s: f64) -> L
     let state = match &line.line {
         _ if line.aboard => "aboard",
         _ if line.sent.is_some() => "sent",
-        // A line that is fast from the start is made fast by the first step only.
+        // The first step makes fast the lines that are fast from the start.
         None if setup.from_s <= t_s => "fast",
         None => "ashore",
         Some((_, state)) if state.parted => "parted",
@@ -178,7 +178,7 @@ fn line_now(line: &Mooring, setup: &MooringSetup, working_n: f64, t_s: f64) -> L
 }
 
 fn tug_now(tug: &TugAtWork, setup: &TugSetup) -> TugNow {
-    // The latest order, even during the delay before she carries it out.
+    // The latest order to the tug, even if she has not begun to carry it out.
     let order = tug.state.waiting.last().map_or(tug.state.order, |(_, order)| *order);
     let (order, order_n, order_direction_rad) = match order {
         TugOrder::StandBy => (TugWord::Stop, 0.0, tug.state.direction_rad),

@@ -9,8 +9,8 @@ use crate::message::{AssistNow, AssistState, AzimuthNow, RudderNow, ShareNow, Ve
 use crate::now::Now;
 use crate::speeds::speeds;
 
-/// The present state of a vessel. Speeds over ground and through the water are those of midship; lateral speeds are those of
-/// the foremost and aftmost points of her outline.
+/// The present state of a vessel. Speeds over ground and through the water are speeds of midship. Lateral speeds are
+/// speeds of the foremost and aftmost points of her outline.
 pub(super) fn now(all: &Now, index: usize, at: Option<&Berth>) -> VesselNow {
     let simulation = &all.simulation;
     let setup = simulation.setup();
@@ -44,7 +44,7 @@ pub(super) fn now(all: &Now, index: usize, at: Option<&Berth>) -> VesselNow {
         squat_m: vessel.squat_m,
         under_keel_m: vessel.under_keel_m,
         aground: vessel.aground,
-        // A berth has no distance from the body that carries it.
+        // A berth has no distance to the body that carries it.
         berth: at
             .filter(|at| at.body != of.body)
             .map(|at| berth::seen_from(at, &simulation.states()[at.body], &body.outline, state)),
@@ -59,10 +59,10 @@ pub(super) fn now(all: &Now, index: usize, at: Option<&Berth>) -> VesselNow {
     }
 }
 
-/// A line with less tension is displayed as slack (N).
+/// A line with less tension than this is displayed as slack (N).
 const SLACK_N: f64 = 1e3;
 
-/// The order to a tug that is a vessel, in words, and how far she has carried it out.
+/// The order to a tug that is a vessel, in words, and how much of the order she has carried out.
 fn assist_now(now: &Now, tug: usize, job: &Job) -> AssistNow {
     let setup = now.simulation.setup();
     let own = setup.world.vessels[tug].body;
@@ -100,7 +100,7 @@ fn assist_now(now: &Now, tug: usize, job: &Job) -> AssistNow {
     AssistNow { order: word.word(), power, place, state, force_n: felt_n }
 }
 
-/// A point belongs to a named position at the ship's side within this distance along the ship (m).
+/// A point within this distance along the ship of a named position at her side belongs to that position (m).
 const SAME_PLACE_M: f64 = 1.0;
 
 fn pilot_text(pilots: &Pilots) -> &'static str {

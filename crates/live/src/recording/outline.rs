@@ -1,4 +1,4 @@
-//! The outline of a recording: all lines are read and checked, but not replayed.
+//! The outline of a recording. To find it, all lines are read and checked, but not replayed.
 
 use std::io::BufRead;
 
@@ -13,22 +13,23 @@ const LINES_AT_A_TIME: usize = 4096;
 /// The content of a recording.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Outline {
-    /// How it ends.
+    /// How the recording ends.
     pub ending: Ending,
     /// Number of commands.
     pub commands: usize,
-    /// Number of branches, with the first.
+    /// Number of branches, including the first.
     pub branches: usize,
-    /// Number of ticks of all branches together, which a replay computes.
+    /// Number of ticks of all branches together. A replay computes all of them.
     pub ticks: u64,
-    /// Length that a continued session keeps (bytes): all whole lines except the end.
+    /// Length of the part that a continued session keeps (bytes): all whole lines except the line that ends the
+    /// session.
     pub kept_bytes: u64,
     pub(crate) chain: Chain,
 }
 
 impl Outline {
-    /// Reads a recording from start to end. `go_on` gets the number of bytes read from time to time, and can stop the reading by
-    /// an error.
+    /// Reads a recording from start to end. `go_on` gets the number of bytes read from time to time. `go_on` stops the
+    /// reading by returning an error.
     ///
     /// # Errors
     /// The first invalid line; [`Fault::Unreadable`] if `go_on` returns an error.

@@ -1,4 +1,5 @@
-//! The source of a number of a ship, and how well it is known.
+//! The sources of a ship's data, and how well these sources are known. The data are in `vessels/` at the root of the
+//! repository.
 
 use fenderline_contact::number::bounded;
 
@@ -18,7 +19,7 @@ pub enum Standing {
 }
 
 impl Standing {
-    /// The word for it in files and reports.
+    /// The word for the standing in files and reports.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -66,14 +67,15 @@ pub struct Source {
     pub figures: Vec<Figure>,
     /// The document, or the formula that gave them.
     pub source: String,
-    /// How well that is known.
+    /// How well the source is known.
     pub standing: Standing,
-    /// True if the numbers come from a formula, not from data of the ship. `standing` is then that of the formula.
+    /// True if the numbers come from a formula, not from data of the ship. `standing` is then the standing of the
+    /// formula.
     pub is_estimate: bool,
 }
 
 impl Source {
-    /// Its standing in words, with estimates marked.
+    /// The standing in words. Estimates are marked.
     #[must_use]
     pub fn word(&self) -> String {
         let word = self.standing.word();

@@ -13,9 +13,9 @@ use super::retardation::{Retardation, effective_infinite};
 use super::waves_check::check_forces;
 use crate::environment::waves::Complex;
 
-/// The most that added mass and damping may contradict each other, over the largest added mass.
+/// Largest contradiction allowed between added mass and damping, over the largest added mass.
 const CONTRADICTION: f64 = 0.4;
-/// From where on that is said.
+/// From this value on the contradiction is reported.
 const DOUBTFUL: f64 = 0.25;
 
 impl Hydrodynamics {
@@ -72,14 +72,14 @@ impl Hydrodynamics {
         Ok(data)
     }
 
-    /// Her retardation function.
+    /// The ship's retardation function.
     #[must_use]
     pub fn retardation(&self) -> Retardation {
         Retardation::new(self)
     }
 
-    /// Ogilvie's relations: the added mass must follow from the damping, but for a constant, and the constant must be near the added
-    /// mass at infinite frequency.
+    /// Checks Ogilvie's relations. The added mass must follow from the damping, apart from a constant. The constant
+    /// must be near the added mass at infinite frequency.
     fn check_consistency(
         &mut self,
         retardation: &Retardation,
@@ -89,7 +89,7 @@ impl Hydrodynamics {
             let of = |matrix: &Matrix6| matrix[motion][motion];
             let largest =
                 self.added_mass.iter().map(of).map(f64::abs).fold(of(given).abs(), greater);
-            // What a mass of the ship's own size does not notice need not be consistent.
+            // Values that are small beside the ship's own mass need not be consistent.
             let scale = greater(largest, 0.2 * self.mass[motion][motion]);
             let mut worst = (of(given) - of(&self.infinite)).abs() / scale;
             for (w, added, _) in self.radiation() {
@@ -110,7 +110,8 @@ impl Hydrodynamics {
     }
 }
 
-/// The motion of a point of the ship by that of her centre of gravity. The point is forward, to starboard and up of it (m).
+/// The matrix that gives the motion of a point of the ship from the motion of her centre of gravity. The point lies
+/// forward of, to starboard of and above the centre of gravity (m).
 fn lever([forward_m, starboard_m, up_m]: [f64; 3]) -> Matrix6 {
     let mut matrix: Matrix6 = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(i == j)));
     // θ × r with r = (forward, starboard, −up).
@@ -120,7 +121,7 @@ fn lever([forward_m, starboard_m, up_m]: [f64; 3]) -> Matrix6 {
     matrix
 }
 
-/// ½(A + Aᵀ).
+/// The symmetric part ½(A + Aᵀ).
 fn symmetric(matrix: &Matrix6) -> Matrix6 {
     let sum = plus(matrix, 1.0, &transposed(matrix));
     sum.map(|row| row.map(|entry| 0.5 * entry))

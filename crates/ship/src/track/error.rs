@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::range::OutOfRange;
 
-/// A track that no ship can follow.
+/// Reasons why no ship can follow a track.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum TrackError {
@@ -12,21 +12,21 @@ pub enum TrackError {
     OutOfRange(OutOfRange),
     /// Fewer than two waypoints.
     TooFew,
-    /// A waypoint is less than a metre from the one before it, by its index.
+    /// A waypoint is less than a metre from the waypoint before it.
     Near {
-        /// Its index.
+        /// Index of the waypoint.
         waypoint: usize,
     },
-    /// The legs at a waypoint are too short for a bend of this radius, or she would turn round on the spot.
+    /// The legs at a waypoint are too short for a bend of this radius, or the ship would turn round on the spot.
     Bend {
-        /// Its index.
+        /// Index of the waypoint.
         waypoint: usize,
-        /// The largest radius that fits (m); 0 where she turns back.
+        /// The largest radius that fits (m); 0 if the track turns back.
         most_m: f64,
     },
     /// The times of speeds do not increase.
     NotLater {
-        /// Index of the first that is not later than the one before it.
+        /// Index of the first time that is not later than the time before it.
         entry: usize,
     },
 }

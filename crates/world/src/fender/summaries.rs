@@ -1,4 +1,4 @@
-//! Builds the summary of each fender, step by step.
+//! Fenders: their set-up, and the summary of each fender after a run.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{Contact, ReactionFactors, combined_angle_rad};
@@ -16,7 +16,7 @@ use crate::setup::material::NamedMaterial;
 pub struct FenderSummaries {
     /// The summaries.
     pub all: Vec<Option<FenderSummary>>,
-    /// Each fender in this step.
+    /// The state of each fender in this step.
     now: Vec<Now>,
     /// Whether a fender that was touched has chains.
     has_chains: bool,
@@ -24,7 +24,7 @@ pub struct FenderSummaries {
     pub chains: Vec<ChainTension>,
 }
 
-/// What a fender does in a step.
+/// The state of a fender in a step.
 #[derive(Clone, Copy, Debug, Default)]
 struct Now {
     is_touched: bool,
@@ -43,7 +43,7 @@ impl FenderSummaries {
         }
     }
 
-    /// Forgets the run.
+    /// Forgets the run so far.
     pub fn restart(&mut self) {
         self.all.fill(None);
         self.now.fill(Now::default());
@@ -176,7 +176,7 @@ fn first_touch(
     }
 }
 
-/// Adds the deflection in a step. Returns true where it is the largest so far.
+/// Adds the deflection in a step. Returns true if it is the largest so far.
 fn add_deflection(
     summary: &mut FenderSummary,
     setup: &FenderSetup,
@@ -196,7 +196,8 @@ fn add_deflection(
     is_deeper
 }
 
-/// Updates the peaks of energy and reaction, and what depends on them and on the largest deflection, which may have changed.
+/// Updates the peaks of energy and reaction, and the values that depend on these peaks and on the largest deflection,
+/// which may have changed.
 fn update_peaks(
     summary: &mut FenderSummary,
     setup: &FenderSetup,
@@ -226,7 +227,7 @@ fn update_peaks(
     }
     let largest = summary.share_of_rated_reaction.zip(setup.rated);
     summary.share_of_largest_reaction = largest.map(|(share, rated)| share / rated.curve_peak());
-    // Hull pressure grows with deflection and reaction, so its peak is at their peaks.
+    // Hull pressure grows with deflection and reaction, so its peak follows from their peaks.
     let pressure_npm2 =
         setup.hull_pressure_npm2(summary.peak_deflection_m, summary.peak_reaction_n);
     summary.peak_hull_pressure_npm2 = pressure_npm2;
@@ -234,7 +235,7 @@ fn update_peaks(
         pressure_npm2.zip(setup.hull_pressure_limit_npm2).map(|(pressure, limit)| pressure / limit);
 }
 
-/// Energy and reaction of the most compressed cone of a panel over its rated ones.
+/// Energy and reaction of the most compressed cone of a panel, each over the rated value of a cone.
 fn shares_of_cone(setup: &FenderSetup, summary: &FenderSummary) -> (Option<f64>, Option<f64>) {
     let worst = ConeUse::of(setup, summary, summary.peak_deflection_m);
     worst.map_or((None, None), |cone| (cone.share_of_rated_energy, cone.share_of_rated_reaction))

@@ -1,4 +1,5 @@
-//! The hull by height: outlines at several heights, and the one that each fender meets (docs/contact_model.md, section 8).
+//! The hull by height: outlines at several heights, and the outline that each fender meets (docs/contact_model.md,
+//! section 8).
 //!
 //! | file | content |
 //! |---|---|

@@ -1,5 +1,5 @@
-//! Orders with indices instead of names: their kinds, and the conversion from and to arguments. All matches are exhaustive,
-//! so that the program does not compile if an order of the table is missing.
+//! Orders with indices instead of names: the kinds of orders, and the conversion from and to arguments. All matches are
+//! exhaustive, so the program does not compile if an order of the table is missing.
 
 use fenderline_contact::Vec2;
 
@@ -12,7 +12,7 @@ use fenderline_ship::tug::TugOrder;
 /// An order at a time of the run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Order {
-    /// Time at which it is given (s).
+    /// Time at which the order is given (s).
     pub at_s: f64,
     /// The action.
     pub action: Action,
@@ -21,20 +21,20 @@ pub struct Order {
 /// An order without its time: target and content.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
-    /// To a vessel, by her index in [`crate::world::WorldSetup::vessels`].
+    /// An order to a vessel, by her index in [`crate::WorldSetup::vessels`].
     Vessel(usize, VesselAction),
-    /// To a vector tug, by her index in [`crate::world::WorldSetup::tugs`].
+    /// An order to a vector tug, by her index in [`crate::WorldSetup::tugs`].
     Tug(usize, TugOrder),
-    /// To a line, by its index in [`crate::world::WorldSetup::lines`].
+    /// An order to a line, by its index in [`crate::WorldSetup::lines`].
     Line(usize, LineAction),
-    /// To an anchor, by its index in [`crate::world::WorldSetup::anchors`].
+    /// An order to an anchor, by its index in [`crate::WorldSetup::anchors`].
     Anchor(usize, AnchorAction),
 }
 
-/// An order to a vessel. A manual order to a control disengages the pilot that uses it.
+/// An order to a vessel. A manual order to a control switches off the pilot that uses this control.
 #[derive(Clone, Debug, PartialEq)]
 pub enum VesselAction {
-    /// Rudder angle; positive turns to starboard going ahead (rad).
+    /// Rudder angle (rad). A positive angle turns a ship that goes ahead to starboard.
     Rudder(f64),
     /// Revolutions over full revolutions, −1 to 1.
     Engine(f64),
@@ -49,24 +49,24 @@ pub enum VesselAction {
         /// Direction of the thrust from the bow, positive to starboard (rad).
         direction_rad: Option<f64>,
     },
-    /// Keep a heading with the rudder; with the azimuth units where there is no rudder (rad).
+    /// Keep a heading (rad) with the rudder; or with the azimuth units if there is no rudder.
     Course(f64),
-    /// Keep a speed ahead through the water with the engine; with the azimuth units where there is no engine (m/s).
+    /// Keep a speed ahead through the water (m/s) with the engine; or with the azimuth units if there is no engine.
     Speed(f64),
     /// Go to a position and stay there with engine, thrusters and tugs.
     Station(Station),
     /// Assist a ship with the azimuth units.
     Assist(Assist),
-    /// Hand steering: disengage all pilots; controls keep their orders.
+    /// Hand steering: all pilots are switched off, and the controls keep their orders.
     Hands,
 }
 
 /// An order to a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LineAction {
-    /// An order to its winch.
+    /// An order to the winch of the line.
     Winch(WinchOrder),
-    /// Send it to a bollard.
+    /// Send the line to a bollard.
     Send {
         /// Index into [`crate::world::WorldSetup::bollards`].
         bollard: usize,
@@ -78,28 +78,28 @@ pub enum LineAction {
 /// An order to an anchor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AnchorAction {
-    /// Let it go, and put the brake on when this much chain is out.
+    /// Let the anchor go, and put the brake on when this length of chain is out.
     LetGo {
         /// Chain out (m).
         chain_m: f64,
     },
-    /// Pay chain out under power until this much is out.
+    /// Pay chain out under power until this length is out.
     Veer {
         /// Chain out (m).
         chain_m: f64,
     },
-    /// Heave chain in until this much is out; 0: until the anchor is home.
+    /// Heave chain in until this length is out; 0: until the anchor is home.
     Heave {
         /// Chain out (m).
         chain_m: f64,
     },
     /// Brake on.
     Hold,
-    /// Slip the chain: it and the anchor are gone.
+    /// Slip the chain: chain and anchor are lost.
     Slip,
 }
 
-/// The position and heading that a ship shall keep, and her greatest speed.
+/// The position and heading that a ship must keep, and her greatest speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station {
     /// Position of the centre of gravity (m).
@@ -148,7 +148,7 @@ impl Action {
         }
     }
 
-    /// Its row in the table of orders.
+    /// Row of the action in the table of orders.
     #[must_use]
     pub fn name(&self) -> OrderName {
         match self {
@@ -185,7 +185,8 @@ impl Action {
 }
 
 impl Action {
-    /// Its arguments, by their names in the table of orders. [`OrderName::build`] builds the same action from them.
+    /// Arguments of the action, by their names in the table of orders. [`OrderName::build`] builds the same action from
+    /// them.
     #[must_use]
     pub fn arguments(&self) -> Arguments {
         let all = Arguments::new();

@@ -1,4 +1,4 @@
-//! Tugs that are vessels and assist a ship: their orders, and their pilot.
+//! Tugs that are vessels and assist a ship: their orders, and the task of their pilot in each step.
 
 use core::fmt;
 
@@ -13,7 +13,7 @@ use crate::setup::body::BodySetup;
 pub struct Assist {
     /// The job.
     pub job: Job,
-    /// Her greatest speed relative to the ship (m/s).
+    /// The tug's greatest speed relative to the ship (m/s).
     pub fastest_mps: f64,
 }
 
@@ -24,9 +24,9 @@ pub enum Job {
     Follow {
         /// Index of the ship's body.
         ship: usize,
-        /// Position of her centre of gravity in the ship's frame (m).
+        /// Position of the tug's centre of gravity in the ship's frame (m).
         at_m: Vec2,
-        /// Her heading relative to the ship's (rad).
+        /// The tug's heading relative to the ship's heading (rad).
         heading_rad: f64,
     },
     /// Push with the bow.
@@ -47,11 +47,11 @@ pub enum Job {
 pub struct PushJob {
     /// Index of the ship's body.
     pub ship: usize,
-    /// Point of the ship's side in her frame (m).
+    /// Point of the ship's side, in the ship's frame (m).
     pub at_m: Vec2,
-    /// Unit normal into the ship at that point, in her frame.
+    /// Unit normal into the ship at the point of the push, in the ship's frame.
     pub inward: Vec2,
-    /// Distance from the tug's centre of gravity to the tip of her bow with its fender (m).
+    /// Distance from the tug's centre of gravity to the tip of her bow, bow fender included (m).
     pub bow_m: f64,
     /// Force (N).
     pub force_n: f64,
@@ -63,7 +63,7 @@ const FARTHEST_OFF_M: f64 = 2.0;
 /// The point of an order to push is not at the ship's side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NotAtTheSide {
-    /// Its distance from the outline (m).
+    /// Distance of the point from the outline (m).
     pub off_m: f64,
 }
 
@@ -83,7 +83,7 @@ impl PushJob {
     /// A push by a tug at the point of the ship's side nearest to `at_m`; both are indices of bodies.
     ///
     /// # Errors
-    /// [`NotAtTheSide`] if that point is farther than 2 m.
+    /// [`NotAtTheSide`] if the nearest point of the side is farther away than 2 m.
     pub fn new(
         bodies: &[BodySetup],
         fenders: &[FenderSetup],
@@ -101,8 +101,8 @@ impl PushJob {
     }
 }
 
-/// The nearest point of an outline and the unit normal into the body there. The body is to the left of the direction from vertex
-/// to vertex, as in all outlines of the engine.
+/// The nearest point of an outline, and the unit normal into the body at this point. The body is to the left of the
+/// direction from vertex to vertex, as in all outlines of the engine.
 fn nearest_side(outline: &Outline, at_m: Vec2) -> (Vec2, Vec2) {
     let vertices = outline.vertices();
     let edges = vertices.iter().zip(vertices.iter().cycle().skip(1));
@@ -119,7 +119,7 @@ fn nearest_side(outline: &Outline, at_m: Vec2) -> (Vec2, Vec2) {
     (best.1, best.2)
 }
 
-/// Distance from a body's origin to its foremost point, with fenders that face ahead (m).
+/// Distance from a body's origin to its foremost point, fenders that face ahead included (m).
 fn reach_ahead<'f>(outline: &Outline, fenders: impl Iterator<Item = &'f FenderSetup>) -> f64 {
     let (_, most) = outline.bounds();
     fenders
@@ -133,7 +133,7 @@ fn reach_ahead<'f>(outline: &Outline, fenders: impl Iterator<Item = &'f FenderSe
 pub struct AssistPilot {
     /// The order.
     pub order: Assist,
-    /// Normal contact force between her and the ship that she pushes, in the last step (N).
+    /// Normal contact force between the tug and the ship that she pushes, in the last step (N).
     pub contact_n: f64,
     /// Integral of the yaw control against the moment of the contact at her bow (N·m).
     pub steady_nm: f64,
@@ -145,7 +145,7 @@ impl AssistPilot {
         AssistPilot { order, contact_n: 0.0, steady_nm: 0.0 }
     }
 
-    /// Stores the contact force between her and the ship after a step.
+    /// Stores the contact force between tug and ship after a step.
     pub fn store_contact(&mut self, own: usize, contacts: &[Contact]) {
         let Job::Push(push) = self.order.job else { return };
         let both = |contact: &&Contact| {

@@ -14,7 +14,7 @@ use fenderline_ship::control::{
     CoursePilot, Demand, Gains, LateralDevice, SpeedPilot, StationPilot, ThrustShares, allocate,
 };
 
-/// Carries out an order to a vessel: sets her controls or engages a pilot.
+/// Carries out an order to a vessel: sets the vessel's controls or switches on a pilot.
 pub(super) fn take(
     action: &VesselAction,
     vessel: &mut VesselState,
@@ -92,7 +92,7 @@ fn station_pilot(
             period_s: 240.0,
             damping: 0.9,
             integral_s: 300.0,
-            // Turning moves her ends no faster than sway does.
+            // The limit on turning: it moves the ship's ends no faster than sway does.
             fastest: [surge, sway, 2.0 * sway / setup.ship.particulars.length_m],
         },
         steady,
@@ -104,16 +104,17 @@ fn station_pilot(
 pub(super) struct PilotWork {
     /// Other lateral devices that serve the vessel: tugs.
     pub(super) helpers: Vec<LateralDevice>,
-    /// Their forces, if a pilot uses them (N).
+    /// Forces of these devices, if a pilot uses them (N).
     pub(super) helpers_n: Vec<f64>,
-    /// Thrusters and helpers, and their forces (N).
+    /// Thrusters and helpers together, and their forces (N).
     across: Vec<LateralDevice>,
     across_n: Vec<f64>,
-    /// Azimuth units with all others.
+    /// Azimuth units together with all other devices.
     pub(super) shares: ThrustShares,
 }
 
-/// Sets the orders of this step. `helpers` of `work` are other lateral devices; their forces are written to its `helpers_n`.
+/// Sets the orders of this step. `helpers` of `work` are other lateral devices. The forces of these devices are written
+/// to `helpers_n` of `work`.
 pub(super) fn pilot(
     vessel: &mut VesselState,
     setup: &VesselSetup,

@@ -14,7 +14,7 @@ use fenderline_ship::seakeeping::{
     DriftSource, Motion, SlowPlace, StepLoad, SubSteps, WaveForces, WaveLoad,
 };
 
-/// What is constant in a run for a vessel with hydrodynamic data.
+/// Data of a vessel with hydrodynamic data that are constant in a run.
 #[derive(Clone, Debug)]
 pub(super) struct Seaway {
     motion: Arc<Motion>,
@@ -22,7 +22,7 @@ pub(super) struct Seaway {
 }
 
 impl Seaway {
-    /// `None` for a vessel without hydrodynamic data.
+    /// The constant data of a vessel; `None` for a vessel without hydrodynamic data.
     pub(super) fn new(
         vessel: &VesselSetup,
         motion: &Arc<Motion>,
@@ -65,8 +65,8 @@ impl Seaway {
             .map_or(WaveLoad::default(), |waves| waves.at(position_m, heading_rad, t_s, sub_steps))
     }
 
-    /// The load on her body in a step, under a given load of everything else but contact. Writes the forces of the waves and
-    /// of the water's answer.
+    /// The load on the vessel's body in a step, from a given load of everything except waves, radiation and contact.
+    /// Writes the forces of the waves and of the water's reaction.
     pub(super) fn load(
         &self,
         own: (&VesselSetup, &mut VesselState, &mut VesselForces),
@@ -122,7 +122,7 @@ impl Seaway {
         Wrench { force_n: axes.apply(vec2(surge_n, sway_n)), moment_nm: yaw_nm }
     }
 
-    /// Moves her in heave, roll and pitch after the step, by what contact did.
+    /// Moves the vessel in heave, roll and pitch after the step, with the effects of contact.
     pub(super) fn settle(
         &self,
         vessel: &mut VesselState,
@@ -138,14 +138,14 @@ impl Seaway {
     }
 }
 
-/// Velocity through the water in axes with a heading: surge, sway, yaw.
+/// Velocity through the water in axes with this heading: surge, sway, yaw.
 fn own_velocity(body: &BodyState, heading_rad: f64, stream_mps: Vec2) -> [f64; 3] {
     let axes = Rotation::from_angle(heading_rad);
     let own = axes.apply_inverse(body.velocity_mps - stream_mps);
     [own.x, own.y, body.yaw_rate_radps]
 }
 
-/// The load of everything but waves, radiation and contact on a ship with hydrodynamic data, in six degrees of freedom.
+/// The load on a ship with hydrodynamic data in six degrees of freedom, without waves, radiation and contact.
 pub(super) struct Given<'l> {
     /// The load in the plane.
     pub(super) load: &'l Wrench,
@@ -156,8 +156,8 @@ pub(super) struct Given<'l> {
 }
 
 impl Given<'_> {
-    /// Adds the forces of a ship that act above or below her centre of gravity, at points that turn with her. Their moments at
-    /// rest are in the load in the plane.
+    /// Adds forces of the ship that act above or below her centre of gravity, at points that turn with her. The moments
+    /// of these forces in the upright position are already in the load in the plane.
     pub(super) fn add_own(&mut self, afloat: &Afloat, forces: impl Iterator<Item = (Force, f64)>) {
         for (Force { surge_n, sway_n, .. }, above_gravity_m) in forces {
             self.upright.add(surge_n, sway_n, above_gravity_m);
@@ -165,7 +165,7 @@ impl Given<'_> {
         }
     }
 
-    /// Adds a force north, east and up (N), whose moment in the plane is in the load already.
+    /// Adds a force north, east and up (N). The moment of this force in the plane is already in the load.
     pub(super) fn add_force(&mut self, heading_rad: f64, lever: Lever, force_n: [f64; 3]) {
         let [north_n, east_n, up_n] = force_n;
         let own = Rotation::from_angle(heading_rad).apply_inverse(vec2(north_n, east_n));
@@ -173,8 +173,8 @@ impl Given<'_> {
         self.upright.add_upward(up_n, lever.at_m);
     }
 
-    /// Adds a force forward and to starboard (N) at a point of the ship that is `at_m` at rest, for which its moment is in the
-    /// load already.
+    /// Adds a force forward and to starboard (N) at a point of the ship that is at `at_m` when she is upright. The
+    /// moment for the upright position is already in the load.
     pub(super) fn add_at(&mut self, at_m: Vec2, lever: Lever, own_n: Vec2) {
         self.upright.add(own_n.x, own_n.y, lever.above_gravity_m);
         self.moved_nm += (lever.at_m - at_m).cross(own_n);
@@ -205,8 +205,8 @@ mod tests {
         [y * fz - z * fy, z * fx - x * fz, x * fy - y * fx]
     }
 
-    /// Lines and anchors, tugs, and the ship's own forces: the moments about the centre of gravity are those of the point where each acts as she lies,
-    /// to the first order of the angles.
+    /// Lines and anchors, tugs, and the ship's own forces. Their moments about the centre of gravity are those at the
+    /// point where each acts in the ship's present attitude, to the first order of the angles.
     #[test]
     fn every_force_acts_where_its_point_is_as_she_lies() {
         let load = Wrench::default();
@@ -223,7 +223,8 @@ mod tests {
             }
         };
 
-        // A line or an anchor on a ship that heads east. Its moment in yaw is in the load in the plane, with the same lever.
+        // A line or an anchor on a ship that heads east. The moment in yaw is in the load in the plane, with the same
+        // lever.
         let mut line = fresh();
         line.add_force(core::f64::consts::FRAC_PI_2, lever, [4e5, 3e5, 1e5]);
         let mut found = of_yaw(&line);

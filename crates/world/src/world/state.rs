@@ -30,7 +30,7 @@ use fenderline_ship::environment::wind::{ShipGusts, Wind};
 use fenderline_ship::hydro::Force;
 use fenderline_ship::seakeeping::{Motion, SubSteps};
 
-/// The variable state of a world: plain data, besides values that are computed anew.
+/// The variable state of a world: plain data, and values that are computed anew.
 #[derive(Clone, Debug)]
 pub struct World {
     /// The vessels, in the order of the set-up.
@@ -39,17 +39,17 @@ pub struct World {
     pub forces: Vec<VesselForces>,
     /// The inertia of the water that moves with each vessel.
     pub water_inertia: Vec<WaterInertia>,
-    /// Forces of passing ships and of other vessels on each vessel; found anew in each step.
+    /// Forces of passing ships and of other vessels on each vessel; computed anew in each step.
     passing: Vec<Force>,
-    /// Forces of banks by images, likewise.
+    /// Forces of banks by images on each vessel; computed anew in each step.
     banks: Vec<Force>,
-    /// For each vessel, what is constant of its motion by hydrodynamic data.
+    /// For each vessel, the constant part of its motion by hydrodynamic data.
     seaways: Vec<Option<Seaway>>,
     /// For each vessel, the matrix with which the engine moves her, over surge, sway and yaw (kg, kg·m, kg·m²).
     masses: Vec<[[f64; 3]; 3]>,
-    /// The bodies as lines meet them: see [`World::look_ahead`]. Empty without hydrodynamic data.
+    /// The states of the bodies between which lines pull: see [`World::look_ahead`]. Empty without hydrodynamic data.
     ahead: Vec<BodyState>,
-    /// For each body, how it is afloat; empty without hydrodynamic data.
+    /// For each body, its attitude afloat; empty without hydrodynamic data.
     afloat: Vec<Option<Afloat>>,
     /// The mooring lines.
     pub lines: Vec<Mooring>,
@@ -122,7 +122,8 @@ impl World {
         }
     }
 
-    /// The world at the start of another run with this set-up, of which only wind and current may have changed.
+    /// Resets to the world at the start of another run with this set-up. Only wind and current of the set-up may have
+    /// changed.
     pub fn restart(&mut self, setup: &WorldSetup, states: &[BodyState]) {
         for (own, new) in self.vessels.iter_mut().zip(start_vessels(setup, &self.seaways, states)) {
             *own = new;
@@ -146,7 +147,7 @@ impl World {
         self.clamped.fill(false);
     }
 
-    /// Takes the gusts of the set-up, whose wind may have changed.
+    /// Takes the gusts of the set-up again, because its wind may have changed.
     pub fn renew_gusts(&mut self, setup: &WorldSetup) {
         let gusts = setup.environment.wind.as_ref().and_then(Wind::gusts);
         for (own, vessel) in self.gusts.iter_mut().zip(&setup.vessels) {
@@ -160,9 +161,9 @@ impl World {
         }
     }
 
-    /// Adds the forces on each vessel in the step from `states` to the load of her body. The velocities belong to
-    /// `velocity_time_s`; those of the water are taken at the same time, so that a drifting ship has no drag by a difference of
-    /// time.
+    /// Adds the forces on each vessel in the step from `states` to the load of the vessel's body. The velocities belong
+    /// to `velocity_time_s`. The velocities of the water are taken at the same time; otherwise a drifting ship would
+    /// have a drag from the difference of times.
     pub fn step(
         &mut self,
         setup: &WorldSetup,
@@ -263,7 +264,7 @@ impl World {
         self.load_seaways(setup, (states, lags_s), (t_s, step_s, acts_s), loads);
     }
 
-    /// Finds how the bodies with hydrodynamic data are afloat.
+    /// Finds the attitude afloat of the bodies with hydrodynamic data.
     fn find_afloat(&mut self, setup: &WorldSetup, bodies: usize) {
         if self.seaways.iter().all(Option::is_none) {
             return;
@@ -276,7 +277,7 @@ impl World {
     }
 
     /// Finds where the bodies with hydrodynamic data are in the middle of the time for which loads act: see
-    /// [`fenderline_ship::seakeeping::SubSteps`]. Lines pull there.
+    /// [`crate::seakeeping::SubSteps`]. Lines pull at these places.
     fn look_ahead(
         &mut self,
         setup: &WorldSetup,
@@ -299,7 +300,8 @@ impl World {
         }
     }
 
-    /// Replaces the load of vessels with hydrodynamic data by the one that gives their motion in six degrees of freedom.
+    /// Replaces the load of vessels with hydrodynamic data by the load that gives their motion in six degrees of
+    /// freedom.
     fn load_seaways(
         &mut self,
         setup: &WorldSetup,
@@ -347,8 +349,8 @@ impl World {
         }
     }
 
-    /// The lines as they will be when the orders that wait for the step at a time are carried out: of two orders in one step the
-    /// second must not be taken as if there were no first.
+    /// The lines as they will be when the orders that wait for the step at a time are carried out. Of two orders in one
+    /// step, the second must not be judged as if there were no first.
     pub fn lines_after_orders(
         &self,
         setup: &WorldSetup,
@@ -357,7 +359,8 @@ impl World {
         line_work::after_orders(&self.lines, setup, self.waiting(times_s), times_s.0)
     }
 
-    /// Checks that a line can be sent to a bollard at a time, both by index, with `lines` as the lines are then.
+    /// Checks that a line can be sent to a bollard at a time. Line and bollard are given by index; `lines` are the
+    /// lines at that time.
     pub fn may_send(
         &self,
         lines: &[Mooring],
@@ -371,7 +374,8 @@ impl World {
         line_work::may_send(lines, setup, (states, shore), line, bollard)
     }
 
-    /// An anchor as it will be when the orders that wait for the step at a time are carried out, as [`World::lines_after_orders`].
+    /// An anchor as it will be when the orders that wait for the step at a time are carried out. See
+    /// [`World::lines_after_orders`].
     pub fn anchor_after_orders(
         &self,
         setup: &WorldSetup,
@@ -390,7 +394,7 @@ impl World {
         after
     }
 
-    /// The orders that wait for the step that begins at a time and has a length (s).
+    /// The orders that wait for a step, given by its start and length (s).
     fn waiting(&self, (t_s, step_s): (f64, f64)) -> impl Iterator<Item = &Order> {
         self.orders[self.taken..].iter().take_while(move |order| order.at_s < t_s + step_s)
     }
@@ -476,7 +480,8 @@ impl World {
         Heights { shore, vessels: &self.vessels, t_s, step_s }
     }
 
-    /// Moves the vessels in heave, roll and pitch after a step, by their own forces and by contact at the height of the fenders.
+    /// Moves the vessels in heave, roll and pitch after a step, from the vessels' own forces and from contact at the
+    /// height of the fenders.
     pub fn settle(
         &mut self,
         setup: &WorldSetup,
@@ -499,7 +504,7 @@ impl World {
             }
             let Some(float) = &vessel.float else { continue };
             let mut load = match &self.seaways[index] {
-                // Its own forces and lines were in the step.
+                // The vessel's own forces and lines were already in the step.
                 Some(_) => AttitudeLoad::default(),
                 None => vessel.attitude_load(&self.forces[index], float),
             };
@@ -515,7 +520,7 @@ impl World {
                 let fender = contact.fender.map(|id| &fenders[id.0 as usize]);
                 let height_m = fender.map_or(0.0, |fender| shore.fender_at_work_m(fender));
                 let own = attitude.apply_inverse(contact.force_on_body_1_n() * sign);
-                // Squat and heave lower her centre of gravity, but not the fender of another body.
+                // Squat and heave lower the vessel's centre of gravity, but not the fender of another body.
                 let afloat = self.afloat.get(vessel.body).copied().flatten();
                 let sunk_m =
                     self.vessels[index].squat_m + afloat.map_or(0.0, |afloat| afloat.heave_m());
@@ -524,7 +529,8 @@ impl World {
                     load.add(own.x, own.y, height_m - gravity_m);
                     continue;
                 };
-                // A side that leans out over the fender is pushed up, and the fender's own body down.
+                // A side that leans out over the fender is pushed up, and the body that carries the fender is pushed
+                // down.
                 let up_n = contact.normal_force_n * touch.slope;
                 if fender.is_some_and(|fender| fender.body == vessel.body) {
                     load.add(own.x, own.y, height_m - gravity_m);
@@ -552,7 +558,7 @@ impl World {
     }
 }
 
-/// For each vessel, her motion by hydrodynamic data in steps of a length (s); `None` without data.
+/// For each vessel, the motion by hydrodynamic data in steps of this length (s); `None` without data.
 pub fn motions(setup: &WorldSetup, step_s: f64) -> Vec<Option<Arc<Motion>>> {
     let of = |vessel: &VesselSetup| {
         vessel.seakeeping.as_ref().map(|ship| Arc::new(Motion::new(ship, step_s)))

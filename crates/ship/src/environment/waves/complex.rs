@@ -7,7 +7,7 @@ use core::ops::{Add, Mul};
 pub struct Complex {
     /// Real part: in phase with the wave's crest.
     pub re: f64,
-    /// Imaginary part: a quarter of a period ahead of it.
+    /// Imaginary part: a quarter of a period ahead of the crest.
     pub im: f64,
 }
 

@@ -26,7 +26,7 @@ pub use admittance::WindFront;
 pub use coefficients::WindCoefficients;
 pub use gust::Gusts;
 pub use mean::{MeanWind, WindProfile};
-// All of them, so that a new method is named in its own folder alone.
+// All names are re-exported, so that a new method is named only in its own folder.
 pub use method::*;
 pub use over_time::Wind;
 pub use relative::RelativeWind;

@@ -13,7 +13,7 @@ fn towards(from_rad: f64) -> Vec2 {
     vec2(-libm::cos(from_rad), -libm::sin(from_rad))
 }
 
-/// A wind: a steady mean with or without gusts, or a time series.
+/// A wind: a steady mean wind, with or without gusts, or a time series.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wind(Kind);
 
@@ -33,8 +33,8 @@ impl Wind {
         Ok(Wind(Kind::Mean(mean, None)))
     }
 
-    /// A wind with gusts. Gusts change the speed but not the direction. A ship feels their mean over her front
-    /// ([`Wind::velocity_over`]), unless they are [`Gusts::uniform`].
+    /// A wind with gusts. Gusts change the speed but not the direction. The force on a ship follows from the mean of
+    /// the gusts over her front ([`Wind::velocity_over`]), unless the gusts are [`Gusts::uniform`].
     ///
     /// # Errors
     /// See [`MeanWind::check`].
@@ -43,8 +43,9 @@ impl Wind {
         Ok(Wind(Kind::Mean(mean, Some(gusts))))
     }
 
-    /// This wind with another mean speed 10 m above the water (m/s) and direction from which it comes (rad): its profile and its gusts
-    /// stay, in proportion to the new mean as their spectrum says. A time series becomes a steady wind.
+    /// This wind with another mean speed 10 m above the water (m/s), and another direction from which it comes (rad).
+    /// The profile stays. The gusts stay too, scaled to the new mean as their spectrum says. A time series becomes a
+    /// steady wind.
     ///
     /// # Errors
     /// See [`MeanWind::check`].
@@ -62,7 +63,8 @@ impl Wind {
         }
     }
 
-    /// Whether a time (s) is before the first or after the last point of a time series, whose wind is then held.
+    /// Whether a time (s) is before the first or after the last point of a time series, where the wind of that point is
+    /// used.
     #[must_use]
     pub fn is_held(&self, t_s: f64) -> bool {
         match &self.0 {
@@ -99,14 +101,14 @@ impl Wind {
         self.velocity_over(&WindFront::POINT, height_m, t_s)
     }
 
-    /// The same, with the gusts averaged over a front.
+    /// Velocity of the air, with the gusts averaged over a front (m/s).
     #[must_use]
     pub fn velocity_over(&self, front: &WindFront, height_m: f64, t_s: f64) -> Vec2 {
         let gust = |gusts: &Gusts| gusts.speed_over_mps(front, t_s);
         self.velocity_in(self.gusts().map_or(0.0, gust), height_m, t_s)
     }
 
-    /// The gusts; `None` for a wind without.
+    /// The gusts; `None` for a wind without gusts.
     #[must_use]
     pub fn gusts(&self) -> Option<&Gusts> {
         match &self.0 {
@@ -115,7 +117,7 @@ impl Wind {
         }
     }
 
-    /// Velocity of the air in a gust (m/s), which a time series does not have.
+    /// Velocity of the air in a gust of this speed (m/s). A time series has no gusts.
     pub fn velocity_in(&self, gust_mps: f64, height_m: f64, t_s: f64) -> Vec2 {
         match &self.0 {
             Kind::Mean(mean, _) => towards(mean.from_rad) * (mean.speed_at(height_m) + gust_mps),

@@ -11,7 +11,7 @@ use super::method::WindMethod;
 use super::relative::RelativeWind;
 use crate::range::{OutOfRange, within};
 
-/// Wind areas of a ship, and the method for her wind coefficients.
+/// Wind areas of a ship, and the method for the ship's wind coefficients.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShipWindage {
     /// Length overall (m).
@@ -33,9 +33,8 @@ pub struct ShipWindage {
 impl ShipWindage {
     /// Checks every number.
     ///
-    /// # Errors
-    /// The first number out of range. It may be a coefficient, if a regression is used far outside the ships from which
-    /// it was derived.
+    /// The first number out of range. This number may be a coefficient, if a regression is used far outside the range
+    /// of ships from which it was derived.
     pub fn check(&self) -> Result<(), OutOfRange> {
         within("length overall [m]", self.length_m, 0.1, 2000.0)?;
         within("beam [m]", self.beam_m, 0.05, 500.0)?;
@@ -65,8 +64,8 @@ impl ShipWindage {
         Ok(())
     }
 
-    /// Coefficients at an angle γ (rad). They are computed for |γ| from 0 to π and mirrored, so that port and starboard
-    /// agree at every angle, 180° included. A table of the user's own that has both sides is used as it is.
+    /// Coefficients at an angle γ (rad). The coefficients are computed for |γ| from 0 to π and mirrored, so that port
+    /// and starboard agree at every angle, 180° included. A user's table that has both sides is used as it is.
     #[must_use]
     pub fn coefficients(&self, angle_rad: f64) -> WindCoefficients {
         let wrapped_rad = libm::remainder(angle_rad, TAU);
@@ -93,8 +92,8 @@ impl ShipWindage {
         }
     }
 
-    /// The front that she turns to a wind at an angle γ (rad): the width of her length and beam across it, and the mean height
-    /// A_L/L of her side.
+    /// The front that the ship turns to a wind at an angle γ (rad). The width is that of her length and beam across the
+    /// wind, and the height is A_L/L, the mean height of her side.
     #[must_use]
     pub fn front(&self, angle_rad: f64) -> WindFront {
         let across_m = self.length_m * libm::sin(angle_rad).abs();
@@ -104,15 +103,15 @@ impl ShipWindage {
         }
     }
 
-    /// The least and the greatest width of [`ShipWindage::front`] (m): L |sin γ| + B |cos γ| is least at a bow or a side, and greatest at a
-    /// corner.
+    /// The least and the greatest width of [`ShipWindage::front`] (m): L |sin γ| + B |cos γ| is least if the wind is on
+    /// the bow or the side, and greatest in between.
     pub(super) fn widths_m(&self) -> [f64; 2] {
         let (length_m, beam_m) = (self.length_m, self.beam_m);
         [lesser(length_m, beam_m), libm::hypot(length_m, beam_m)]
     }
 
-    /// Force and moment about midship, [X, Y, N] in (N, N, N·m), in air of a density (kg/m³), 1.224 at
-    /// 15 °C. The relative wind is that at [`ShipWindage::reference_height_m`].
+    /// Force and moment about midship, [X, Y, N] in (N, N, N·m), in air of a density (kg/m³), 1.224 at 15 °C. The
+    /// relative wind is the wind at [`ShipWindage::reference_height_m`].
     #[must_use]
     pub fn force(&self, relative: &RelativeWind, air_density_kgpm3: f64) -> [f64; 3] {
         let c = self.coefficients(relative.angle_rad);
@@ -124,8 +123,8 @@ impl ShipWindage {
         ]
     }
 
-    /// Height above the water of the wind to which the coefficients refer (m): 10 m, for which the methods are stated (recalled), or that of
-    /// the user's table.
+    /// Height above the water of the wind to which the coefficients refer (m). The height is 10 m, to which the methods
+    /// refer (recalled), or the height that the user's table states.
     #[must_use]
     pub fn reference_height_m(&self) -> f64 {
         match &self.method {
@@ -134,8 +133,9 @@ impl ShipWindage {
         }
     }
 
-    /// Heeling moment about the waterline for a side force, positive to starboard (N·m): K = κ·s_H·Y, with s_H the height of
-    /// the centroid of the lateral area. κ is a parameter of Blendermann's method, and 1 for the others.
+    /// Heeling moment about the waterline for a side force, positive to starboard (N·m): K = κ·s_H·Y, with s_H, the
+    /// height of the centroid of the lateral area. κ is a parameter of Blendermann's method, and 1 for the other
+    /// methods.
     #[must_use]
     pub fn roll_moment_nm(&self, sway_n: f64) -> f64 {
         self.method.roll_factor() * self.centroid_height_m * sway_n

@@ -1,6 +1,6 @@
 //! Estimates of the coefficients of a manoeuvring model from main particulars, for ships without model tests or with
-//! incomplete ones. Every estimate is reported with its formula, and so are particulars outside the range in which the
-//! formulas were validated.
+//! incomplete tests. Every estimate is reported with its formula. Particulars outside the range in which the formulas
+//! were validated are reported too.
 //!
 //! | quantity | method | standing |
 //! |---|---|---|
@@ -37,9 +37,9 @@ pub use method::{EstimateMethod, Ratio, RatioOutOfRange, VALIDATED_RATIOS};
 /// The result of an estimate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimated {
-    /// Her model.
+    /// The ship's manoeuvring model.
     pub model: Mmg,
-    /// What was estimated, and by which formula.
+    /// The estimated quantities, and the formula for each.
     pub sources: Vec<Source>,
     /// The formulas for hull, propeller or rudder; `None` if all of them are known.
     pub method: Option<EstimateMethod>,
@@ -47,7 +47,7 @@ pub struct Estimated {
     pub outside: Vec<RatioOutOfRange>,
 }
 
-/// The manoeuvring model of a ship from known data, by the method for her particulars.
+/// The manoeuvring model of a ship from known data, by the method that suits her particulars.
 ///
 /// # Errors
 /// A number out of range, or particulars outside the regression of added mass.

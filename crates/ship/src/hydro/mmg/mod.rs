@@ -2,9 +2,9 @@
 //! (Yasukawa & Yoshimura, "Introduction of MMG standard method for ship maneuvering predictions",
 //! J. Mar. Sci. Technol. 20, 2015), extended to low speed, astern and bollard.
 //!
-//! [`Mmg`] is plain data, checked by [`Mmg::check`]; [`Mmg::forces`] is a pure function of the velocity through the water and the
-//! controls. The forces include all hydrodynamic terms except those proportional to accelerations (the added mass itself): the
-//! Coriolis terms of the added mass are included, and the Munk moment is part of N_v.
+//! [`Mmg`] is plain data, checked by [`Mmg::check`]. [`Mmg::forces`] is a pure function of the velocity through the
+//! water and the controls. The forces include all hydrodynamic terms except those proportional to accelerations (the
+//! added mass itself). The Coriolis terms of the added mass are included, and the Munk moment is part of N_v.
 
 mod check;
 mod wake;
@@ -38,9 +38,9 @@ pub struct Mmg {
 pub struct Propulsion {
     /// The propeller in open water.
     pub propeller: Propeller,
-    /// Thrust deduction t_P, of thrust ahead.
+    /// Thrust deduction t_P for thrust ahead.
     pub thrust_deduction: f64,
-    /// Thrust deduction for thrust astern, due to the race on the hull.
+    /// Thrust deduction for thrust astern, caused by the propeller race on the hull.
     pub thrust_deduction_astern: f64,
     /// Wake at the propeller.
     pub wake: Wake,
@@ -51,7 +51,7 @@ pub struct Propulsion {
 /// The forces on a ship, part by part.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Parts {
-    /// Hull, with the added mass' Coriolis terms.
+    /// Hull, with the Coriolis terms of the added mass.
     pub hull: Force,
     /// Propeller, less thrust deduction.
     pub propeller: Force,
@@ -99,7 +99,7 @@ impl Propulsion {
         }
     }
 
-    /// X_P = (1 − t)T, with t for the direction of the thrust.
+    /// X_P = (1 − t)T, with the t for the direction of the thrust.
     fn driving_force(&self, race: &Race) -> Force {
         let deduction =
             if race.thrust_n < 0.0 { self.thrust_deduction_astern } else { self.thrust_deduction };

@@ -40,10 +40,11 @@ impl Mmg {
 impl Corrections {
     /// The ship in water of a depth (m), from the ship in deep water.
     ///
-    /// The cross-flow drag increases by [`super::shallow_cross_flow_drag`] where she crabs, drifts or lies at her berth, but not
-    /// under way, and goes on to increase until she touches the bottom. Everything else is held below [`SHALLOWEST_RATIO`]
-    /// draughts. The blend of both is that of [`crate::hydro::polynomial_weight`]: a ship without a polynomial uses her
-    /// low-speed form for both.
+    /// If the ship crabs, drifts or lies at her berth, the cross-flow drag increases by
+    /// [`super::shallow_cross_flow_drag`]; it goes on to increase until she touches the bottom. Under way it does not
+    /// increase. Everything else is held constant below [`SHALLOWEST_RATIO`] draughts.
+    /// [`crate::hydro::polynomial_weight`] blends the two conditions. A ship without a polynomial uses her low-speed
+    /// form for both.
     pub(crate) fn on(&self, deep: &Mmg, depth_m: f64) -> Mmg {
         let ship = &deep.particulars;
         let MassFactors { surge, sway, yaw } = self.mass;
@@ -69,8 +70,8 @@ impl Corrections {
     }
 }
 
-/// X_vr and Y_r of the hull without the Coriolis term of the added mass. The factor on X_vr applies to the sum of both, from
-/// which the new Coriolis term is subtracted.
+/// X_vr and Y_r of the hull without the Coriolis term of the added mass. The factor on X_vr applies to the sum of X_vr
+/// and the Coriolis term; the new Coriolis term is then subtracted.
 fn without_coriolis(
     surge_vr: f64,
     sway_r: f64,
@@ -132,7 +133,7 @@ fn polynomial_in(
             let [before, after] = masses.map(|mass| mass.surge_m3 / ship.mass_unit_m3());
             p.x_0 *= factors.resistance;
             p.x_bb *= factors.x_vv;
-            // It includes −m'y, so the factor applies to all of it.
+            // Xβr includes −m'y, so the factor applies to all of it.
             p.x_br *= factors.x_vr;
             p.x_rr *= factors.x_rr;
             p.x_bbbb *= factors.x_vvvv;

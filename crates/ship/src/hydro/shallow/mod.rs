@@ -1,7 +1,7 @@
 //! Shallow water: corrections of hull, added mass, propeller and rudder; the drag of a ship at her berth; squat.
 //!
-//! A correction is a factor on the ship's value in deep water. The factors of a set belong together: the destabilising N_v
-//! increases as much as the damping, so that a part of a set alone gives a different ship.
+//! A correction is a factor on the ship's value in deep water. The factors of a set belong together: the destabilising
+//! N_v increases as much as the damping. A part of a set alone would describe a different ship.
 //!
 //! | set | linear terms | other terms |
 //! |---|---|---|
@@ -10,22 +10,22 @@
 //! | [`CorrectionSet::Ankudinov`] | by Ankudinov | as the default |
 //! | [`CorrectionSet::Taimuri`] | by Taimuri et al. (2020) | theirs, wake and all |
 //!
-//! The default was chosen by comparison with the derivatives of a tanker of 190 000 dwt that was tested in shallow water (van
-//! Berlekom & Goddard, SNAME Trans. 80, 1972, as in the public MSS toolbox), and with turning circles and zig-zags of tankers
-//! and container ships. `fenderline validate`, chapter "Shallow water", has both for all four sets.
+//! The default was chosen by comparison with the derivatives of a tanker of 190 000 dwt which was tested in shallow
+//! water (van Berlekom & Goddard, SNAME Trans. 80, 1972, as in the public MSS toolbox), and with turning circles and
+//! zig-zags of tankers and container ships. `fenderline validate`, chapter "Shallow water", has both for all four sets.
 //!
 //! - Y_v and N_v: the published factors agree within a tenth for such ships.
-//! - N_r: at h/T 1.2 the effective aspect ratio gives 1.40 and Ankudinov 2.68, where the tanker has 2.02; at 1.5 they give 1.21
-//!   and 1.51, where she has 1.41. Their mean is within 4 % of hers at both depths. Kijima's power (`taimuri.rs`) gives 2.29 for
-//!   her, but 3.4 to 5.7 for ships with a smaller ratio of draught to length, whose turning circles would be three times as
-//!   wide: it is not used.
-//! - Y_r: the tanker has 4.9, Ankudinov 2.4 and the effective aspect ratio 1.9: Ankudinov, the nearer one, is used.
+//! - N_r: at h/T 1.2 the effective aspect ratio gives 1.40, Ankudinov 2.68, and the tanker has 2.02. At 1.5 they give
+//!   1.21 and 1.51, and the tanker has 1.41. The mean of the two is within 4 % of the tanker's value at both depths.
+//!   Kijima's power (`taimuri.rs`) gives 2.29 for the tanker, but 3.4 to 5.7 for ships with a smaller ratio of draught
+//!   to length. The turning circles of such ships would be three times as wide, so it is not used.
+//! - Y_r: the tanker has 4.9, Ankudinov gives 2.4 and the effective aspect ratio 1.9. Ankudinov is nearer, and is used.
 //! - Taimuri's set has cubics in T/h that leave their range for broad ships.
 //!
-//! Besides that mean, the extrapolation is ours. Ankudinov's factors are used down to [`PUBLISHED_RATIO`] draughts of water,
-//! because their fifth power triples them between there and [`SHALLOWEST_RATIO`]. In between they are linear, along their
-//! tangent, in T/(h − T), the inverse of the clearance, in which that tanker's derivatives are linear. Below
-//! [`SHALLOWEST_RATIO`] all values are constant.
+//! Besides this mean, the extrapolation is ours. Ankudinov's factors are used down to [`PUBLISHED_RATIO`] draughts of
+//! water only, because their fifth power triples them between there and [`SHALLOWEST_RATIO`]. Between these two ratios
+//! they continue along their tangent, linear in T/(h − T), the draught over the clearance. The derivatives of the
+//! tanker are linear in this quantity. Below [`SHALLOWEST_RATIO`] all values are constant.
 
 mod ankudinov;
 mod aspect_ratio;
@@ -62,8 +62,8 @@ pub enum CorrectionSet {
 }
 
 impl Corrections {
-    /// The corrections of a set for a ship in water of a depth (m), which may be infinite. They are constant below
-    /// [`SHALLOWEST_RATIO`] draughts.
+    /// The corrections of a set for a ship in water of a depth (m), which may be infinite. The corrections are constant
+    /// below [`SHALLOWEST_RATIO`] draughts.
     ///
     /// # Panics
     /// If the depth is NaN.

@@ -1,4 +1,4 @@
-//! Draught factor of wave reflection: 1 in short waves, 0 in long ones.
+//! Draught factor of wave reflection: 1 in short waves, 0 in long waves.
 
 use fenderline_contact::number::greater;
 
@@ -81,7 +81,7 @@ fn polynomial(x: f64, coefficients: &[f64]) -> f64 {
 mod tests {
     use super::*;
 
-    /// Values of SciPy 1.x, `scipy.special.iv` and `kv`.
+    /// The expected values are from SciPy 1.x, `scipy.special.iv` and `kv`.
     #[test]
     fn bessel_functions_agree_with_scipy() {
         for (x, i1, k1) in TABLE {

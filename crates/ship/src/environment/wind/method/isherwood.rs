@@ -8,11 +8,10 @@ use crate::range::{OutOfRange, within};
 
 /// Isherwood, "Wind resistance of merchant ships", Trans. RINA 115 (1972).
 ///
-/// CX = −(A₀ + A₁·2A_L/L² + A₂·2A_F/B² + A₃·L/B + A₄·S/L + A₅·C/L + A₆·M),
-/// CY = B₀ + B₁·2A_L/L² + B₂·2A_F/B² + B₃·L/B + B₄·S/L + B₅·C/L + B₆·A_SS/A_L,
-/// CN = C₀ + C₁·2A_L/L² + C₂·2A_F/B² + C₃·L/B + C₄·S/L + C₅·C/L, C the centroid's distance from the bow.
-/// Tables every 10°, with linear interpolation. Source: found (Fossen's toolbox prints the tables; the paper
-/// was not read).
+/// CX = −(A₀ + A₁·2A_L/L² + A₂·2A_F/B² + A₃·L/B + A₄·S/L + A₅·C/L + A₆·M), CY = B₀ + B₁·2A_L/L² + B₂·2A_F/B² + B₃·L/B +
+/// B₄·S/L + B₅·C/L + B₆·A_SS/A_L, CN = C₀ + C₁·2A_L/L² + C₂·2A_F/B² + C₃·L/B + C₄·S/L + C₅·C/L, with C, the centroid's
+/// distance from the bow. Tables every 10°, with linear interpolation. Source: found (Fossen's toolbox prints the
+/// tables; the paper was not read).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Isherwood {
     /// S, length of the perimeter of the lateral projection without waterline, masts and ventilators (m).

@@ -32,12 +32,12 @@ pub enum WindMethod {
     Blendermann(Blendermann),
     /// Fujiwara et al. 1998: regression of a Fourier series in the wind angle.
     Fujiwara(Fujiwara),
-    /// A table of the user's own.
+    /// A table that the user gives.
     Own(OwnWindTable),
 }
 
 impl WindMethod {
-    /// Its name, and how well its source is known, for reports.
+    /// Name of the method, and how well its source is known, for reports.
     #[must_use]
     pub fn standing(&self) -> (&str, &str) {
         match self {
