@@ -50,7 +50,7 @@ pub struct ContactEnergy {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LoadWork {
     /// Drag and lift of the vessels' hulls, current included. The Coriolis part of the hull force in
-    /// [`crate::VesselForces`] is not included, because it does no work.
+    /// [`crate::world::VesselForces`] is not included, because it does no work.
     pub hull_j: f64,
     /// Propellers.
     pub propeller_j: f64,

@@ -57,7 +57,7 @@ impl Setup {
         start.current.clone_from(&self.world.environment.current);
     }
 
-    /// Whether [`crate::Simulation::restart`] keeps most of a simulation of this set-up, and cannot fail. The result is
+    /// Whether `Simulation::restart` of the crate `fenderline-sim` keeps most of a simulation of this set-up, and cannot fail. The result is
     /// false if more than states depends on the start: piles that stand there, hulls that are cut by height, lines that
     /// must fit between their ends, planned changes, and the study of a berthing. The simulation is then made anew.
     #[must_use]

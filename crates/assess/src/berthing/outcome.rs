@@ -8,14 +8,14 @@ use fenderline_world::berthing::AddedMass;
 pub struct BerthingOutcome {
     /// Start of the step of the first touch (s).
     pub first_touch_s: f64,
-    /// The fenders that the ship meets together, by their index in [`crate::Setup::fenders`]. These fenders are the
+    /// The fenders that the ship meets together, by their index in [`fenderline_world::setup::Setup::fenders`]. These fenders are the
     /// first fender touched, and the fenders touched before the first is compressed by a tenth of its rated deflection
     /// (or of its projection, if it has no rating).
     pub fenders: Vec<usize>,
     /// Speed of the ship's centre of gravity square to the fender's face, relative to the body that carries the fender
     /// (m/s). If another ship carries the fender, it is the closing speed of the two hulls at the contact.
     pub speed_mps: f64,
-    /// Design speed square to the berth (m/s), [`super::BerthingSetup::design_speed_mps`]. If there is one, the formula
+    /// Design speed square to the berth (m/s), [`fenderline_world::berthing::BerthingSetup::design_speed_mps`]. If there is one, the formula
     /// uses it. On the way to the first touch, drag slows the ship, and wind or a tug may make her faster.
     pub design_speed_mps: Option<f64>,
     /// Berthing angle (rad): between the ship's centre line and the fender's face, positive with the bow towards it.
@@ -31,7 +31,7 @@ pub struct BerthingOutcome {
     pub displacement_kg: f64,
     /// The other ship, if one carries the fender.
     pub other: Option<OtherShip>,
-    /// Cm by each formula, in the order of [`super::AddedMassFormula::ALL`]; `None` if the formula does not apply to
+    /// Cm by each formula, in the order of [`fenderline_world::berthing::AddedMassFormula::ALL`]; `None` if the formula does not apply to
     /// the ship.
     pub added_mass: [Option<f64>; 4],
     /// The source of the Cm of `energy_j`.

@@ -19,7 +19,7 @@ pub use peaks::MotionStatistics;
 pub use rainflow::{RAINFLOW_BINS, Rainflow};
 use series::MotionSeries;
 
-/// The statistics that a run with [`StatisticsSetup`] keeps.
+/// The statistics that a run with [`fenderline_world::limit::StatisticsSetup`] keeps.
 #[derive(Clone, Debug)]
 pub struct Statistics {
     from_s: f64,

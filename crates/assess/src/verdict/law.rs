@@ -251,7 +251,7 @@ impl Law {
     }
 }
 
-/// The part of a run that left a law, as indices into the [`crate::Setup`].
+/// The part of a run that left a law, as indices into the [`fenderline_world::setup::Setup`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
     /// The run as a whole.

@@ -1,6 +1,6 @@
 //! Changes of a running simulation that nobody orders: weather, faults, lines that part, tugs that drop out. Changes
-//! are planned for times in the set-up ([`crate::WorldSetup::planned`]), or come from outside
-//! ([`crate::Simulation::change`]).
+//! are planned for times in the set-up ([`crate::world::WorldSetup::planned`]), or come from outside
+//! (`Simulation::change` of the crate `fenderline-sim`).
 
 mod check;
 mod error;

@@ -21,13 +21,13 @@ pub struct Order {
 /// An order without its time: target and content.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
-    /// An order to a vessel, by her index in [`crate::WorldSetup::vessels`].
+    /// An order to a vessel, by her index in [`crate::world::WorldSetup::vessels`].
     Vessel(usize, VesselAction),
-    /// An order to a vector tug, by her index in [`crate::WorldSetup::tugs`].
+    /// An order to a vector tug, by her index in [`crate::world::WorldSetup::tugs`].
     Tug(usize, TugOrder),
-    /// An order to a line, by its index in [`crate::WorldSetup::lines`].
+    /// An order to a line, by its index in [`crate::world::WorldSetup::lines`].
     Line(usize, LineAction),
-    /// An order to an anchor, by its index in [`crate::WorldSetup::anchors`].
+    /// An order to an anchor, by its index in [`crate::world::WorldSetup::anchors`].
     Anchor(usize, AnchorAction),
 }
 

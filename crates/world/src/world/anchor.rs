@@ -18,7 +18,7 @@ use fenderline_ship::range::within;
 pub struct AnchorSetup {
     /// The anchor, with its chain and windlass.
     pub gear: AnchorGear,
-    /// Index of the vessel that carries the anchor, into [`crate::WorldSetup::vessels`].
+    /// Index of the vessel that carries the anchor, into [`crate::world::WorldSetup::vessels`].
     pub vessel: usize,
     /// Place of the hawse pipe in the frame of the vessel's body (m).
     pub hawse_m: Vec2,

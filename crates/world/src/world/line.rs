@@ -50,7 +50,7 @@ pub struct Mooring {
     pub load: LineLoad,
     /// Whether the line is on board: it was not sent yet, was let go, or could not be made fast.
     pub aboard: bool,
-    /// The bollard at which the line is fast or to which it was sent, as an index into [`crate::WorldSetup::bollards`].
+    /// The bollard at which the line is fast or to which it was sent, as an index into [`crate::world::WorldSetup::bollards`].
     /// `None`: the end that the set-up gives.
     pub bollard: Option<usize>,
     /// The passage of the line to the bollard, while the line is under way.

@@ -277,7 +277,7 @@ impl World {
     }
 
     /// Finds where the bodies with hydrodynamic data are in the middle of the time for which loads act: see
-    /// [`crate::seakeeping::SubSteps`]. Lines pull at these places.
+    /// [`fenderline_ship::seakeeping::SubSteps`]. Lines pull at these places.
     fn look_ahead(
         &mut self,
         setup: &WorldSetup,

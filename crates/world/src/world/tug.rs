@@ -14,7 +14,7 @@ use fenderline_ship::tug::{TugForce, TugOrder, TugState, VectorTug};
 /// A vector tug of a set-up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TugSetup {
-    /// Index of the vessel that the tug serves, in [`crate::WorldSetup::vessels`].
+    /// Index of the vessel that the tug serves, in [`crate::world::WorldSetup::vessels`].
     pub vessel: usize,
     /// The tug.
     pub tug: VectorTug,

@@ -28,7 +28,7 @@ const REFLOATED_M: f64 = 0.02;
 /// A vessel of a set-up: a body with hull, propulsion and their forces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VesselSetup {
-    /// Index of the vessel's body in [`crate::Setup::bodies`].
+    /// Index of the vessel's body in [`crate::setup::Setup::bodies`].
     pub body: usize,
     /// Name of the vessel, and the sources of her data.
     pub origin: Origin,
@@ -314,7 +314,7 @@ impl VesselSetup {
         self.azimuths.iter().map(|azimuth| azimuth.bollard_n).sum()
     }
 
-    /// The names of the vessel's thrusters, then of her azimuth units. [`crate::Tripped`] numbers units in this order.
+    /// The names of the vessel's thrusters, then of her azimuth units. [`crate::world::Tripped`] numbers units in this order.
     pub fn unit_names(&self) -> impl Iterator<Item = &str> + Clone {
         let thrusters = self.thrusters.iter().map(|thruster| thruster.name.as_str());
         thrusters.chain(self.azimuths.iter().map(|azimuth| azimuth.name.as_str()))
@@ -456,7 +456,7 @@ impl VesselSetup {
         environment.depth_at_m(t_s).map(|depth_m| depth_m - draught_m - squat_m)
     }
 
-    /// True if the vessel is aground. A ship that was aground needs a clearance of [`REFLOATED_M`] to be afloat again.
+    /// True if the vessel is aground. A ship that was aground needs a clearance of `REFLOATED_M` to be afloat again.
     /// Otherwise a ship whose squat takes her to the bottom would change between afloat and aground in every step.
     pub fn is_aground(vessel: &VesselState) -> bool {
         let least_m = if vessel.aground { REFLOATED_M } else { 0.0 };
