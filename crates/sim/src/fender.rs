@@ -32,8 +32,8 @@ pub struct FenderSetup {
     /// Height of the middle of the face (m): above the still waterline, or above datum if the fender's body is fixed.
     /// The lever arm with which the fender's force heels a vessel follows from it.
     pub above_water_m: f64,
-    /// Whether the fender floats, as a pneumatic fender does. If so, `above_water_m` is above the present water level,
-    /// on a fixed body too.
+    /// Whether the fender floats, as a pneumatic fender does. For a floating fender `above_water_m` is above the
+    /// present water level, on a fixed body too.
     pub floating: bool,
     /// Distance from the mounting to the face, uncompressed (m).
     pub projection_m: f64,
@@ -256,8 +256,8 @@ impl FenderSummary {
     /// The quantity that governs (`energy`, `deflection` or `reaction`), and its peak over its rated value. `None`
     /// without a rating.
     ///
-    /// A fender that buckles reaches its rated reaction at about a third of its travel and stays near it. So its
-    /// reaction governs only if it exceeds the largest reaction of the curve up to the rated deflection.
+    /// A fender that buckles reaches its rated reaction at about a third of its travel and stays near it. So the
+    /// fender's reaction governs only if it exceeds the largest reaction of the curve up to the rated deflection.
     #[must_use]
     pub fn governing(&self) -> Option<(&'static str, f64)> {
         let energy = self.share_of_rated_energy?;
@@ -437,7 +437,7 @@ fn first_touch(
     }
 }
 
-/// Adds the deflection in a step. Returns true if it is the largest so far.
+/// Adds the deflection in a step. Returns true if the deflection is the largest so far.
 fn add_deflection(
     summary: &mut FenderSummary,
     setup: &FenderSetup,

@@ -194,7 +194,8 @@ impl Hydrodynamics {
         self.drift.is_some()
     }
 
-    /// The first and the last frequency of the exciting forces (rad/s). Beyond them the force at the end is used.
+    /// The first and the last frequency of the exciting forces (rad/s). Beyond these frequencies the force at the end
+    /// is used.
     #[must_use]
     pub fn wave_range_radps(&self) -> [f64; 2] {
         let axis = &self.wave_frequencies_radps;

@@ -28,7 +28,7 @@ impl FenderSummary {
     }
 
     /// The quantity, `energy` or `reaction`, that exceeds the catalogue's rating; its share of this rating; and its
-    /// share of the rating with the factors of this run. `None` if the catalogue's rating is kept. Also `None` for a
+    /// share of the rating with the factors of this run. `None` if the catalogue's rating is kept. `None` also for a
     /// fender that exceeds the run's rating too.
     ///
     /// A curve that buckles can peak a little above its rated reaction. This does not exceed the catalogue's rating.

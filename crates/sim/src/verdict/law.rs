@@ -12,8 +12,8 @@ use super::Verdict;
 pub enum Law {
     /// Two bodies without a fender between them overlap by more than half of the smaller body.
     DeepOverlap,
-    /// A body was placed so deep in another body that the contact would eject it. The contact pushes it out slowly
-    /// instead.
+    /// A body was placed so deep in another body that the contact would eject it. The contact pushes the body out
+    /// slowly instead.
     PlacedInOverlap,
     /// The coupled solve of a contact did not settle within its iteration limit.
     NotConverged,

@@ -28,8 +28,8 @@ pub struct MeanWind {
 pub enum WindProfile {
     /// The wind is the same at every height.
     Uniform,
-    /// U(z) = U₁₀ (z/10)^exponent; 1/7 is customary on land. Over open water it is 0.10 in neutral air, 0.06 in
-    /// unstable air and 0.27 in stable air (Hellmann's exponents, as the library pvlib lists them).
+    /// U(z) = U₁₀ (z/10)^exponent; 1/7 is customary on land. Over open water the exponent is 0.10 in neutral air, 0.06
+    /// in unstable air and 0.27 in stable air (Hellmann's exponents, as the library pvlib lists them).
     Power {
         /// Exponent.
         exponent: f64,
