@@ -80,7 +80,7 @@ pub struct BodySetup {
     /// Outline in the body's frame, origin at the centre of gravity.
     pub outline: Outline,
     /// The hull by height, which fenders meet instead of the outline; `None`: the sides of the outline are vertical.
-    /// Only in the coupled method.
+    /// Such a hull needs the coupled method.
     pub hull: Option<HullByHeight>,
     /// Mass and inertia; `None` for a body that stands on the ground.
     pub mass: Option<MassProperties>,

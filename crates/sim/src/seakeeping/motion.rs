@@ -43,9 +43,9 @@ pub struct MotionState {
     /// Velocities before the step, and after it without contact.
     before: Six,
     without_contact: Six,
-    /// Impulses in the plane that the last step left (N·s, N·m·s).
+    /// Impulses in the plane that the last step left for this step (N·s, N·m·s).
     left: [f64; 3],
-    /// The part of these impulses that was guessed ahead of contact.
+    /// The part of the impulses `left` that was guessed before contact was computed.
     ahead: [f64; 3],
 }
 
