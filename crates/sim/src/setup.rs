@@ -84,7 +84,7 @@ pub struct BodySetup {
     pub hull: Option<HullByHeight>,
     /// Mass and inertia; `None` for a body that stands on the ground.
     pub mass: Option<MassProperties>,
-    /// The pile on which the body stands, if it is a flexible dolphin. Only in the coupled method with the
+    /// The pile on which the body stands, if it is a flexible dolphin. A pile needs the coupled method with the
     /// semi-implicit integrator.
     pub dolphin: Option<DolphinSetup>,
     /// Initial position of the centre of gravity, north and east (m).
