@@ -14,8 +14,10 @@ pub(crate) const COUNT: usize = 50;
 /// A shorter sentence, such as "Name of the body.", is not drawn.
 const FEWEST_WORDS: usize = 5;
 /// Words before a full stop that does not end a sentence.
-const ABBREVIATIONS: [&str; 11] =
-    ["e.g.", "i.e.", "cf.", "Fig.", "Figs.", "Eq.", "Eqs.", "p.", "pp.", "No.", "vol."];
+const ABBREVIATIONS: [&str; 15] = [
+    "al.", "cf.", "e.g.", "eq.", "Eq.", "eqs.", "Eqs.", "Fig.", "Figs.", "i.e.", "No.", "p.",
+    "pp.", "ref.", "vol.",
+];
 /// Documents of the past, which stay as they were.
 const LEFT_OUT: [&str; 2] = ["CHANGELOG.md", "docs/before_0.1.0.md"];
 
@@ -108,9 +110,10 @@ fn markdown(lines: &[(usize, &str)]) -> Vec<Paragraph> {
         let line = line.trim();
         let is_fence = line.starts_with("```");
         in_code ^= is_fence;
-        if is_fence || in_code || line.is_empty() || line.starts_with(['#', '<', '|']) {
+        let is_row = line.starts_with('|') && line.ends_with('|');
+        if is_fence || in_code || is_row || line.is_empty() || line.starts_with(['#', '<']) {
             found.push(std::mem::take(&mut open));
-            if line.starts_with('|') && !in_code {
+            if is_row && !in_code {
                 let cell = |cell: &str| Paragraph { lines: vec![(number, cell.trim().to_owned())] };
                 found.extend(line.split('|').map(cell));
             }

@@ -13,8 +13,8 @@ use crate::vec2::{Rotation, Vec2};
 /// The version of the snapshots that this library writes and reads.
 pub const SNAPSHOT_VERSION: u32 = 8;
 
-/// Numbers one after the other. A [`Writer`] appends them to the bytes; a [`Reader`] replaces them by numbers from the
-/// bytes.
+/// Numbers one after the other. A [`Writer`] appends the numbers to the bytes; a [`Reader`] replaces the values by
+/// numbers from the bytes.
 pub(crate) trait Codec {
     fn word(&mut self, word: &mut u32);
     fn number(&mut self, number: &mut f64);

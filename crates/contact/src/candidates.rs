@@ -12,7 +12,7 @@ use crate::room::room_for;
 /// The candidates of a step. Stage 2, `broad::pair`, computes them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Candidates {
-    /// In the order of [`Candidate::key`]. The coupled method sorts them by island first.
+    /// The candidates, in the order of [`Candidate::key`]. The coupled method sorts them by island first.
     pub(crate) pairings: Vec<Pairing>,
     /// Pairs of bodies that the model lists in no `Pair`, and that were near each other when this list was made.
     pub(crate) neighbours: NeighbourList,

@@ -34,7 +34,7 @@ impl PieceLens {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Overlap {
     pub(crate) patches: Vec<Patch>,
-    /// Where the patches of non-convex bodies lie.
+    /// The places of the patches of non-convex bodies.
     pub(crate) places: Vec<Place>,
     pub(crate) lenses: Vec<PieceLens>,
     pub(crate) outline_m: Vec<Vec2>,

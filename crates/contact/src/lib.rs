@@ -10,8 +10,8 @@
 //! - [`Model`]: bodies with their outlines and masses, materials, fenders, and the pairs of bodies that may touch. The
 //!   model is constant.
 //! - [`BodyState`]: position, heading and velocity of one body. [`Wrench`]: a force and a moment on a body.
-//! - [`Memory`]: what the engine remembers from one step to the next, as plain data. Copy it to branch a run; save it
-//!   as bytes and restore it.
+//! - [`Memory`]: what the engine remembers from one step to the next, as plain data. Copy the memory to branch a run;
+//!   save it as bytes and restore it.
 //! - [`Workspace`]: the results of the last step, and buffers, so that a warm step allocates nothing. Later steps do
 //!   not depend on the workspace.
 //!

@@ -13,7 +13,7 @@ use crate::state::BodyState;
 use crate::unloading::PLAYS;
 use crate::vec2::{Rotation, Vec2};
 
-/// All mutable state of a contact problem, as plain data. Copy it to branch a run, compare it, save it with
+/// All mutable state of a contact problem, as plain data. Copy the memory to branch a run, compare it, save it with
 /// [`Memory::snapshot`] and restore it with [`Memory::restore`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Memory {
@@ -95,9 +95,9 @@ pub(crate) struct PatchMemory {
 }
 
 impl PatchMemory {
-    /// One body lies within the other. For a fender: it is beyond its rated deflection.
+    /// One body lies within the other. For a fender: the fender is beyond its rated deflection.
     pub(crate) const CONTAINED: u32 = 1;
-    /// Half of a body lies within the other. For a fender: it is in its stop.
+    /// Half of a body lies within the other. For a fender: the fender is in its stop.
     pub(crate) const DEEP: u32 = 2;
     /// V_n was positive at the start of the last step or sub-step.
     pub(crate) const APPROACHING: u32 = 4;
@@ -285,7 +285,7 @@ impl ContactMemory {
         }
     }
 
-    /// Exchanges the lists with those of another step's memory. `keeps_hints`: both keep their hints.
+    /// Exchanges the lists with those of another step's memory. With `keeps_hints` both memories keep their hints.
     pub(crate) fn exchange(&mut self, other: &mut ContactMemory, keeps_hints: bool) {
         core::mem::swap(&mut self.patches, &mut other.patches);
         core::mem::swap(&mut self.places, &mut other.places);

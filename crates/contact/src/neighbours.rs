@@ -40,8 +40,8 @@ pub(crate) struct NeighbourList {
     /// The bodies in the order of the sweep.
     order: Vec<Swept>,
     sort_of_order: SpreadSort<Swept>,
-    /// Ranks of the pairs as single numbers, the lower rank in the upper half. Sorted as numbers, they are in the order
-    /// of their ranks.
+    /// Ranks of the pairs as single numbers, the lower rank in the upper half. Sorted as numbers, the pairs are in the
+    /// order of their ranks.
     ranks: Vec<u64>,
     sort_of_ranks: SpreadSort<u64>,
 }

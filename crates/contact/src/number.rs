@@ -1,9 +1,9 @@
 //! Minimum, maximum and clamp with the same bits on every machine.
 //!
 //! `f64::min`, `f64::max` and `f64::clamp` do not specify which of −0 and +0 they return: x86 and ARM differ. The sign
-//! propagates to angles, quotients, snapshots and printed tables. The functions here only compare. Of equal numbers
-//! they return the second, so the order of the arguments decides. These functions take one instruction; the functions
-//! of `std`, which also handle NaN, take three.
+//! propagates to angles, quotients, snapshots and printed tables. The functions here only compare. Of equal numbers the
+//! functions return the second, so the order of the arguments decides. These functions take one instruction; the
+//! functions of `std`, which also handle NaN, take three.
 
 /// The smaller of two numbers; `q` if the two are equal (`lesser(0.0, -0.0)` is −0) or one of them is NaN.
 #[inline(always)]

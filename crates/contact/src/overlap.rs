@@ -145,8 +145,8 @@ fn clip_convex(
 
 /// A's outward normal in A's frame, and δ, the extent of the patch along the normal (m).
 ///
-/// The normal is that of the chord, if there is a chord. Otherwise it is the contact's last good normal. Without such a
-/// normal it is along the axis of least penetration.
+/// The normal is that of the chord, if there is a chord. Otherwise the normal is the contact's last good normal.
+/// Without such a normal it is along the axis of least penetration.
 #[inline]
 pub(crate) fn normal_in_a(
     model: &Model,

@@ -17,8 +17,8 @@ pub(crate) struct RankedPair {
     pub(crate) island: u32,
 }
 
-/// Bounds on the natural frequencies of a contact between two outlines. In most steps they show that the contact needs
-/// no sub-steps.
+/// Bounds on the natural frequencies of a contact between two outlines. In most steps the bounds show that the contact
+/// needs no sub-steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Bounds {
     /// Bounds on the squares of the rates of spring and damper (1/s²), for the inverse mass `inverse_mass` (1/kg).

@@ -8,8 +8,8 @@
 //!
 //! The forces of a sub-step act from half a step before its start to half a step after it (section 6.7). So the change
 //! counts from half a step before the start, and the energies before and after the change are compared at that time. If
-//! they were compared at the start, a ship that closes in while the tide takes her side away would gain k δ̇² h/2 again
-//! and again.
+//! the energies were compared at the start, a ship that closes in while the tide takes her side away would gain k δ̇²
+//! h/2 again and again.
 //!
 //! A fender with an unloading law follows the net change of its deflection from the start of the last sub-step to the
 //! start of this one. So the work of the change is the energy for this net change, less the work of the motion: the

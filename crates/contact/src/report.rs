@@ -244,8 +244,8 @@ pub enum EventKind {
     FenderFailed(FenderId),
     /// The coupled solve of the contact of these bodies did not converge within its iteration limit.
     NotConverged,
-    /// A body was placed so deep in another body that the contact would eject it. The contact pushes it out slowly
-    /// instead, at [`crate::MAX_PUSH_OUT_MPS`] at most.
+    /// A body was placed so deep in another body that the contact would eject it. The contact pushes the body out
+    /// slowly instead, at [`crate::MAX_PUSH_OUT_MPS`] at most.
     PlacedInOverlap,
     /// A body does not accelerate under the wrenches as its mass in the model says: the host uses another
     /// mass. Reported once per body, by a [`crate::CoSimHost`].

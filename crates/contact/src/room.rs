@@ -6,8 +6,9 @@ use core::mem::MaybeUninit;
 use crate::geometry::convex::ConvexPolygon;
 use crate::model::Model;
 
-/// An empty list with room for `count` entries. All of its memory is written once. A system provides a page of memory
-/// only when the page is first written; the first step of many contacts would otherwise wait for thousands of pages.
+/// An empty list with room for `count` entries. All memory of the list is written once. A system provides a page of
+/// memory only when the page is first written; the first step of many contacts would otherwise wait for thousands of
+/// pages.
 pub(crate) fn room_for<T>(count: usize) -> Vec<T> {
     // Hidden from the compiler, which would otherwise ask the system for zeroed memory and write nothing.
     let mut list = core::hint::black_box(Vec::with_capacity(count));

@@ -149,7 +149,8 @@ fn first_of(lenses: &mut [PieceLens], mut number: u32) -> u32 {
     number
 }
 
-/// Do two lenses lie on the two sides of a seam? If so, they share both ends of their common edge.
+/// Do two lenses lie on the two sides of a seam? Lenses on the two sides of a seam share both ends of their common
+/// edge.
 ///
 /// If the two lenses have a piece in common, one common corner is enough, however short the edge is: a convex piece
 /// that reaches a common corner of two other pieces lies on the seam that starts there. If both pieces differ, the

@@ -57,7 +57,7 @@ pub(crate) enum Movers {
 }
 
 impl Movers {
-    /// Made from whether A moves and whether B moves. At least one of them does.
+    /// Made from whether A moves and whether B moves. At least one of the two bodies moves.
     #[inline(always)]
     pub(crate) fn of([a_moves, b_moves]: [bool; 2]) -> Movers {
         match (a_moves, b_moves) {

@@ -69,7 +69,7 @@ impl Unloading {
     pub const MIN_RETURNED_SHARE: f64 = 0.05;
 
     /// The share of ∫ R dδ that a loop to a deflection and back returns, without the stop. For
-    /// [`Unloading::ReturnedEnergy`] it does not depend on the deflection.
+    /// [`Unloading::ReturnedEnergy`] this share does not depend on the deflection.
     #[must_use]
     pub fn returned_share(&self, law: &FenderLaw, deflection_m: f64) -> f64 {
         match self {

@@ -109,7 +109,7 @@ impl Workspace {
         self.results.reports_contacts = report;
     }
 
-    /// Contacts of the last step, sorted by the bodies' keys and patch. Empty if they are not reported.
+    /// Contacts of the last step, sorted by the bodies' keys and patch. The list is empty if contacts are not reported.
     #[must_use]
     pub fn contacts(&self) -> &[Contact] {
         &self.results.contacts

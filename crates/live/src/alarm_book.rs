@@ -12,9 +12,9 @@ pub(crate) const FENDER: &str = "fender";
 /// How urgent an alarm is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
-    /// A caution needs attention. It is removed when its cause ends.
+    /// A caution needs attention. The caution is removed when its cause ends.
     Caution,
-    /// An alarm needs action. It stays until somebody acknowledges it.
+    /// An alarm needs action. The alarm stays until somebody acknowledges it.
     Alarm,
 }
 

@@ -726,8 +726,8 @@ pub fn text(message: &impl Serialize) -> String {
     serde_json::to_string(message).unwrap_or_else(|e| unreachable!("{e}"))
 }
 
-/// The text of a frame with the events since the client's last frame. For an instructor it includes the text `marks`,
-/// the marks of the exercise.
+/// The text of a frame with the events since the client's last frame. For an instructor the text includes the text
+/// `marks`, the marks of the exercise.
 #[must_use]
 pub fn with_events(frame: &str, events: &[EventNow], marks: Option<&str>) -> String {
     let open = frame.strip_suffix('}').unwrap_or(frame);

@@ -136,7 +136,7 @@ impl Repeat {
     /// The errors of [`Session::step`].
     ///
     /// # Panics
-    /// At the end of the branch.
+    /// The branch is at its end.
     pub fn step(&mut self, each: impl FnOnce(&StepRecord<'_>)) -> Result<(), StepError> {
         assert!(!self.is_done(), "the branch is at its end");
         self.note_given();

@@ -80,7 +80,7 @@ conducts! {
     /// Shows where orders would take the ships, by means of a copy of the run. The answers carry the number of this
     /// command.
     Trial = "trial" { orders: Vec<Action>, horizon_s: f64 },
-    /// Gives several orders at once. Either all of them are given or none.
+    /// Gives several orders at once. Either all orders are given or none.
     Give = "give" { orders: Vec<Action> },
     /// Asks for the past that strip charts and log show. The past is that of the own ship, or of the ship that `vessel`
     /// names.
@@ -89,7 +89,8 @@ conducts! {
     Report = "report" {},
     /// Saves a copy of the recording under a name.
     Save = "save" { name: String },
-    /// Saves the present state as an exercise of the gallery. With `replace` it may replace an exercise with this name.
+    /// Saves the present state as an exercise of the gallery. With `replace` the new exercise may replace an exercise
+    /// with this name.
     SaveExercise = "save_exercise" { name: String, title: String, replace: bool },
     /// Gives a recording or a saved exercise of the gallery another name. `name` has no ending.
     Rename = "rename" { file: String, name: String },

@@ -603,7 +603,7 @@ impl Session {
         Ok(())
     }
 
-    /// Takes the lines since the last call. The caller appends them to the recording's file.
+    /// Takes the lines since the last call. The caller appends the lines to the recording's file.
     pub fn take_lines(&mut self) -> String {
         self.writer.take()
     }

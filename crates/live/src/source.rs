@@ -63,7 +63,7 @@ impl Source {
         })
     }
 
-    /// The comment above the first key, without comment signs. In it the author describes the scenario.
+    /// The comment above the first key, without comment signs. In this comment the author describes the scenario.
     #[must_use]
     pub fn leading_comment(text: &str) -> String {
         let lines = text.lines().skip_while(|line| line.trim().is_empty());

@@ -73,7 +73,7 @@ impl Session {
         Ok(now)
     }
 
-    /// Gives and records these orders. Either all of them are given or none. Returns their tick.
+    /// Gives and records these orders. Either all orders are given or none. Returns their tick.
     ///
     /// # Errors
     /// The errors of [`Session::trial`] and [`Session::command`].
@@ -93,8 +93,8 @@ impl Session {
 }
 
 impl Trial {
-    /// Runs to the trial's horizon. `watch` gets the answer so far at each new position. If it returns false, the run
-    /// ends and its answer is not complete.
+    /// Runs to the trial's horizon. `watch` gets the answer so far at each new position. If `watch` returns false, the
+    /// run ends and its answer is not complete.
     #[must_use]
     pub fn run(mut self, id: i64, mut watch: impl FnMut(&[ShipPath]) -> bool) -> Reply {
         let tick = self.prediction.tick();

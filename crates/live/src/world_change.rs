@@ -1,4 +1,4 @@
-//! Changes of weather and faults. Pages send them with the names of the scenario; the simulation uses indices.
+//! Changes of weather and faults. Pages send the changes with the names of the scenario; the simulation uses indices.
 
 use fenderline_sim::{Change, Setup};
 

@@ -148,7 +148,7 @@ pub fn ais_position(of: &PositionReport, own: bool) -> Vec<String> {
     sentences(&bits, own, 'B', 0)
 }
 
-/// The two sentences of static and voyage data. `sequence` links them and changes from message to message.
+/// The two sentences of static and voyage data. `sequence` links the two sentences and changes from message to message.
 #[must_use]
 pub fn ais_ship_data(of: &ShipData, own: bool, sequence: u8) -> Vec<String> {
     let mut bits = Bits::default();

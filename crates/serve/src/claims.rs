@@ -149,7 +149,7 @@ impl Claims {
         changed
     }
 
-    /// Marks the controls of a disconnected client as left, and returns them. Until somebody takes them, the controls
+    /// Marks the controls of a disconnected client as left, and returns them. Until somebody takes the controls, they
     /// keep the client's name and the seat of its page.
     pub(crate) fn gone(&mut self, client: ClientId, seat: Option<&Seat>) -> Vec<Control> {
         let mut left = Vec::new();

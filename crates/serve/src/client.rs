@@ -144,7 +144,7 @@ async fn exchange(
     }
 }
 
-/// A frame with the events that this client has not received yet. For an instructor it includes the marks of the
+/// A frame with the events that this client has not received yet. For an instructor the frame includes the marks of the
 /// exercise.
 fn frame_for(published: &Published, role: &Role, last_event: &mut u64) -> String {
     let new = published.events.iter().filter(|(number, _)| *number > *last_event);

@@ -108,7 +108,7 @@ pub(crate) struct FileChange {
 /// Where a file is moved.
 #[derive(Debug)]
 enum To {
-    /// To a path that must be free.
+    /// The file is moved to a path that must be free.
     Path(PathBuf),
     /// To the folder of deleted files, under a name that is free there. The folder is made if it is missing.
     Deleted(PathBuf),
@@ -200,7 +200,7 @@ fn make_folder(folder: &Path) -> Result<(), ChangeError> {
     fs::create_dir(folder).map_err(|error| failed(folder, &error))
 }
 
-/// Moves a file into a folder. If its name is taken there, a number is added.
+/// Moves a file into a folder. If the file's name is taken there, a number is added.
 fn move_to(from: &Path, folder: &Path) -> Result<PathBuf, ChangeError> {
     let file = gallery::name_of(from);
     let ending = ending_of(&file);

@@ -94,7 +94,7 @@ pub struct Options {
     pub host_names: Vec<String>,
     /// Folder with built pages. With `None` the server uses the pages in the program.
     pub page: Option<PathBuf>,
-    /// Folder with scenarios that the page can open. With `None` it is the scenario's folder.
+    /// Folder with scenarios that the page can open. With `None` the folder is the scenario's folder.
     pub gallery: Option<PathBuf>,
     /// Folder in which sessions are recorded.
     pub sessions: PathBuf,
@@ -104,8 +104,8 @@ pub struct Options {
     pub nmea_tcp: Option<u16>,
     /// UDP address of a chart program.
     pub nmea_udp: Option<SocketAddr>,
-    /// The scenario's origin in the sentences to chart programs. With `None` it is the origin of the scenario's chart,
-    /// or 0° N 0° E without a chart.
+    /// The scenario's origin in the sentences to chart programs. With `None` the origin is that of the scenario's
+    /// chart, or 0° N 0° E without a chart.
     pub origin: Option<ChartOrigin>,
     /// Function that makes the report of a session for the page.
     pub report: MakeReport,

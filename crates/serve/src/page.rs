@@ -50,7 +50,7 @@ impl Page {
         Ok(Page(files))
     }
 
-    /// The pages in this program. If it was built without pages, a page that says how to get them.
+    /// The pages in this program. If the program was built without pages, a page that says how to get them.
     pub(crate) fn embedded(notify: Notify) -> Page {
         if let Some(why) = NO_PAGES {
             notify(&format!("notice: this program was built without pages: {why}"));

@@ -28,7 +28,7 @@ pub(crate) enum Progress {
     Replaying(u64, u64),
 }
 
-/// Receives the progress. If it returns an error, the replay stops with that reason.
+/// Receives the progress. If the function returns an error, the replay stops with that reason.
 pub(crate) type Watch<'w> = &'w mut dyn FnMut(Progress) -> Result<(), String>;
 
 /// A recording that was replayed to its end.

@@ -47,8 +47,8 @@ pub struct Lie {
 }
 
 impl Berth {
-    /// The berth with the most fenders, among the bodies that `serves` selects. Among equals it is the berth nearest to
-    /// `ship` at the start. `ship` is an index into [`Setup::bodies`]. `None` if no such body has fenders.
+    /// The berth with the most fenders, among the bodies that `serves` selects. Of several such berths, the berth
+    /// nearest to `ship` at the start. `ship` is an index into [`Setup::bodies`]. `None` if no such body has fenders.
     #[must_use]
     pub fn of(setup: &Setup, ship: usize, serves: impl Fn(usize) -> bool) -> Option<Berth> {
         let faces: Vec<Face> = setup

@@ -158,9 +158,9 @@ impl MarkColour {
 /// Sides of a fairway.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MarkSide {
-    /// To port of a ship that enters. The mark has the shape of a can.
+    /// The mark is to port of a ship that enters. The mark has the shape of a can.
     Port,
-    /// To starboard of a ship that enters. The mark has the shape of a cone.
+    /// The mark is to starboard of a ship that enters. The mark has the shape of a cone.
     Starboard,
 }
 

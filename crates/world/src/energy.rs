@@ -19,7 +19,7 @@ pub struct ContactEnergy {
     /// Work of the tangential force on the two bodies (J).
     pub tangential_j: f64,
     /// Energy that tide, heave, roll and pitch put into the fender (J), because they change the outline of the hull
-    /// that the fender meets. Negative if they take energy out.
+    /// that the fender meets. Negative if these motions take energy out.
     pub height_j: f64,
     /// Work of both forces on the two bodies since the contact began, less [`ContactEnergy::height_j`] (J). Positive if
     /// the contact returned more energy than it absorbed. −∞ for a contact that exists at the start of the run, because
@@ -37,11 +37,11 @@ pub struct ContactEnergy {
     pub restitution_j: f64,
     /// Friction loss, and the numerical damping of the implicit shear spring (J).
     pub friction_j: f64,
-    /// Accumulated stored energy that does not agree with the spring (J). For a fender it is the difference from the
-    /// spring's potential at each step; for any contact it also includes what is left when the contact ends. For
-    /// fenders it is a discretisation error, which decreases with the time step. Between outlines it also contains the
-    /// energy that the rotation of the chord normal creates (negative) or loses, because that force law has no
-    /// potential.
+    /// Accumulated stored energy that does not agree with the spring (J). For a fender this energy is the difference
+    /// from the spring's potential at each step; for any contact it also includes what is left when the contact ends.
+    /// For fenders this energy is a discretisation error, which decreases with the time step. Between outlines this
+    /// energy also contains the energy that the rotation of the chord normal creates (negative) or loses, because that
+    /// force law has no potential.
     pub residual_j: f64,
 }
 
@@ -190,8 +190,8 @@ pub struct Energy {
     /// that exist at the start of the run are not counted, because they may have had energy stored.
     pub contact_gained_j: f64,
     /// Change of kinetic energy, less all work. For bodies with equal mass in surge and sway, and for vessels without
-    /// contact, it is rounding error. Otherwise it also contains the error of the Coriolis terms over a step, which
-    /// decreases with Δt.
+    /// contact, it is rounding error. Otherwise the residual also contains the error of the Coriolis terms over a step,
+    /// which decreases with Δt.
     pub residual_j: f64,
 }
 

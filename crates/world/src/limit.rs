@@ -43,9 +43,9 @@ pub enum Limited {
 /// A motion in one of the six degrees of freedom.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MotionName {
-    /// Along the vessel's mean heading.
+    /// Motion along the vessel's mean heading.
     Surge,
-    /// Across the vessel's mean heading.
+    /// Motion across the vessel's mean heading.
     Sway,
     /// Up and down.
     Heave,

@@ -138,7 +138,7 @@ pub fn build_model(
     Ok(builder.build()?)
 }
 
-/// A fender in the form of the contact engine. Without a rating, its rated deflection is its projection.
+/// A fender in the form of the contact engine. Without a rating, the fender's rated deflection is its projection.
 fn engine_fender(fender: &FenderSetup, key: u64) -> Fender {
     Fender {
         name: fender.name.clone(),

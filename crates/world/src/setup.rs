@@ -17,9 +17,9 @@ use crate::world::setup::WorldSetup;
 /// The constant part of a simulation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setup {
-    /// Δt (s).
+    /// Time step Δt (s).
     pub step_s: f64,
-    /// Length of the run (s); the number of steps is its ratio to Δt, rounded up.
+    /// Length of the run (s); the number of steps is this length over Δt, rounded up.
     pub duration_s: f64,
     /// Time integrator.
     pub integrator: Integrator,
@@ -35,9 +35,9 @@ pub struct Setup {
     pub all_other_pairs: Option<usize>,
     /// Fenders on the bodies.
     pub fenders: Vec<FenderSetup>,
-    /// Approaches of ships to berths, which gave the start of these bodies.
+    /// Approaches of ships to berths. The initial states of these ships follow from them.
     pub approaches: Vec<Approach>,
-    /// Particulars for the berthing formulas, if the comparison is wanted.
+    /// Particulars for the berthing formulas, if a comparison with the formulas is asked for.
     pub berthing: Option<BerthingSetup>,
     /// External loads.
     pub loads: Vec<Load>,

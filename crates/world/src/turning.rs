@@ -1,10 +1,10 @@
 //! The Coriolis and centripetal wrench of a vessel over a whole step (Kirchhoff's equations).
 //!
 //! The mass of a vessel with added mass differs between surge and sway, so the momentum turns with the heading. The
-//! wrench that represents this does no work. But if its value at the start of a step were held over the step, it would
-//! do work, in a steady turn always of the same sign. So this module finds a mean wrench over the step with two
-//! properties. The wrench takes the momentum M V of ship and added mass from the heading before the step to the heading
-//! after it. And it leaves the change of kinetic energy to the other forces.
+//! wrench that represents this does no work. But if the wrench's value at the start of a step were held over the step,
+//! it would do work, in a steady turn always of the same sign. So this module finds a mean wrench over the step with
+//! two properties. The wrench takes the momentum M V of ship and added mass from the heading before the step to the
+//! heading after it. And the wrench leaves the change of kinetic energy to the other forces.
 //!
 //! All of this is computed in the ship's axes at the start of the step. In these axes the mass is constant at the
 //! start, and the ship turns by a small angle. Differences by the turn are written with its sine and versine, so that
@@ -35,7 +35,7 @@ pub enum YawRateAt {
 pub struct TurningStep {
     /// Length of the step (s).
     pub step_s: f64,
-    /// Time for which forces change the velocities (s). Normally it is the whole step. In the first step of the
+    /// Time for which forces change the velocities (s). Normally the time is the whole step. In the first step of the
     /// leapfrog it is half a step, because that step takes the velocities from the start of the step to its middle.
     pub acts_s: f64,
     /// The yaw rate that turns the heading.

@@ -20,11 +20,11 @@ pub struct BerthingOutcome {
     pub design_speed_mps: Option<f64>,
     /// Berthing angle (rad): between the ship's centre line and the fender's face, positive with the bow towards it.
     pub angle_rad: f64,
-    /// Point of contact along the hull from the centre of gravity, positive forward (m). For one fender it is the
-    /// middle of the face. For several fenders it is the point of their stretch nearest to the centre of gravity. If
-    /// the stretch includes the centre of gravity, the point is at 0, and a ship that comes parallel loses all her
-    /// energy: Ce = 1. (If a body is stopped dead at several points that can only push, the final impulse is that of
-    /// the nearest point alone, or of points on both sides.)
+    /// Point of contact along the hull from the centre of gravity, positive forward (m). For one fender the point is
+    /// the middle of the face. For several fenders the point of contact is the point of their stretch nearest to the
+    /// centre of gravity. If the stretch includes the centre of gravity, the point is at 0, and a ship that comes
+    /// parallel loses all her energy: Ce = 1. (If a body is stopped dead at several points that can only push, the
+    /// final impulse is that of the nearest point alone, or of points on both sides.)
     pub along_m: f64,
     /// M, displacement without added mass (kg). If another ship carries the fender, this is the reduced mass of the two
     /// displacements, M₁M₂/(M₁ + M₂).
@@ -83,7 +83,7 @@ pub struct BerthingOutcome {
 /// Added mass in sway of the ship in the run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AddedSway {
-    /// Added mass over the ship's displacement. For a vessel it is the value in deep water.
+    /// Added mass over the ship's displacement. For a vessel the factor is the value in deep water.
     pub deep: f64,
     /// The factor on `deep` for the depth of water at the start. `None` in deep water, and for a body whose added mass
     /// is given directly.

@@ -12,8 +12,8 @@ use super::Verdict;
 pub enum Law {
     /// Two bodies without a fender between them overlap by more than half of the smaller body.
     DeepOverlap,
-    /// A body was placed so deep in another body that the contact would eject it. The contact pushes it out slowly
-    /// instead.
+    /// A body was placed so deep in another body that the contact would eject it. The contact pushes the body out
+    /// slowly instead.
     PlacedInOverlap,
     /// The coupled solve of a contact did not settle within its iteration limit.
     NotConverged,
@@ -92,14 +92,14 @@ impl Law {
             "deep_overlap",
             Verdict::OutsideForceLaw,
             "two bodies overlap by more than half of the smaller one, without a fender between them",
-            "the force of the overlap's area, which no longer grows as a body's stiffness does",
+            "the force follows the area of the overlap, which no longer describes a body's stiffness",
         ),
         row(
             Law::PlacedInOverlap,
             "placed_in_overlap",
             Verdict::StartInside,
             "a body is placed so deep in another that the contact would eject it",
-            "it is pushed out slowly",
+            "the body is pushed out slowly",
         ),
         row(
             Law::NotConverged,
@@ -119,7 +119,7 @@ impl Law {
             Law::CurrentHeld,
             "current_held",
             Verdict::OutsideData,
-            "a vessel is off the grid of the current, or the run before or after its times",
+            "a vessel is off the grid of the current, or the run is outside the times of the current",
             "the current at the grid's edge",
         ),
         row(
@@ -127,21 +127,21 @@ impl Law {
             "wind_held",
             Verdict::OutsideData,
             "the run is before the first or after the last row of the wind",
-            "the wind of that row",
+            "the wind of the first or last row",
         ),
         row(
             Law::TideHeld,
             "tide_held",
             Verdict::OutsideData,
             "the run is before the first or after the last row of the tide",
-            "the level of that row",
+            "the level of the first or last row",
         ),
         row(
             Law::LongWavesHeld,
             "long_waves_held",
             Verdict::OutsideData,
             "the run is before the first or after the last row of the long waves",
-            "level and velocity of that row",
+            "level and velocity of the first or last row",
         ),
         row(
             Law::FenderAngle,
@@ -175,8 +175,8 @@ impl Law {
             Law::DepthOfHydrodynamics,
             "depth_of_hydrodynamics",
             Verdict::OutsideData,
-            "the depth at the start is over 10 % off that of a vessel's hydrodynamic data, and not both are deep",
-            "the data as they are",
+            "the depth at the start differs by over 10 % from the depth of a vessel's hydrodynamic data, and one of the two is not deep",
+            "the hydrodynamic data without a correction",
         ),
         row(
             Law::ShallowHeld,
@@ -190,28 +190,28 @@ impl Law {
             "shallow_extrapolated",
             Verdict::Extrapolated,
             "a vessel has 1.1 to 1.2 draughts of water, less than the published tests",
-            "the factors of hull and added mass go on along their tangents",
+            "the factors of hull and added mass, continued along their tangents",
         ),
         row(
             Law::SquatDepth,
             "squat_depth",
             Verdict::Extrapolated,
             "a vessel squats by 1 cm or more in water deeper than the formula of squat covers",
-            "the formula beyond its range",
+            "the formula of squat outside its range",
         ),
         row(
             Law::SquatSpeed,
             "squat_speed",
             Verdict::OutsideData,
-            "a vessel is faster than 0.9 of long waves in this depth",
-            "the squat at 0.9",
+            "a vessel is faster than 0.9 times the speed of long waves in this depth",
+            "the squat at 0.9 times the speed of long waves",
         ),
         row(
             Law::EstimateOutside,
             "estimate_outside",
             Verdict::Extrapolated,
-            "a vessel is estimated from particulars with a ratio outside the ships that the formulas were held against",
-            "the formulas nevertheless, or simpler ones; their error is not known",
+            "a vessel is estimated from particulars, and a ratio is outside the range of the ships that the formulas were compared with",
+            "the formulas nevertheless, or simpler formulas; the error is not known",
         ),
         row(
             Law::PassingSpeed,
@@ -232,14 +232,14 @@ impl Law {
             "flow_left_out",
             Verdict::Extrapolated,
             "two vessels that act on each other are nearer than half the mean of their beams",
-            "a part of the flow between them, below a quarter none",
+            "a part of the flow between the vessels; none below a quarter of the mean of their beams",
         ),
         row(
             Law::ProviderSilent,
             "provider_silent",
             Verdict::OutsideData,
-            "a program that gives forces does not reply in time or with a force that can be used",
-            "its last force for a time, then none",
+            "a program that gives forces does not reply in time, or its force cannot be used",
+            "the program's last force for a time, then no force",
         ),
     ];
 

@@ -149,7 +149,7 @@ impl Verdict {
             Verdict::HullPressure => "Permissible hull pressure exceeded",
             Verdict::LineNotMadeFast => "Line could not be made fast",
             Verdict::LineOverWorking => "Line over its working load",
-            Verdict::NoSideAtFender => "A fender met no side",
+            Verdict::NoSideAtFender => "A fender met no side of a hull",
             Verdict::FenderOverRated => "Fender over its rating",
             Verdict::LimitExceeded => "A limit of the scenario exceeded",
             Verdict::Aground => "Aground",

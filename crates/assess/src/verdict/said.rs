@@ -125,7 +125,7 @@ impl Departure {
                 _ => unreachable!("an estimate is outside by a ratio"),
             },
             Law::PassingSpeed => format!(
-                "{} passes at {value:.2} of the speed of long waves: the flow knows no waves, and her forces are too small",
+                "{} passes at {value:.2} of the speed of long waves: the flow has no waves, and her forces are too small",
                 names[0]
             ),
             Law::PassingShape => format!(
@@ -137,7 +137,7 @@ impl Departure {
                 names[0], names[1]
             ),
             Law::ProviderSilent => format!(
-                "The program that gives a force on {} did not reply: its last force was held, and later none acted",
+                "The program that gives a force on {} did not reply: its last force was held for a time, and then no force acted",
                 names[0]
             ),
         }

@@ -2,7 +2,7 @@
 //!
 //! A host that places a ship 3 m into a quay has compressed the springs more than any impact could. A force of a
 //! thousand meganewtons and more would throw the ship out at metres a second. Such a contact does not follow its force
-//! law. Instead it follows a speed law: N is the force that brings V_n⁺ to
+//! law. Such a contact follows a speed law: N is the force that brings V_n⁺ to
 //!
 //! V_n − h (a + V_n/T) while the bodies close, and then, with the acceleration a, to −V_out,
 //!

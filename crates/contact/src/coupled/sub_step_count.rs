@@ -156,8 +156,8 @@ impl Bounded<'_> {
     }
 
     /// Tests whether the island is a single contact of two outlines whose ω² is at most `share`, and which closes by no
-    /// more than one sub-step may. If so, returns the patches of the islands after it. Such an island needs no sums
-    /// over candidates: this saves 2.5 % of a step of `pairs-1000`.
+    /// more than one sub-step may. For such an island, returns the patches of the islands after it. Such an island
+    /// needs no sums over candidates: this saves 2.5 % of a step of `pairs-1000`.
     #[inline(always)]
     fn slow<'p>(&self, island: &Island, left: &'p [Patch], share: f64) -> Option<&'p [Patch]> {
         let [Pairing { candidate, pair, .. }] = &self.candidates.pairings[island.candidates()]

@@ -70,8 +70,8 @@ struct Later {
 }
 
 impl SubSteps<'_> {
-    /// Moves islands through the step. The islands are in the order of their memories in `past`. `first` receives their
-    /// overlap at the start of the step.
+    /// Moves islands through the step. The islands are in the order of their memories in `past`. `first` receives the
+    /// overlap of each island at the start of the step.
     ///
     /// The islands of a group go through their sub-steps together: each stage handles all their contacts. Returns true
     /// if all hints in `past` stay unchanged; they are not added to the next memory then.

@@ -35,7 +35,7 @@ impl ConvexPolygon {
     /// Makes a polygon from the vertices of a convex polygon in the positive sense. Straight vertices are dropped.
     ///
     /// # Panics
-    /// With fewer than three corners. An [`Outline`](crate::outline::Outline) has no such piece.
+    /// `corners` has fewer than three corners. An [`Outline`](crate::outline::Outline) has no such piece.
     #[must_use]
     pub fn new(vertices_m: &[Vec2]) -> ConvexPolygon {
         let corners = without_straight_vertices(vertices_m);

@@ -14,8 +14,8 @@ use crate::state::BodyState;
 /// engine's contact memory uses the same share.
 const ALLOWANCE: f64 = 0.1;
 
-/// The load between two states; zero for a fixed body. `None` if it is larger than any load that the engine accepts:
-/// then the host has set the velocity, and no load can be observed.
+/// The load between two states; zero for a fixed body. `None` if the load is larger than any load that the engine
+/// accepts: then the host has set the velocity, and no load can be observed.
 pub(super) fn load(
     body: &Body,
     before: &BodyState,

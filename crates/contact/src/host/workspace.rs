@@ -113,7 +113,7 @@ impl HostWorkspace {
         }
     }
 
-    /// The wrenches of the last step, one per body. The host adds them to its forces.
+    /// The wrenches of the last step, one per body. The host adds these wrenches to its forces.
     #[must_use]
     pub fn wrenches(&self) -> &[Wrench] {
         &self.wrenches

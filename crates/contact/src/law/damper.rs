@@ -16,7 +16,7 @@ pub(crate) enum Answered {
     Nothing,
     /// The area A' (m²).
     Area(f64),
-    /// The present area. Used if it is unknown how the overlap came about.
+    /// The present area. This area is used if nothing is known about the growth of the overlap.
     AllThereIs,
 }
 

@@ -133,8 +133,8 @@ fn in_box(p: Vec2, a: Vec2, b: Vec2) -> bool {
         && p.y <= greater(a.y, b.y)
 }
 
-/// Do two segments that do not cross come within [`MERGE_DISTANCE_M`] of each other? If so, an end point of one of them
-/// does.
+/// Do two segments that do not cross come within [`MERGE_DISTANCE_M`] of each other? If two segments come so near, an
+/// end point of one of them does.
 fn segments_near([a, b]: [Vec2; 2], [c, d]: [Vec2; 2]) -> bool {
     point_near(a, c, d) || point_near(b, c, d) || point_near(c, a, b) || point_near(d, a, b)
 }

@@ -5,7 +5,7 @@ use core::error::Error;
 use core::fmt;
 
 /// An edge of the outline as the user gave it, by the numbers of its end points, counted from 0. If vertices between
-/// the two were merged, this is a run of several given edges on one line.
+/// the two end points were merged, the edge stands for a run of several given edges on one line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OutlineEdge {
     /// Number of the first vertex.

@@ -95,7 +95,7 @@ impl Ring<'_> {
         cuts.into_iter().map(|(_, _, cut)| cut).find(|cut| self.is_clear(*cut))
     }
 
-    /// Does the diagonal leave no reflex angle at the reflex corner `at`? If so, it also starts inside the ring.
+    /// Does the diagonal leave no reflex angle at the reflex corner `at`? Such a diagonal also starts inside the ring.
     fn mends(&self, at: usize, to: usize) -> bool {
         let (before, after) = (self.before(at), self.after(at));
         if to == at || to == before || to == after {

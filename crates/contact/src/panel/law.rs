@@ -162,7 +162,7 @@ impl Line {
         self.corners.len() + 1
     }
 
-    /// The piece at a deflection: the number of corners before it. At a corner it is the piece into which the
+    /// The piece at a deflection: the number of corners before it. At a corner the result is the piece into which the
     /// deflection moves.
     pub(crate) fn piece_at(&self, deflection_m: f64, rises: bool) -> usize {
         let is_before =

@@ -48,8 +48,8 @@ pub struct Panel {
 }
 
 /// A chain from the structure to the panel. The chain is slack until the panel has moved outwards by `slack_m` at the
-/// chain's place. Beyond that it is a linear spring, and it parts at its break load. A chain that has parted stays
-/// parted for the rest of the run ([`crate::Memory`] keeps this), and the energy that it stored is lost.
+/// chain's place. Beyond that the chain is a linear spring, and it parts at its break load. A chain that has parted
+/// stays parted for the rest of the run ([`crate::Memory`] keeps this), and the energy that it stored is lost.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TensionChain {
     /// Place along the panel from its middle (m), as [`Panel::cones_m`].

@@ -115,8 +115,8 @@ fn is_over_rated(fender: &FenderNow) -> bool {
 }
 
 /// True if a point belongs to an end of the ship. The side of the ship has three thirds. A point belongs to both ends
-/// if it lies in the middle third, as the middle of a patch along the whole side does. Otherwise it belongs to the
-/// nearer end.
+/// if it lies in the middle third, as the middle of a patch along the whole side does. Otherwise the point belongs to
+/// the nearer end.
 fn is_at(ends: &Lie, end: usize, at_m: Vec2) -> bool {
     let [this, other] = [ends.at_m[end], ends.at_m[1 - end]];
     let side = this - other;

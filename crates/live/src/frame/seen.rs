@@ -143,7 +143,9 @@ fn contact_text(event: &Event, setup: &Setup, contacts: &[ContactNow]) -> Option
             format!("{} HAS FAILED", called("FENDER", &setup.fenders[fender.0 as usize].name))
         }
         EventKind::PlacedInOverlap => format!("{one} was placed in {two} and is pushed out slowly"),
-        EventKind::MassMismatch => format!("{one} does not move with the mass of the model"),
+        EventKind::MassMismatch => {
+            format!("the motion of {one} does not fit its mass in the model")
+        }
         EventKind::NotConverged => {
             format!("the contact forces between {one} and {two} did not converge")
         }

@@ -25,7 +25,8 @@ pub struct PresentFile {
     pub notes: Vec<String>,
 }
 
-/// Words in the first comment of every such file. They distinguish it from a file that was written by hand.
+/// Words in the first comment of every such file. These words distinguish the file from a file that was written by
+/// hand.
 pub const INTO_A_SESSION: &str = "into a session of";
 
 /// What every such file leaves out.

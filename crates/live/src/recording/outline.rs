@@ -1,4 +1,4 @@
-//! The outline of a recording. To find it, all lines are read and checked, but not replayed.
+//! The outline of a recording. To find the outline, all lines are read and checked, but not replayed.
 
 use std::io::BufRead;
 

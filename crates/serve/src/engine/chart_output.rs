@@ -24,8 +24,8 @@ pub(super) struct ChartOutput {
 }
 
 impl ChartOutput {
-    /// Uses the given origin for the sentences. With `None` it is the origin of the scenario's chart, or 0° N 0° E if
-    /// there is no chart.
+    /// Uses the given origin for the sentences. With `None` the origin is the origin of the scenario's chart, or 0° N
+    /// 0° E if there is no chart.
     pub(super) fn new(given: Option<ChartOrigin>) -> ChartOutput {
         ChartOutput { given, sent: None, rounds: 0 }
     }

@@ -124,7 +124,7 @@ impl Engine {
         Ok(Done::AtTick { tick: self.session.tick(), shows: false })
     }
 
-    /// Gives several orders at once. Either all of them are given or none.
+    /// Gives several orders at once. Either all orders are given or none.
     fn give(
         &mut self,
         requester: &Requester,

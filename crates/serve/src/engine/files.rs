@@ -1,5 +1,5 @@
 //! Loading, saving, renaming and deleting sessions and exercises, and making reports. All of these take a while, so
-//! they run on another thread. The simulation's thread begins them and takes their results.
+//! they run on another thread. The simulation's thread begins each task and takes its result.
 
 use std::mem;
 use std::path::Path;

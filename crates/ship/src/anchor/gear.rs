@@ -66,7 +66,7 @@ impl AnchorGear {
     /// Friction of chain on the bottom over the chain's weight.
     pub const CHAIN_FRICTION: f64 = 0.75;
 
-    /// The chain by its size.
+    /// The chain, given by its size.
     #[must_use]
     pub fn chain(&self) -> ChainSize {
         ChainSize {

@@ -8,7 +8,7 @@ use crate::range::{OutOfRange, within};
 pub struct Windlass {
     /// Tension at which the brake renders, so that chain slips out (N).
     pub brake_n: f64,
-    /// Pull up to which the windlass heaves at full speed (N). At 1.5 times this pull it stalls.
+    /// Pull up to which the windlass heaves at full speed (N). At 1.5 times this pull the windlass stalls.
     pub pull_n: f64,
     /// Speed of heaving and of veering under power (m/s).
     pub heave_mps: f64,

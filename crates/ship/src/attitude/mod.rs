@@ -3,7 +3,7 @@
 //! Each motion is a damped oscillator with mass or inertia (added mass included), linear damping and hydrostatic
 //! restoring. The moments of all horizontal forces about the centre of gravity drive it, each with the height at which
 //! the force acts. The horizontal motion depends on heave, roll and pitch only at fenders that meet a hull with
-//! outlines by height ([`crate::HullByHeight`]). First-order wave motion is added to the result and does not pass
+//! outlines by height (`HullByHeight` of the crate `fenderline-world`). First-order wave motion is added to the result and does not pass
 //! through the oscillators. This is a low-frequency model with constant added mass: it has no memory terms as in
 //! Cummins' equation, and no coupling of heave and pitch.
 

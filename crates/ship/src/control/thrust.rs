@@ -13,7 +13,7 @@ pub enum Reach {
     Ahead([f64; 2]),
     /// To starboard only: from the first force (negative: to port) to the second.
     Across([f64; 2]),
-    /// In any direction, up to this force.
+    /// The device pushes in any direction, up to this force.
     Round(f64),
 }
 

@@ -61,8 +61,8 @@ pub struct LongWaveSpectrum {
 #[derive(Clone, Debug, PartialEq)]
 pub struct LongWaves {
     kind: Kind,
-    /// Lowest and highest level (m). For a spectrum they are minus and plus the significant height, which the level
-    /// seldom passes.
+    /// Lowest and highest level (m). For a spectrum the bounds are minus and plus the significant height, which the
+    /// level seldom passes.
     range_m: [f64; 2],
 }
 
@@ -260,8 +260,8 @@ impl LongWaves {
         }
     }
 
-    /// Bounds of the level (m). For a spectrum they are minus and plus the significant height, which the level seldom
-    /// passes.
+    /// Bounds of the level (m). For a spectrum the bounds are minus and plus the significant height, which the level
+    /// seldom passes.
     #[must_use]
     pub fn range_m(&self) -> [f64; 2] {
         self.range_m

@@ -44,7 +44,8 @@ impl RateLimited {
     }
 }
 
-/// A direction that turns at a constant rate. Without stops it turns the shorter way; with stops it stays between them.
+/// A direction that turns at a constant rate. Without stops the direction turns the shorter way; with stops it stays
+/// between the stops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slewing {
     /// Current direction in (−π, π] (rad).
@@ -57,7 +58,8 @@ pub struct Slewing {
 
 impl Slewing {
     /// Turns towards the order for `step_s`. If the order is exactly opposite, it turns to starboard. An order beyond a
-    /// stop turns it to the stop. With stops it never turns through the stern. A non-finite order moves nothing.
+    /// stop turns it to the stop. With stops the direction never turns through the stern. A non-finite order moves
+    /// nothing.
     pub fn step(&mut self, order_rad: f64, step_s: f64) -> Order {
         if !order_rad.is_finite() {
             return Order::Clamped;

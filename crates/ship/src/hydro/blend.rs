@@ -53,7 +53,8 @@ impl Hull {
         Hull { under_way, low_speed, stall: Stall::of(&low_speed, &low_speed, 0.0) }
     }
 
-    /// A hull with a polynomial but no low-speed tests. [`LowSpeedHull::from_linear`] estimates its low-speed form.
+    /// A hull with a polynomial but no low-speed tests. [`LowSpeedHull::from_linear`] estimates the low-speed form of
+    /// such a hull.
     pub fn from_polynomial(polynomial: Polynomial, ship: &Particulars, added: &AddedMass) -> Hull {
         let low_speed = LowSpeedHull::from_linear(&polynomial.linear(ship, added), ship);
         Hull::deep(Some(polynomial), low_speed)

@@ -4,10 +4,10 @@
 //! has the same form with another factor D. This form has no division by n or va: thrust is continuous through zero
 //! revolutions and zero speed.
 //!
-//! c_T is the ship's polynomial K_T = k₀ + k₁J + k₂J² in the measured range (0 ≤ β_p ≤ 30°). Elsewhere it is the
+//! c_T is the ship's polynomial K_T = k₀ + k₁J + k₂J² in the measured range (0 ≤ β_p ≤ 30°). Elsewhere c_T is the
 //! four-quadrant series of a Wageningen B4-70 for β_p < −25°, for β_p > 60°, and for all revolutions astern. Between
-//! the two it is a smooth interpolation, which is our addition. c_Q is always from the series, because no torque is
-//! published with the manoeuvring models.
+//! these ranges c_T is a smooth interpolation, which is our addition. c_Q is always from the series, because no torque
+//! is published with the manoeuvring models.
 
 use std::f64::consts::PI;
 

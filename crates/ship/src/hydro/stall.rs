@@ -9,12 +9,12 @@
 //! water.
 //!
 //! Only one curve over all angles could be read: OCIMF's curve for a loaded tanker in 1.1 draughts of water
-//! (`validation/current.toml`). From its side force the cross-flow drag C_D sin²β is subtracted. The rest is 1.08 C_D
-//! sin β cos β at 10° and 20°, 0.29 of C_D sin β cos β at 40° and 0.13 at 60°, which is the value of deep water. In a
-//! flow over the stern it is the same. A fuller stern shifts the moment by 0.02 L. Without this shift the moment falls
-//! to half of N_v sin β cos β and no further: bow and stern are still pushed apart, as by a flow that is not separated
-//! (Munk). The angles and this half are read from the curve. The angles and the half are used at all depths, because
-//! there is no other curve.
+//! (`validation/current.toml`). From the curve's side force the cross-flow drag C_D sin²β is subtracted. The rest is
+//! 1.08 C_D sin β cos β at 10° and 20°, 0.29 of C_D sin β cos β at 40° and 0.13 at 60°, which is the value of deep
+//! water. In a flow over the stern it is the same. A fuller stern shifts the moment by 0.02 L. Without this shift the
+//! moment falls to half of N_v sin β cos β and no further: bow and stern are still pushed apart, as by a flow that is
+//! not separated (Munk). The angles and this half are read from the curve. The angles and the half are used at all
+//! depths, because there is no other curve.
 
 use fenderline_contact::number::lesser;
 

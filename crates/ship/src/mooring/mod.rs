@@ -1,8 +1,8 @@
 //! Mooring lines: ropes, tails, winches, and cables in a catenary.
 //!
 //! A [`Line`] is the constant part, checked once. A [`LineState`] is plain data that can be copied, compared and
-//! replayed. [`Line::step`] takes the positions of the two ends and returns the forces on them. Lines are quasi-static:
-//! they have no inertia, drag or bending stiffness. A rope has the same load curve for loading and unloading, so only
+//! replayed. [`Line::step`] takes the positions of the two ends and returns the forces on them. Lines are quasi-static;
+//! lines have no inertia, drag or bending stiffness. A rope has the same load curve for loading and unloading, so only
 //! the winch dissipates energy.
 //!
 //! MEG4 (found in public summaries; the guideline was not read): the design break force of a line is 100 to 105 % of

@@ -22,7 +22,7 @@ pub struct Winch {
 
 /// The automatic control of a constant-tension winch. The winch pays out if the tension is above a band around the set
 /// tension, down to the band. The winch heaves in if the tension is below the band, up to the band. Motions faster than
-/// its speeds leave the tension outside the band. The brake renders as on other winches.
+/// the winch's speeds leave the tension outside the band. The brake renders as on other winches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConstantTension {
     /// The set tension (N).

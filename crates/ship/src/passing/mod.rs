@@ -3,9 +3,9 @@
 //! The method is potential flow about slender ships (Wang, Dynamic effects of ship passage on moored vessels, J.
 //! Waterways, Harbors and Coastal Eng. 101, 1975). The passing ship is a row of sources along her axis. The strength of
 //! the sources follows from her speed and from the change of her sectional area. Where the flow accelerates the water,
-//! it pushes the ship at rest together with the water that she displaces. Across her axis it also pushes her added
-//! mass, which for slender ships is that of a half circle of the same area. In the formulas of the paper, with U the
-//! passing speed, x along the ships and S' the slope of a sectional area along x:
+//! it pushes the ship at rest together with the water that she displaces. Across her axis the accelerated water also
+//! pushes her added mass, which for slender ships is that of a half circle of the same area. In the formulas of the
+//! paper, with U the passing speed, x along the ships and S' the slope of a sectional area along x:
 //!
 //! - surge X = ρU²/(2π) ∬ S₁'S₂' (x₂−x₁+ξ)/r³,
 //! - sway Y = ρU²η/π ∬ S₁'S₂'/r³,

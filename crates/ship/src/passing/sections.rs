@@ -57,7 +57,7 @@ impl fmt::Display for SectionsError {
             SectionsError::OutOfRange(error) => error.fmt(f),
             SectionsError::TooFew => f.write_str("a ship needs two sections or more"),
             SectionsError::NotForward { section } => {
-                write!(f, "section {section} is not forward of the one before it")
+                write!(f, "section {section} is not forward of the section before it")
             }
         }
     }

@@ -30,8 +30,8 @@ use crate::environment::waves::{Complex, wave_number};
 pub(super) const MIRROR: Six = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0];
 /// Signs of surge, sway and yaw when port and starboard are mirrored.
 pub(super) const MIRROR_DRIFT: [f64; 3] = [1.0, -1.0, -1.0];
-/// Number of steps of the fine headings in a half turn. Cubics between them are within 0.1 % for 17 harmonics in the
-/// heading, and within 0.4 % for 25.
+/// Number of steps of the fine headings in a half turn. Cubics between the fine headings are within 0.1 % for 17
+/// harmonics in the heading, and within 0.4 % for 25.
 const FINE: usize = 120;
 /// The bandwidth of the kernel, over the bandwidth that the widest step of the headings resolves (half a wave per
 /// step).

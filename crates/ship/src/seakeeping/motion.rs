@@ -7,8 +7,8 @@
 //! (M + A∞ + h²C/12 + ½h(G + D)) v⁺ = (M + A∞ + h²C/12 − ½hD) v + h(F − Cx − ½(w + w′)),
 //!
 //! Here w is the memory's force in the middle of the last step, and w′ + G v⁺ the memory's force in the middle of this
-//! step. The step is stable for h² < 6M/C. For linear forces it is of the fourth order, with the memory of `Bank` and
-//! with excitation that has the same weights.
+//! step. The step is stable for h² < 6M/C. For linear forces the step is of the fourth order, with the memory of `Bank`
+//! and with excitation that has the same weights.
 //!
 //! The step has two parts. [`Motion::predict`], before contact, finds v⁺ under all forces except contact, and gives the
 //! engine the load in the plane that brings the engine's mass matrix to v⁺. [`Motion::settle`], after contact, finds
@@ -43,9 +43,9 @@ pub struct MotionState {
     /// Velocities before the step, and after it without contact.
     before: Six,
     without_contact: Six,
-    /// Impulses in the plane that the last step left (N·s, N·m·s).
+    /// Impulses in the plane that the last step left for this step (N·s, N·m·s).
     left: [f64; 3],
-    /// The part of these impulses that was guessed ahead of contact.
+    /// The part of the impulses `left` that was guessed before contact was computed.
     ahead: [f64; 3],
 }
 

@@ -1,11 +1,11 @@
 //! The waves of a sea that hydrodynamic data do not resolve: the headings or the frequencies of the data are too far
 //! apart, or the frequencies end too early.
 //!
-//! The force in a wave has phases of ±½kL at bow and stern. From one heading to the next they turn by up to ½kLΔμ, from
-//! one frequency to the next by ½LΔk. `super::between` can follow them up to kLΔμ = 4 and LΔk = 2.5. Data with headings
-//! all round may be for a wall, whose image makes the hull wider; they are followed up to kLΔμ = 3. In tests with
-//! headings thinned to every 12 degrees, free motions began to differ by more than 2 % from panel runs at the exact
-//! heading: at kLΔμ of 4.1 for the ship in 20 m of water, and at 3.1 for the barge at a quay.
+//! The force in a wave has phases of ±½kL at bow and stern. From one heading to the next the phases turn by up to
+//! ½kLΔμ, from one frequency to the next by ½LΔk. `super::between` can follow the phases up to kLΔμ = 4 and LΔk = 2.5.
+//! Data with headings all round may be for a wall, whose image makes the hull wider; they are followed up to kLΔμ = 3.
+//! In tests with headings thinned to every 12 degrees, free motions began to differ by more than 2 % from panel runs at
+//! the exact heading: at kLΔμ of 4.1 for the ship in 20 m of water, and at 3.1 for the barge at a quay.
 
 use fenderline_contact::number::greater;
 

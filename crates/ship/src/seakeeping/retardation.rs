@@ -119,8 +119,8 @@ pub(super) fn damping_at(data: &Hydrodynamics, w: f64) -> Matrix6 {
     interpolated(axis, |k| &data.damping[k], &ZERO, w)
 }
 
-/// A matrix interpolated on an axis, by cubics with the slopes of parabolas through three neighbours. At zero it is
-/// `zero`.
+/// A matrix interpolated on an axis, by cubics with the slopes of parabolas through three neighbours. At zero the
+/// matrix is `zero`.
 fn interpolated<'m>(
     axis: &[f64],
     matrix: impl Fn(usize) -> &'m Matrix6,

@@ -37,7 +37,7 @@ impl fmt::Display for TrackError {
             TrackError::OutOfRange(error) => error.fmt(f),
             TrackError::TooFew => f.write_str("a track needs two waypoints or more"),
             TrackError::Near { waypoint } => {
-                write!(f, "waypoint {waypoint} is less than a metre from the one before it")
+                write!(f, "waypoint {waypoint} is less than a metre from the waypoint before it")
             }
             TrackError::Bend { waypoint, most_m } if *most_m < 1.0 => {
                 write!(f, "the track turns back at waypoint {waypoint}")
@@ -50,7 +50,7 @@ impl fmt::Display for TrackError {
                 )
             }
             TrackError::NotLater { entry } => {
-                write!(f, "speed {entry} is not later than the one before it")
+                write!(f, "speed {entry} is not later than the speed before it")
             }
         }
     }

@@ -124,7 +124,7 @@ impl Measure {
         matches!(self, Measure::Clearance | Measure::UnderKeel)
     }
 
-    /// True if the measure counts only near the berth. A limit on it then has a distance.
+    /// True if the measure counts only near the berth. A limit on such a measure has a distance.
     #[must_use]
     pub fn is_near_berth(self) -> bool {
         matches!(

@@ -12,8 +12,8 @@ use fenderline_world::setup::{Integrator, Method};
 use fenderline_world::turning::{TurningStep, YawRateAt, turning_wrench};
 
 impl Simulation {
-    /// The wrench that turns each body's momentum with the body (Coriolis and centripetal terms). For vessels it is a
-    /// mean over the step; for other bodies it is the value at the start of the step.
+    /// The wrench that turns each body's momentum with the body (Coriolis and centripetal terms). For vessels the
+    /// wrench is a mean over the step; for other bodies it is the value at the start of the step.
     ///
     /// The contact forces of this step are not known yet, so the prediction of a vessel's motion uses the contact
     /// forces of the last step. Without these forces, a vessel at rest on her fenders would be expected to move through

@@ -176,7 +176,7 @@ fn first_touch(
     }
 }
 
-/// Adds the deflection in a step. Returns true if it is the largest so far.
+/// Adds the deflection in a step. Returns true if the deflection is the largest so far.
 fn add_deflection(
     summary: &mut FenderSummary,
     setup: &FenderSetup,

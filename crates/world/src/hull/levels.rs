@@ -97,7 +97,7 @@ impl fmt::Display for HullError {
             ),
             HullError::NotAscending { level, height_m, before_m } => write!(
                 f,
-                "heights must rise from outline to outline, but outline {level} at {height_m} m follows one at {before_m} m"
+                "heights must rise from outline to outline, but outline {level} at {height_m} m follows an outline at {before_m} m"
             ),
             HullError::BadOutline { level, error } => write!(f, "outline {level}: {error}"),
             HullError::TurnsBack { level } => write!(

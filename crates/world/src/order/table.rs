@@ -28,9 +28,9 @@ pub enum Gear {
     PropellerAndRudder,
     /// Propeller and rudder, or azimuth units instead.
     Steering,
-    /// At least one tunnel thruster.
+    /// The target must have at least one tunnel thruster.
     Thrusters,
-    /// At least one azimuth unit.
+    /// The target must have at least one azimuth unit.
     AzimuthUnits,
     /// A winch.
     Winch,

@@ -207,7 +207,7 @@ impl TugWords {
     /// vessels.
     ///
     /// # Errors
-    /// As [`OrderName::build`]. Also if the ship has no side at the place, or if a pull has no line to the ship.
+    /// The errors of [`OrderName::build`]. The ship has no side at the place, or a pull has no line to the ship.
     pub fn for_vessel(
         &self,
         tug: usize,

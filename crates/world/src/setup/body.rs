@@ -12,22 +12,24 @@ pub struct BodySetup {
     pub name: String,
     /// Outline in the body's frame, origin at the centre of gravity.
     pub outline: Outline,
-    /// The hull by height, which fenders meet instead; `None`: vertical sides of the outline. By the coupled method only.
+    /// The hull by height, which fenders meet instead of the outline; `None`: the sides of the outline are vertical.
+    /// Such a hull needs the coupled method.
     pub hull: Option<HullByHeight>,
     /// Mass and inertia; `None` for a body that stands on the ground.
     pub mass: Option<MassProperties>,
-    /// The pile that it stands on, if it is a flexible dolphin; by the coupled method and the semi-implicit integrator only.
+    /// The pile on which the body stands, if it is a flexible dolphin. A pile needs the coupled method with the
+    /// semi-implicit integrator.
     pub dolphin: Option<DolphinSetup>,
     /// Initial position of the centre of gravity, north and east (m).
     pub position_m: Vec2,
     /// Initial heading (rad).
     pub heading_rad: f64,
-    /// Initial velocity, body-fixed.
+    /// Initial velocity, in the body's axes.
     pub velocity: BodyVelocity,
 }
 
 impl BodySetup {
-    /// True if the body stands on the ground, fixed or on a pile, so that the water level around it changes with the tide.
+    /// True if the body stands on the ground, fixed or on a pile. The water level at such a body changes with the tide.
     #[must_use]
     pub fn is_fixed(&self) -> bool {
         self.mass.is_none()
@@ -52,10 +54,10 @@ pub struct MassProperties {
 /// Velocity in the body's axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BodyVelocity {
-    /// u, forward (m/s).
+    /// Surge velocity u, forward (m/s).
     pub surge_mps: f64,
-    /// v, to starboard (m/s).
+    /// Sway velocity v, to starboard (m/s).
     pub sway_mps: f64,
-    /// r, to starboard (rad/s).
+    /// Yaw rate r, to starboard (rad/s).
     pub yaw_radps: f64,
 }

@@ -121,8 +121,8 @@ pub struct VesselState {
     pub under_keel_m: Option<f64>,
     /// Whether the vessel is aground.
     pub aground: bool,
-    /// Whether the water is shallower than the range of the shallow-water formulas. If so, the values at the end of the
-    /// range are used.
+    /// Whether the water is shallower than the range of the shallow-water formulas. In such water, the values at the
+    /// end of the range are used.
     pub held: bool,
     /// Faults of the vessel.
     pub faults: Faults,
@@ -548,9 +548,9 @@ impl VesselSetup {
     /// Forces by the inertia of the water. With [`VesselForces`] and the Coriolis terms of the integrators
     /// ([`crate::turning`]) they give the equations of motion of the MMG method.
     ///
-    /// The hull's force about midship contains the Coriolis terms of the added mass, (m_y v r, −m_x u r), and Munk's moment
-    /// (m_x − m_y) u v within N_v. The integrators apply the Coriolis terms of ship and added mass themselves, about the
-    /// centre of gravity, so these terms are subtracted here. Together they do no work.
+    /// The hull's force about midship contains the Coriolis terms of the added mass, (m_y v r, −m_x u r), and Munk's
+    /// moment (m_x − m_y) u v within N_v. The integrators apply the Coriolis terms of ship and added mass themselves,
+    /// about the centre of gravity, so these terms are subtracted here. Together these terms do no work.
     ///
     /// Accelerating water accelerates the vessel: M (v̇ − DU/Dt) = W. The pressure gradient acts on the displaced
     /// water, and the added mass acts with the relative acceleration (Auton, Hunt & Prud'homme 1988, recalled, for a

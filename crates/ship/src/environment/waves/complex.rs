@@ -12,13 +12,13 @@ pub struct Complex {
 }
 
 impl Complex {
-    /// From real and imaginary part.
+    /// The number with this real and imaginary part.
     #[must_use]
     pub const fn new(re: f64, im: f64) -> Complex {
         Complex { re, im }
     }
 
-    /// From modulus and phase (rad).
+    /// The number with this modulus and phase (rad).
     #[must_use]
     pub fn polar(modulus: f64, phase_rad: f64) -> Complex {
         Complex::new(modulus * libm::cos(phase_rad), modulus * libm::sin(phase_rad))

@@ -12,7 +12,7 @@ use super::sea::Sea;
 pub enum MotionResponse {
     /// A table of response amplitude operators, computed or measured elsewhere.
     Table(RaoTable),
-    /// The built-in estimate. Reports say that it is an estimate.
+    /// The built-in estimate. Reports say that the response is an estimate.
     Estimate(BoxShip),
 }
 

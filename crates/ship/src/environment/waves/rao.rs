@@ -54,7 +54,8 @@ impl RaoTable {
         Ok(RaoTable { frequencies_radps, directions_rad, operators })
     }
 
-    /// The first and the last frequency (rad/s). Beyond them [`RaoTable::at`] uses the operators at the end.
+    /// The first and the last frequency (rad/s). Beyond these frequencies [`RaoTable::at`] uses the operators at the
+    /// end.
     #[must_use]
     pub fn range_radps(&self) -> [f64; 2] {
         [self.frequencies_radps[0], self.frequencies_radps[self.frequencies_radps.len() - 1]]

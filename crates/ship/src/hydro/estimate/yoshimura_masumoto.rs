@@ -2,8 +2,8 @@
 //! and fishing vessels", MARSIM 2012: regressions for merchant ships by k = 2d/L, Cb B/L, Cb and L/B.
 //!
 //! The paper could not be read. The formulas are in several public programs, among them nikpau/mmgdynamics (up to
-//! release 1.0), which differ in some signs. Here they are written with the drift angle β = −v', and with the signs
-//! that agree with the published coefficients of KCS and KVLCC2 (`tests/hydro_estimates.rs`):
+//! release 1.0), which differ in some signs. Here the regressions are written with the drift angle β = −v', and with
+//! the signs that agree with the published coefficients of KCS and KVLCC2 (`tests/hydro_estimates.rs`):
 //!
 //! | term | here | in those programs, over β | KCS | KVLCC2 |
 //! |---|---|---|---|---|

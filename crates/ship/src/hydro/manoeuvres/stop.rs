@@ -28,7 +28,7 @@ pub struct CrashStop {
 /// distance is longer.
 ///
 /// The model has no paddle-wheel effect of a propeller astern. So change of heading and lateral distance are zero for a
-/// symmetric ship. On real ships they are not.
+/// symmetric ship. On real ships both differ from zero.
 ///
 /// # Errors
 /// [`ManoeuvreError::NoPropeller`]; [`ManoeuvreError::NotReached`] for revolutions that do not stop the ship.

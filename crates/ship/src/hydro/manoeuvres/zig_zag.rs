@@ -22,7 +22,8 @@ pub struct ZigZag {
 }
 
 /// Puts the rudder to `rudder_rad`, and over to the other side whenever the heading has changed by `check_rad`. Both
-/// angles are in rad; the sign of the rudder gives the side of the first execute. In the 10/10 manoeuvre both are 10°.
+/// angles are in rad; the sign of the rudder gives the side of the first execute. In the 10/10 manoeuvre both angles
+/// are 10°.
 ///
 /// # Errors
 /// [`ManoeuvreError::NotReached`] for a ship that does not respond to the rudder.

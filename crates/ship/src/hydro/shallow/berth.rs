@@ -48,8 +48,8 @@ pub fn shallow_cross_flow_drag(
     Ok(grown(deep, draught_over_depth(ship, depth_m)?))
 }
 
-/// Does as [`shallow_cross_flow_drag`], for any depth. Aground it is the value for a ship that just touches the bottom,
-/// 3.2.
+/// Does as [`shallow_cross_flow_drag`], for any depth. Aground the result is the value for a ship that just touches the
+/// bottom, 3.2.
 pub(super) fn drag_to_the_bottom(ship: &Particulars, deep: f64, depth_m: f64) -> f64 {
     grown(deep, ship.draught_m / greater(depth_m, ship.draught_m))
 }

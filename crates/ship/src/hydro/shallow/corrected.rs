@@ -41,8 +41,8 @@ impl Corrections {
     /// The ship in water of a depth (m), from the ship in deep water.
     ///
     /// If the ship crabs, drifts or lies at her berth, the cross-flow drag increases by
-    /// [`super::shallow_cross_flow_drag`]; it goes on to increase until she touches the bottom. Under way it does not
-    /// increase. Everything else is held constant below [`SHALLOWEST_RATIO`] draughts.
+    /// [`super::shallow_cross_flow_drag`]; it goes on to increase until she touches the bottom. Under way the drag does
+    /// not increase. Everything else is held constant below [`SHALLOWEST_RATIO`] draughts.
     /// [`crate::hydro::polynomial_weight`] blends the two conditions. A ship without a polynomial uses her low-speed
     /// form for both.
     pub(crate) fn on(&self, deep: &Mmg, depth_m: f64) -> Mmg {

@@ -15,10 +15,10 @@
 //! zig-zags of tankers and container ships. `fenderline validate`, chapter "Shallow water", has both for all four sets.
 //!
 //! - Y_v and N_v: the published factors agree within a tenth for such ships.
-//! - N_r: at h/T 1.2 the effective aspect ratio gives 1.40, Ankudinov 2.68, and the tanker has 2.02. At 1.5 they give
-//!   1.21 and 1.51, and the tanker has 1.41. The mean of the two is within 4 % of the tanker's value at both depths.
-//!   Kijima's power (`taimuri.rs`) gives 2.29 for the tanker, but 3.4 to 5.7 for ships with a smaller ratio of draught
-//!   to length. The turning circles of such ships would be three times as wide, so it is not used.
+//! - N_r: at h/T 1.2 the effective aspect ratio gives 1.40, Ankudinov 2.68, and the tanker has 2.02. At h/T 1.5 the two
+//!   methods give 1.21 and 1.51, and the tanker has 1.41. The mean of the two is within 4 % of the tanker's value at
+//!   both depths. Kijima's power (`taimuri.rs`) gives 2.29 for the tanker, but 3.4 to 5.7 for ships with a smaller
+//!   ratio of draught to length. The turning circles of such ships would be three times as wide, so it is not used.
 //! - Y_r: the tanker has 4.9, Ankudinov gives 2.4 and the effective aspect ratio 1.9. Ankudinov is nearer, and is used.
 //! - Taimuri's set has cubics in T/h that leave their range for broad ships.
 //!
