@@ -6,14 +6,16 @@ mod downtime;
 mod gathered;
 mod merge;
 mod page;
+mod places;
 mod printed;
 mod replay;
 mod report;
 
 use std::num::NonZero;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::thread;
 
+use self::places::{FIGURE, default_folder};
 use fenderline_campaign::store::{Opened, Shard, Store, is_finished};
 use fenderline_campaign::{Campaign, Plan};
 use fenderline_campaign::{CampaignError, Row, Runs, StopRule, make};
@@ -29,9 +31,6 @@ use crate::interrupt::Interrupt;
 use crate::output::write_whole;
 use crate::progress::Progress;
 use crate::terminal::{answer, say};
-
-/// Name of the figure of a full factorial.
-const FIGURE: &str = "figure.html";
 
 /// Makes all runs and writes their tables, or does what the subcommand says. A run that cannot be made is a row with its error.
 ///
@@ -161,14 +160,6 @@ fn make_missing(
 fn threads(given: Option<NonZero<usize>>) -> usize {
     let all = || thread::available_parallelism().map_or(1, NonZero::get);
     given.map_or_else(all, NonZero::get)
-}
-
-fn default_folder(campaign: &Path, shard: Shard) -> PathBuf {
-    let folder = Path::new("out").join(campaign.file_stem().unwrap_or_default());
-    match shard {
-        Shard::WHOLE => folder,
-        Shard { number, of } => folder.join(format!("shard_{number}_of_{of}")),
-    }
 }
 
 /// What does not go along with a share of the runs.

@@ -1,11 +1,13 @@
 //! `fenderline statistics`: exceedance, fits and design values of a column of a table.
 
+mod column;
 mod json;
 mod printed;
 
+use self::column::Column;
 use fenderline_campaign::report::column_page;
 use fenderline_campaign::statistics::Sample;
-use fenderline_campaign::statistics::design::{Asked, Findings, findings, zeros_apart};
+use fenderline_campaign::statistics::design::{Asked, findings, zeros_apart};
 use fenderline_campaign::statistics::fit::Law;
 use fenderline_campaign::statistics::return_value::Traffic;
 use fenderline_campaign::table::{Head, Table};
@@ -22,18 +24,6 @@ const PERIODS_YEARS: [f64; 3] = [10.0, 50.0, 100.0];
 
 /// Laws where none are given.
 const LAWS: [Law; 4] = [Law::LogNormal, Law::Weibull, Law::Gumbel, Law::Gev];
-
-/// A column with what was found about it.
-struct Column<'a> {
-    file: String,
-    head: &'a Head,
-    /// Empty cells.
-    missing: usize,
-    /// Values of 0 that are in no statistics.
-    zeros: usize,
-    findings: Findings,
-    asked: Asked,
-}
 
 /// Reads a column, prints what it tells, and writes a page if `args` asks for one.
 ///

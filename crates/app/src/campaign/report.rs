@@ -12,7 +12,8 @@ use fenderline_campaign::table::Table;
 use fenderline_campaign::{Campaign, Draw, Plan, Variable};
 use fenderline_campaign::{Formula, Head, Runner, Runs, Seen};
 
-use super::{default_folder, downtime};
+use super::downtime;
+use super::places::default_folder;
 use crate::cli::CampaignReportArgs;
 use crate::documents::Pdf;
 use crate::failure::Failure;

@@ -5,7 +5,7 @@ use core::fmt::Write as _;
 use fenderline_campaign::report::{quote, words};
 use fenderline_report::plot::{fixed, plain, significant};
 
-use super::Column;
+use super::column::Column;
 
 /// Widest column of parameters.
 const PARAMETERS: usize = 64;

@@ -3,13 +3,21 @@
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{Rotation, Vec2, vec2};
-use fenderline_sim::FenderSetup;
 use fenderline_sim::berth::{Berth, Lie};
+use fenderline_sim::{FenderSetup, Simulation};
 
-use crate::approach::Light;
+use crate::alarm_book::AlarmBook;
+use crate::approach::{ApproachLimit, Light};
 use crate::message::{BerthEnd, ContactNow, FenderNow, Lamp, Pair, VesselNow};
 
-use super::BoardInput;
+/// The data of the docking board.
+pub(super) struct BoardInput<'a> {
+    pub(super) simulation: &'a Simulation,
+    pub(super) contacts: &'a [ContactNow],
+    pub(super) fenders: &'a [FenderNow],
+    pub(super) book: &'a AlarmBook,
+    pub(super) approach: ApproachLimit,
+}
 
 /// An end of a ship is at the fenders if it is nearer than this distance and a fender carries load (m). The distance is
 /// the resolution of a docking laser.

@@ -12,6 +12,7 @@ mod traffic;
 mod verdict;
 mod vessel;
 
+use self::board::BoardInput;
 use fenderline_contact::Vec2;
 use fenderline_contact::number::{greater, lesser};
 use fenderline_sim::berth::Berth;
@@ -20,28 +21,15 @@ use fenderline_sim::order::{TugWord, Word};
 use fenderline_sim::tug::TugOrder;
 use fenderline_sim::{Mooring, MooringSetup, Simulation, TugAtWork, TugSetup};
 
-use crate::alarm_book::{Alarm, AlarmBook};
-use crate::approach::ApproachLimit;
+use crate::alarm_book::Alarm;
 use crate::cast::Cast;
 use crate::exercise;
 use crate::info::Info;
-use crate::message::{
-    ContactNow, CurrentNow, FenderNow, Frame, LineNow, RunState, TugNow, VesselNow, WavesNow,
-    WindNow,
-};
+use crate::message::{CurrentNow, Frame, LineNow, RunState, TugNow, VesselNow, WavesNow, WindNow};
 use crate::now::Now;
 use crate::past::Sample;
 
 pub(crate) use verdict::now as verdict;
-
-/// The data of the docking board.
-struct BoardInput<'a> {
-    simulation: &'a Simulation,
-    contacts: &'a [ContactNow],
-    fenders: &'a [FenderNow],
-    book: &'a AlarmBook,
-    approach: ApproachLimit,
-}
 
 /// The causes of alarms in a state.
 pub(crate) fn causes(now: &Now, cast: &Cast, info: &Info) -> Vec<Alarm> {

@@ -5,7 +5,7 @@ use fenderline_author::Edit;
 use fenderline_sim::anchor::{AnchorFaults, AnchorPosition, WindlassOrder};
 use fenderline_sim::{Action, AnchorAction, AnchorAtWork, Simulation};
 
-use super::{place, rounded};
+use super::written::{place, rounded};
 
 /// Writes every anchor as it is now. A lost anchor is left out, with its orders.
 pub(super) fn edit(simulation: &Simulation, edits: &mut Vec<Edit>, notes: &mut Vec<String>) {

@@ -4,7 +4,7 @@ use fenderline_author::Edit;
 use fenderline_contact::Rotation;
 use fenderline_sim::Simulation;
 
-use super::{degrees, place, rounded};
+use super::written::{degrees, place, rounded};
 
 /// Writes the position, speed and shaft revolutions of every floating body.
 pub(super) fn edit(simulation: &Simulation, edits: &mut Vec<Edit>) {

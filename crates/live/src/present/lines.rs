@@ -3,7 +3,7 @@
 use fenderline_author::Edit;
 use fenderline_sim::{LineEnd, Mooring, MooringSetup, Simulation};
 
-use super::{place, quoted, rounded};
+use super::written::{place, quoted, rounded};
 
 /// Least tension that the file gives as a tension (N). For a line with less tension the file gives the length.
 const TAUT_N: f64 = 1.0;

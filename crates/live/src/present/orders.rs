@@ -8,7 +8,8 @@ use fenderline_sim::{
     Action, LineAction, Setup, Simulation, Station, VesselAction, VesselSetup, VesselState,
 };
 
-use super::{anchors, place, quoted, rounded};
+use super::anchors;
+use super::written::{place, quoted, rounded};
 
 /// All orders of a file that begins now.
 pub(super) fn all(simulation: &Simulation) -> Vec<String> {

@@ -5,7 +5,7 @@ use fenderline_contact::number::greater;
 use fenderline_sim::order::Word;
 use fenderline_sim::{Change, Fault, Setup, Simulation};
 
-use super::{degrees, quoted, rounded};
+use super::written::{degrees, quoted, rounded};
 
 /// Writes loads and passing ships with times from now on.
 pub(super) fn edit(simulation: &Simulation, edits: &mut Vec<Edit>) {

@@ -6,7 +6,7 @@ use fenderline_sim::environment::Tide;
 use fenderline_sim::environment::current::Current;
 use fenderline_sim::{Setup, Simulation};
 
-use super::{degrees, rounded};
+use super::written::{degrees, rounded};
 
 /// Writes the present weather. Weather that a file or constituents change in time keeps its present value, with a note.
 pub(super) fn edit(

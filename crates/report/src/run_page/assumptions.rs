@@ -5,7 +5,9 @@ use fenderline_sim::hydro::shallow::PUBLISHED_RATIO;
 use fenderline_sim::{BodySetup, Integrator, Method, Setup};
 use maud::{Markup, html};
 
-use super::{Recorder, fenders, scene, vessels};
+use super::method_notes::method_notes;
+use super::recorder::Recorder;
+use super::{fenders, scene, vessels};
 use crate::plot::{fixed, plain};
 use fenderline_results::Outcome;
 
@@ -30,7 +32,7 @@ pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
             (fenders::data(setup))
             (to_check(outcome))
             h3 { "Method and its limits" }
-            (super::method_notes(outcome))
+            (method_notes(outcome))
         }
     }
 }

@@ -4,7 +4,7 @@ use fenderline_contact::number::greater;
 
 use maud::{Markup, html};
 
-use super::Recorder;
+use super::recorder::Recorder;
 use super::recorder::{BodyTrace, PairTrace};
 use crate::plot::{Axis, Chart, Decimator, Point, Reference, Scaled, Series};
 use fenderline_results::Outcome;

@@ -4,8 +4,10 @@ use fenderline_sim::constants::KNOT_MPS;
 use maud::{Markup, html};
 
 use super::governing::{Governing, governing};
+use super::harbour_key::harbour;
+use super::recorder::Recorder;
 use super::tables::{TONNE_N, number};
-use super::{Recorder, approach, exercise, scene, session, verdict};
+use super::{approach, exercise, scene, session, verdict};
 use crate::plot::{decimals_for, fenders_legend, fixed, ordinal, outlined_legend, significant};
 use crate::words::interrupted_text;
 use crate::{Head, table_head};
@@ -32,7 +34,7 @@ pub(super) fn cover(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
                 (scene::first(outcome, recorder))
                 (outlined_legend())
                 @if !outcome.setup.fenders.is_empty() { (fenders_legend()) }
-                (super::harbour(outcome))
+                (harbour(outcome))
             }
         }
     }

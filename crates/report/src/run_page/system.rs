@@ -8,8 +8,9 @@ use fenderline_sim::{
 };
 use maud::{Markup, html};
 
-use super::Recorder;
 use super::fenders::{setup_table, used};
+use super::recorder::Recorder;
+use super::signed::signed;
 use crate::plot::{
     Chain, ConeDrawn, Face, FaceFender, Hull, Level, LevelKind, PanelPlan, Section, Side, Use,
     decimals_for, fixed, shortened, significant,
@@ -416,11 +417,6 @@ fn out_at_m(side_m: &[[f64; 2]], height_m: f64) -> f64 {
         (_, Some(last)) => last[0],
         (_, None) => 0.0,
     }
-}
-
-/// A height with its sign.
-pub(super) fn signed(height_m: f64) -> String {
-    if height_m > 0.0 { format!("+{}", fixed(height_m, 2)) } else { fixed(height_m, 2) }
 }
 
 #[cfg(test)]

@@ -7,9 +7,8 @@ use maud::{Markup, html};
 
 use super::table::kind_of;
 use crate::plot::{Axis, Bars, Chart, Group, Point, STYLES, Series, significant};
-use crate::run_page::Recorder;
 use crate::run_page::charts::{Charts, scaled};
-use crate::run_page::recorder::FenderTrace;
+use crate::run_page::recorder::{FenderTrace, Recorder};
 use fenderline_results::Outcome;
 use fenderline_results::worst_first;
 

@@ -8,7 +8,7 @@ use fenderline_sim::{
 use maud::{Markup, html};
 
 use crate::plot::{decimals_for, fixed, plain, significant};
-use crate::run_page::system::signed;
+use crate::run_page::signed::signed;
 use crate::run_page::tables::{ROWS, TONNE_N, more, number};
 use crate::table::breakable;
 use crate::{Head, table_head};

@@ -7,15 +7,14 @@ use fenderline_sim::environment::current::Current;
 use fenderline_sim::{Environment, LineEnd, Setup};
 use maud::{Markup, html};
 
-use super::{NAME_LENGTH, body_label, middle, outlined, styles};
+use super::bodies::{NAME_LENGTH, body_label, joined, middle, outlined, styles};
 use crate::plot::{
     Frame, Harbour, Label, LineDrawn, PassingDrawn, Place, Plan, Stage, TugDrawn, Weather,
     chart_labels, charted_in, fixed, plain, shortened, significant,
 };
 use crate::run_page::fenders::boxes;
-use crate::run_page::recorder::{TugMark, both};
+use crate::run_page::recorder::{Recorder, TugMark, WindTrace, both};
 use crate::run_page::vessels::compass;
-use crate::run_page::{Recorder, WindTrace};
 use fenderline_results::Outcome;
 
 /// The lines that were made fast, with the bodies where they were at the largest contact force, or at the end of a run without contact.
@@ -238,7 +237,7 @@ pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) ->
         let outline = outlined(body, &states[index], stage, styles[index]);
         if moored.contains(&index) {
             let around = Frame::around(outline.vertices_m.iter().copied());
-            frame = super::joined(frame, around);
+            frame = joined(frame, around);
         }
         outlines.push(outline);
     }

@@ -1,5 +1,6 @@
 //! Plan views of the report: the whole scene, and the contact at its peak force.
 
+mod bodies;
 mod harbour;
 
 use std::collections::BTreeSet;
@@ -9,11 +10,13 @@ use fenderline_contact::{BodyState, Vec2, vec2};
 use fenderline_sim::{BodySetup, Setup};
 use maud::{Markup, html};
 
+use self::bodies::{NAME_LENGTH, body_label, joined, outlined, styles};
 use super::fenders::{boxes, names};
 use super::recorder::{PairTrace, Recorder};
+use super::strongest::strongest;
 use crate::plot::{
-    Arrow, Frame, Harbour, Label, Outlined, Place, Plan, STYLES, Scaled, Stage, Track,
-    chart_labels, plain, shortened, significant,
+    Arrow, Frame, Harbour, Label, Place, Plan, STYLES, Scaled, Stage, Track, chart_labels, plain,
+    shortened, significant,
 };
 use fenderline_results::Outcome;
 
@@ -23,30 +26,11 @@ pub(super) use harbour::{moored, weather_texts};
 const DRAWN: usize = 300;
 /// Names written at most: more would cover the view.
 const NAMED: usize = 16;
-/// Longest name in a view (characters).
-const NAME_LENGTH: usize = 26;
 /// The title page shows the berth if the whole scene is larger by this factor; and the room around it, over its size.
 const FAR: f64 = 1.8;
 const BERTH_ROOM: f64 = 0.12;
 /// Fixed bodies are shown whole if that widens the view by no more than this factor.
 const WIDEN: f64 = 3.0;
-
-fn outlined(body: &BodySetup, state: &BodyState, stage: Stage, style: usize) -> Outlined {
-    let pose = state.pose();
-    let vertices_m = body.outline.vertices().iter().map(|v| pose.apply(*v)).collect();
-    Outlined { vertices_m, stage, style }
-}
-
-/// Colour numbers: floating bodies take them in the order of the scenario.
-fn styles(setup: &Setup) -> Vec<usize> {
-    let mut next = 0;
-    let styles = setup.bodies.iter().map(|body| {
-        let style = next;
-        next += usize::from(body.mass.is_some());
-        style
-    });
-    styles.collect()
-}
 
 /// The picture of the title page: the berth if the ships come from far away, otherwise the whole scene. Nothing if there are no
 /// bodies.
@@ -176,7 +160,7 @@ fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Ma
 fn by_importance(setup: &Setup, recorder: &Recorder) -> Vec<usize> {
     let peak = recorder.peak.iter().map(|peak| &peak.contact);
     let peak = peak.flat_map(|contact| [contact.body_1.0 as usize, contact.body_2.0 as usize]);
-    let strongest = super::strongest(recorder).into_iter().flat_map(|pair| pair.bodies);
+    let strongest = strongest(recorder).into_iter().flat_map(|pair| pair.bodies);
     let mut seen = BTreeSet::new();
     peak.chain(strongest)
         .chain(0..setup.bodies.len())
@@ -211,33 +195,6 @@ fn scene_frame(floating: Option<Frame>, fixed: Option<Frame>) -> Option<Frame> {
     // Room to see what the floating bodies touch.
     let room = floating.size() * 0.25;
     Some(Frame { low: floating.low - room, high: floating.high + room })
-}
-
-fn joined(a: Option<Frame>, b: Option<Frame>) -> Option<Frame> {
-    match (a, b) {
-        (Some(a), Some(b)) => Some(a.with(b)),
-        (a, b) => a.or(b),
-    }
-}
-
-/// The name of a body, on it.
-fn body_label(body: &BodySetup, state: &BodyState) -> Label {
-    let (low, high) = body.outline.bounds();
-    let half = (high - low) * 0.5;
-    let half_length = if half.x >= half.y { vec2(half.x, 0.0) } else { vec2(0.0, half.y) };
-    Label {
-        text: shortened(&body.name, NAME_LENGTH),
-        place: Place::On {
-            middle_m: middle(body, state),
-            half_length_m: state.pose().rotation.apply(half_length),
-        },
-    }
-}
-
-/// The middle of a body's outline, earth-fixed (m).
-fn middle(body: &BodySetup, state: &BodyState) -> Vec2 {
-    let (low, high) = body.outline.bounds();
-    state.pose().apply((low + high) * 0.5)
 }
 
 /// Points on a body for its name, off a contact at `centre`: along `off_m`, then to both sides of it.

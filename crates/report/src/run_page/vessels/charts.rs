@@ -6,8 +6,8 @@ use fenderline_sim::constants::KNOT_MPS;
 use maud::{Markup, html};
 
 use crate::plot::{Axis, Decimator, Reference, STYLES, Series, plain};
-use crate::run_page::Recorder;
 use crate::run_page::charts::{Charts, scaled};
+use crate::run_page::recorder::Recorder;
 use crate::run_page::recorder::{DockingTrace, VesselTrace};
 
 /// Vessels with charts of their own.

@@ -13,8 +13,8 @@ use std::fmt::Write;
 use fenderline_sim::Setup;
 use maud::{Markup, html};
 
-use super::Recorder;
 use super::charts::Charts;
+use super::recorder::Recorder;
 use fenderline_results::Outcome;
 
 pub(super) use headline::{headline, remarks};

@@ -19,6 +19,7 @@
 mod clarke;
 mod known;
 mod method;
+mod reported;
 mod resistance;
 mod stern;
 mod yoshimura_masumoto;
@@ -31,6 +32,7 @@ use super::mmg::{Mmg, Polynomial};
 use super::particulars::Particulars;
 use super::source::{Figure, Source, Standing};
 
+use self::reported::estimate;
 pub use known::{Known, SternCoefficients, SternGear};
 pub use method::{EstimateMethod, Ratio, RatioOutOfRange, VALIDATED_RATIOS};
 
@@ -77,17 +79,6 @@ pub fn estimated_by(method: EstimateMethod, known: &Known) -> Result<Estimated, 
     let used = (!(hull_is_known && stern_is_known)).then_some(method);
     let outside = used.map_or_else(Vec::new, |method| method.outside(&ship));
     Ok(Estimated { model, sources, method: used, outside })
-}
-
-/// The report of an estimate.
-fn estimate(group: &str, figures: Vec<Figure>, source: &str, standing: Standing) -> Source {
-    Source {
-        group: group.to_owned(),
-        figures,
-        source: source.to_owned(),
-        standing,
-        is_estimate: true,
-    }
 }
 
 fn added_mass(ship: &Particulars, all: &mut Vec<Source>) -> Result<AddedMass, HydroError> {

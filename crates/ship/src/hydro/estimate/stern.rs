@@ -4,7 +4,8 @@ use fenderline_contact::number::{greater, lesser};
 
 use super::known::{SternCoefficients, SternGear};
 use super::method::EstimateMethod;
-use super::{estimate, yoshimura_masumoto};
+use super::reported::estimate;
+use super::yoshimura_masumoto;
 use crate::hydro::error::{HydroError, within};
 use crate::hydro::mmg::{Propulsion, Wake};
 use crate::hydro::particulars::Particulars;
