@@ -19,7 +19,7 @@ pub(crate) struct Bodies {
     pub(crate) poses: Vec<Pose>,
     /// How far from its centre of gravity each body may reach within this step (m).
     pub(crate) reach_m: Vec<f64>,
-    /// Ranks, ascending, of the bodies that this step places. The others stay where the last step had them.
+    /// Ranks, ascending, of the bodies that this step places. The other bodies stay where the last step had them.
     pub(crate) active: Vec<u32>,
 }
 

@@ -140,7 +140,8 @@ impl Workspace {
     ///
     /// Use this wrench to size fenders and structures, not to move bodies: a force that falls off within a long step is
     /// this large only for a part of the step. Several floating bodies that do not touch each other may touch one fixed
-    /// body. The wrench on the fixed body is then computed as if their greatest forces acted at the same time.
+    /// body. The wrench on the fixed body is then computed as if the greatest forces of these bodies acted at the same
+    /// time.
     pub fn peak_wrenches_into(&self, into: &mut Vec<Wrench>) {
         peaks::write(&self.results.peaks, &self.results.wrenches, into);
     }

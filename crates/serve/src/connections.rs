@@ -37,7 +37,7 @@ struct Inside {
     all: Vec<(u64, Peer, Arc<Notify>)>,
 }
 
-/// A place for a connection. Dropping it frees the place.
+/// A place for a connection. Dropping the [`Place`] frees it for another connection.
 #[derive(Debug)]
 pub(crate) struct Place {
     connections: Arc<Connections>,

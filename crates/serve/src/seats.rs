@@ -15,7 +15,7 @@ pub(crate) struct Seats {
     taken: Mutex<BTreeMap<Peer, usize>>,
 }
 
-/// A seat. Dropping it frees the seat.
+/// A seat. Dropping the [`Seat`] frees it for another client.
 #[derive(Debug)]
 pub(crate) struct Seat {
     seats: Arc<Seats>,

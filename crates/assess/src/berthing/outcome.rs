@@ -15,8 +15,8 @@ pub struct BerthingOutcome {
     /// Speed of the ship's centre of gravity square to the fender's face, relative to the body that carries the fender
     /// (m/s). If another ship carries the fender, it is the closing speed of the two hulls at the contact.
     pub speed_mps: f64,
-    /// Design speed square to the berth (m/s), [`fenderline_world::berthing::BerthingSetup::design_speed_mps`]. If there is one, the formula
-    /// uses it. On the way to the first touch, drag slows the ship, and wind or a tug may make her faster.
+    /// Design speed square to the berth (m/s), [`fenderline_world::berthing::BerthingSetup::design_speed_mps`]. If a design speed is given,
+    /// the formula uses it. On the way to the first touch, drag slows the ship, and wind or a tug may make her faster.
     pub design_speed_mps: Option<f64>,
     /// Berthing angle (rad): between the ship's centre line and the fender's face, positive with the bow towards it.
     pub angle_rad: f64,

@@ -14,7 +14,7 @@ const PENETRATION_M: f64 = 0.001;
 ///
 /// `memory` must be that of bodies that have never touched. `memory` and `work` are used and changed.
 ///
-/// The list is also empty if the engine refuses the states. The first step then says why.
+/// The list is also empty if the engine refuses the states. The first step then gives the reason for the refusal.
 pub fn starts_inside(
     setup: &Setup,
     model: &Model,

@@ -171,7 +171,7 @@ impl VectorTug {
     }
 }
 
-/// Begins the orders that are due. Returns true if there was one.
+/// Begins the orders that are due. Returns true if any order was due.
 fn begin_orders(state: &mut TugState, t_s: f64) -> bool {
     let due = state.waiting.iter().take_while(|(begins_s, _)| *begins_s <= t_s).count();
     for (_, order) in state.waiting.drain(..due) {
