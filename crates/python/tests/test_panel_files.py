@@ -467,6 +467,12 @@ def test_the_picture_is_an_svg_with_what_was_cut(hull: Hull, tmp_path: Path) -> 
     assert len(figure.axes) == 18
     # A notebook shows what the call gives back.
     assert hasattr(figure, "_repr_svg_")
+    # Masses are in tonnes, as naval architects have them.
+    titles = [ax.get_title(loc="left") for ax in figure.axes]
+    assert "heave: added mass [kt]" in titles and not any("kkg" in title or "Mkg" in title for title in titles)
+    assert "3,936 t" in figure.get_suptitle()
+    data.mass_kg = 26.8
+    assert ": 26.8 kg, deep water" in data.picture().get_suptitle()
     with pytest.raises(HydrodynamicsError, match="the picture cannot be written"):
         data.picture(tmp_path / "box.nothing")
 
@@ -533,6 +539,46 @@ def test_the_simulation_reads_what_was_repaired(hull: Hull, tmp_path: Path) -> N
     (tmp_path / "box.toml").write_text(SCENARIO)
     scenario = Scenario.load(str(tmp_path / "box.toml"))
     assert [notice for notice in scenario.notices if "box.hydro" in str(notice)] == []
+
+
+@pytest.mark.parametrize("trait", ["sound", "two bodies", "rows that are not numbers", "an irregular frequency"])
+def test_the_simulated_ship_moves_in_regular_waves_as_the_panel_code_says(hull: Hull, tmp_path: Path, trait: str) -> None:
+    """Within 2 % in heave and pitch, where they are above 2 % of the wave's amplitude and slope."""
+    import fenderline
+
+    if trait == "two bodies":
+        data = quiet(lambda: hydrodynamics.from_capytaine(dataset(hull, bodies=("tug__", "ship__")), gravity_above_water_m=0.0, body="ship"))
+    elif trait == "rows that are not numbers":
+        bad = dataset(hull, infinite=False)
+        bad["added_mass"].values[:2] = np.nan
+        data = quiet(lambda: hydrodynamics.from_capytaine(bad, gravity_above_water_m=0.0))
+    else:
+        own = Hull()
+        if trait == "an irregular frequency":
+            own.damping[int(np.argmin(np.abs(own.omegas - 1.2))), 2, 2] *= -0.4
+        data = wamit(own.wamit(tmp_path / "own"))
+    data.write(tmp_path / "box.hydro")
+    for omega, heading in ((0.5, 0.0), (0.9, 60.0), (1.2, 180.0)):
+        row, column = int(np.argmin(np.abs(hull.omegas - omega))), int(np.argmin(np.abs(hull.headings - heading)))
+        expected = np.abs(hull.motion(row, column))
+        # Small waves, in which she keeps her heading though nothing holds her.
+        period, amplitude = 2.0 * math.pi / omega, 1e-4
+        (tmp_path / "waves.toml").write_text(
+            SCENARIO.replace('step = "0.2 s"', f"step = {period / 60:.9g}")
+            .replace('duration = "1 min"', f"duration = {60 * period:.9g}")
+            .replace(
+                'depth = "300 m"',
+                f'depth = "300 m"\nwaves = {{ height = {2 * amplitude}, period = {period:.9g}, from = "{180 - heading:g} deg", regular = true }}',
+            )
+        )
+        rows = fenderline.run(str(tmp_path / "waves.toml"))["vessels"]
+        t = np.asarray(rows["t_s"])
+        late = t > 20 * period
+        weight = np.sin(math.pi * (t[late] - t[late][0]) / (t[late][-1] - t[late][0])) ** 4
+        for name, k, scale in (("heave_m", 2, 1.0), ("pitch_rad", 4, omega**2 / made_up.GRAVITY)):
+            found = 2.0 * abs(np.sum(weight * np.asarray(rows[name])[late] * np.exp(-1j * omega * t[late]))) / weight.sum() / amplitude
+            if expected[k] > 0.02 * scale:
+                assert found == pytest.approx(expected[k], rel=0.02), (name, omega, heading)
 
 
 SCENARIO = """
