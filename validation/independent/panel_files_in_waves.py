@@ -38,6 +38,8 @@ LONGEST = 0.02
 PERIODS_S = (1.0, 40.0)
 #: What counts, over the wave's amplitude or slope.
 COUNTS = 0.02
+#: A resonance without damping, which a run does not settle: this share of the restoring changes the motion by more than the second number.
+RESONANCE = (0.005, 0.02)
 #: What the damping added in STEM.frc may change.
 DAMPED = 0.003
 
@@ -203,6 +205,12 @@ def raw_motion(data, row, heading):
     return np.linalg.solve(left, panel.force[at, column])
 
 
+def full_restoring(data):
+    matrix = np.zeros((6, 6))
+    matrix[2:5, 2:5] = data.restoring
+    return matrix
+
+
 def cases(code, kind, where, data, count):
     """Frequency, heading and expected motion, spread over the frequencies at which heave or pitch counts."""
     own = own_motions(kind, where, data)
@@ -210,7 +218,7 @@ def cases(code, kind, where, data, count):
     headings = [heading for heading in (0.0, 45.0, 50.0, 60.0, 180.0) if (np.abs(panel.headings_deg - heading) < 0.01).any()]
     headings = [headings[0], headings[len(headings) // 2], headings[-1]] if headings else [float(panel.headings_deg[0])]
     known = sorted(w for w in data.damping if 0 < w < math.inf)
-    found = []
+    found, left = [], 0
     for row, w in enumerate(panel.omega):
         if not any(abs(w - other) < 1e-6 * w for other in known) or not np.isfinite(panel.damping[row]).all():
             continue
@@ -233,11 +241,16 @@ def cases(code, kind, where, data, count):
                 added = damping_of(where)
                 alone, damped = data.motion(w, heading), data.motion(w, heading, damping=added)
                 motion = np.where(np.abs(np.abs(damped) - np.abs(alone)) < DAMPED * np.abs(damped), motion, 0.0)
+            near = data.motion(w, heading, restoring=RESONANCE[0] * full_restoring(data))
+            still = np.abs(near - data.motion(w, heading)) < RESONANCE[1] * np.abs(near)
+            motion = np.where(still, motion, 0.0)
+            left += not (still[2] and still[4])
             if np.isfinite(motion).all() and (abs(motion[2]) > COUNTS or abs(motion[4]) > COUNTS * slope):
                 found.append((float(w), heading, motion, slope))
     omegas = sorted({case[0] for case in found})
     chosen = {omegas[round(k * (len(omegas) - 1) / max(1, count - 1))] for k in range(count)} if omegas else set()
-    return [case for case in found if case[0] in chosen], "its own motions" if own else "its coefficients"
+    by = "its own motions" if own else "its coefficients"
+    return [case for case in found if case[0] in chosen], by + (f" ({left} waves at a resonance without damping left out)" if left else "")
 
 
 def simulated(program, folder, data, w, heading):
