@@ -541,6 +541,22 @@ def test_the_simulation_reads_what_was_repaired(hull: Hull, tmp_path: Path) -> N
     assert [notice for notice in scenario.notices if "box.hydro" in str(notice)] == []
 
 
+def test_a_hull_that_the_simulation_would_refuse_is_a_problem_of_the_file(tmp_path: Path) -> None:
+    """As the spar of a two-body wave energy converter: a small waterline over a deep hull, and an added mass of nearly nothing."""
+    hull = Hull()
+    restoring = [list(row) for row in RESTORING[2:5, 2:5]]
+    restoring[0][0] = 1e5
+    # Exciting forces of long waves are those of the restoring.
+    hull.force[:, :, 2] *= 1e5 / RESTORING[2, 2]
+    hull.damping[:, 2, 2] *= (1e5 / RESTORING[2, 2]) ** 2
+    data = wamit(hull.wamit(tmp_path / "spar"), restoring=restoring)
+    assert any("the restoring of heave is 1e+05 N/m, but of the hulls of this displacement" in problem for problem in data.problems)
+    infinite = np.diag(INFINITE)
+    infinite[0, 0] = 6.0 * MASS
+    data = wamit(Hull().wamit(tmp_path / "box"), infinite=infinite.tolist())
+    assert "the added mass of surge at infinite frequency is 6 of the mass, but must be 0 to 5" in data.problems
+
+
 @pytest.mark.parametrize("trait", ["sound", "two bodies", "rows that are not numbers", "an irregular frequency"])
 def test_the_simulated_ship_moves_in_regular_waves_as_the_panel_code_says(hull: Hull, tmp_path: Path, trait: str) -> None:
     """Within 2 % in heave and pitch, where they are above 2 % of the wave's amplitude and slope."""

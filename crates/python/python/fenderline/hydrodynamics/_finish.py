@@ -25,6 +25,10 @@ SYMMETRIES = ("sides", "fore and aft", "revolution")
 ALONG, ACROSS = (0, 2, 4), (1, 3, 5)
 #: How far the mass that is given may be from that of the files: as the simulation refuses.
 MASS = 0.03
+#: Draughts over the cube root of the displaced volume, and added masses at infinite frequency in surge, sway and heave over the mass, that the
+#: simulation takes (crates/sim/src/seakeeping/check.rs).
+DRAUGHTS = (3.0, 0.02)
+ADDED = ((0.0, 5.0), (0.0, 20.0), (0.02, 50.0))
 
 
 def finish(
@@ -81,7 +85,7 @@ def finish(
         problems += [wrong] if wrong else []
     elif panel.infinite is None and len(panel.omega):
         at_infinity(panel)
-    problems += _headings(panel) + _float(stiffness)
+    problems += _headings(panel) + _float(stiffness) + _likely(panel, stiffness, mass)
     for note in panel.notes:
         warnings.warn(note, HydrodynamicsWarning, stacklevel=3)
     if problems:
@@ -281,6 +285,26 @@ def _headings(panel: Panel) -> list[str]:
     if not half and at[0] + 360.0 - at[-1] > 45.5:
         return [f"the headings cover neither 0 to 180 degrees nor all round (there are {known} degrees){help_}"]
     return []
+
+
+def _likely(panel: Panel, stiffness: Array, mass_kg: float) -> list[str]:
+    """Restoring and added mass that no ship has, as the simulation refuses them."""
+    volume = mass_kg / panel.water_kgpm3
+    # The displaced volume over draughts of three cube roots of the volume, and of 2 % of one.
+    least, most = (panel.water_kgpm3 * 9.80665 * volume ** (2.0 / 3.0) / draught for draught in DRAUGHTS)
+    found = []
+    heave = float(stiffness[0, 0])
+    if heave > 0.0 and not least <= heave <= most:
+        found.append(
+            f"the restoring of heave is {heave:.4g} N/m, but of the hulls of this displacement that the simulation takes it is {least:.3g} to "
+            f"{most:.3g} (a spar deeper than three cube roots of her volume is not one)"
+        )
+    if panel.infinite is not None:
+        for k, (low, high) in enumerate(ADDED):
+            share = float(panel.infinite[k, k]) / mass_kg
+            if not low <= share <= high:
+                found.append(f"the added mass of {MOTIONS[k]} at infinite frequency is {share:.3g} of the mass, but must be {low:g} to {high:g}")
+    return found
 
 
 def _float(stiffness: Array) -> list[str]:
