@@ -4,7 +4,7 @@
 
 FOLDER is looked through for sets: WAMIT (STEM.1 with STEM.3), HAMS (Input/ControlFile.in), Nemoh (Nemoh.cal), AQWA (.AH1, .LIS) and Capytaine
 (.nc). PROGRAM is the program `fenderline`. Each body of a set with several is a row. A set whose headings do not cover is tried
-again as a hull of revolution and as one that is alike fore and aft; the row says so.
+again as a hull that is alike to both sides, fore and aft, and as one of revolution; the row says so.
 
 The reference is the panel code's own motion (`.4` of WAMIT, where STEM.frc has the radii of gyration), else the frequency-domain equation with the coefficients as they are in the file, before
 anything was cut or repaired. The simulation runs in small regular waves until they have passed 100 times, and the last 70 periods are
@@ -155,7 +155,7 @@ def converted(code, kind, where):
         bodies = list(range(1, int(found[1]) + 1)) if found else [None]
     for body in bodies:
         first = None
-        for symmetry in (None, "sides", "revolution", "fore and aft"):
+        for symmetry in (None, "sides", "fore and aft", "revolution"):
             try:
                 data = convert(code, kind, where, body, symmetry)
             except code.HydrodynamicsError as error:

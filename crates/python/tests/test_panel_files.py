@@ -557,6 +557,18 @@ def test_a_hull_that_the_simulation_would_refuse_is_a_problem_of_the_file(tmp_pa
     assert "the added mass of surge at infinite frequency is 6 of the mass, but must be 0 to 5" in data.problems
 
 
+def test_a_square_box_is_no_body_of_revolution(tmp_path: Path) -> None:
+    """Surge is as sway and roll as pitch, but a box with corners moves water as she yaws."""
+    square = Hull()
+    # Long waves carry her with her added mass.
+    square.force[:, :, 0] *= ((MASS + square.added[:, 1, 1]) / (MASS + square.added[:, 0, 0]))[:, None]
+    for matrices in (square.added, square.damping):
+        for one, two in ((0, 1), (3, 4)):
+            matrices[:, one, one] = matrices[:, two, two]
+    with pytest.raises(HydrodynamicsError, match="given as revolution, but she moves water as she yaws"):
+        wamit(square.wamit(tmp_path / "square"), first_column="period", symmetry="revolution")
+
+
 @pytest.mark.parametrize("trait", ["sound", "two bodies", "rows that are not numbers", "an irregular frequency"])
 def test_the_simulated_ship_moves_in_regular_waves_as_the_panel_code_says(hull: Hull, tmp_path: Path, trait: str) -> None:
     """Within 2 % in heave and pitch, where they are above 2 % of the wave's amplitude and slope."""

@@ -25,6 +25,8 @@ SYMMETRIES = ("sides", "fore and aft", "revolution")
 ALONG, ACROSS = (0, 2, 4), (1, 3, 5)
 #: How far the mass that is given may be from that of the files: as the simulation refuses.
 MASS = 0.03
+#: Added inertia in yaw of a body of revolution, over the displacement and the square of the cube root of its volume, at most: 0.06 for a cube.
+CORNERS = 0.01
 #: Draughts over the cube root of the displaced volume, and added masses at infinite frequency in surge, sway and heave over the mass, that the
 #: simulation takes (crates/sim/src/seakeeping/check.rs).
 DRAUGHTS = (3.0, 0.02)
@@ -221,6 +223,14 @@ def _alike(panel: Panel, symmetry: str | None, fold: bool) -> None:
                         f"{100 * off / most:.0f} %",
                         panel.file,
                     )
+        # What turns about its own axis moves no water, unless it has corners.
+        turning = float(np.median(np.abs(panel.added[:, 5, 5])))
+        scale = panel.mass[0] * (panel.mass[0] / panel.water_kgpm3) ** (2.0 / 3.0)
+        if turning > CORNERS * scale:
+            raise HydrodynamicsError(
+                f"symmetry is given as revolution, but she moves water as she yaws (added inertia {turning:.3g} kg m²): a body with corners?",
+                panel.file,
+            )
         own = panel.headings_deg[0]
         headings = np.arange(0.0, 181.0, 15.0)
         force = np.stack([_turned(panel.force[:, 0], heading - own) for heading in headings], axis=1)
