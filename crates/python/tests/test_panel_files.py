@@ -557,6 +557,16 @@ def test_a_hull_that_the_simulation_would_refuse_is_a_problem_of_the_file(tmp_pa
     assert "the added mass of surge at infinite frequency is 6 of the mass, but must be 0 to 5" in data.problems
 
 
+def test_a_coupling_that_is_not_mutual_is_said() -> None:
+    """As in the WAMIT files of a public two-body example, where the motion in pitch differs by 4 % for it."""
+    odd = Hull()
+    root = np.sqrt(odd.added[:, 0, 0].max() * odd.added[:, 4, 4].max())
+    odd.added[:, 0, 4] -= 0.2 * root
+    odd.added[:, 4, 0] -= 0.04 * root
+    data = quiet(lambda: hydrodynamics.from_capytaine(dataset(odd), gravity_above_water_m=0.0))
+    assert any(note.startswith("Doubt: added mass of surge by pitch and of pitch by surge must be the same") for note in data.notes)
+
+
 def test_a_square_box_is_no_body_of_revolution(tmp_path: Path) -> None:
     """Surge is as sway and roll as pitch, but a box with corners moves water as she yaws."""
     square = Hull()

@@ -25,6 +25,8 @@ SYMMETRIES = ("sides", "fore and aft", "revolution")
 ALONG, ACROSS = (0, 2, 4), (1, 3, 5)
 #: How far the mass that is given may be from that of the files: as the simulation refuses.
 MASS = 0.03
+#: How far the added masses of two motions by each other may differ, over the root of the product of both: as noise of a matrix in the simulation.
+MUTUAL = 0.05
 #: Added inertia in yaw of a body of revolution, over the displacement and the square of the cube root of its volume, at most: 0.06 for a cube.
 CORNERS = 0.01
 #: Draughts over the cube root of the displaced volume, and added masses at infinite frequency in surge, sway and heave over the mass, that the
@@ -81,6 +83,7 @@ def finish(
     _alike(panel, symmetry, fold)
     before = copy.deepcopy(panel)
     without_noise(panel, np.diag(panel.mass))
+    _check_mutual(panel)
     repairs, problems = looked_through(panel, lowest_radps, highest_radps, repair_radps)
     if not problems:
         wrong = at_infinity(panel)
@@ -295,6 +298,21 @@ def _headings(panel: Panel) -> list[str]:
     if not half and at[0] + 360.0 - at[-1] > 45.5:
         return [f"the headings cover neither 0 to 180 degrees nor all round (there are {known} degrees){help_}"]
     return []
+
+
+def _check_mutual(panel: Panel) -> None:
+    """Two motions push each other alike: says where they do not, for the file has their mean."""
+    for i in range(6):
+        for j in range(i + 1, 6):
+            one, two = panel.added[:, i, j], panel.added[:, j, i]
+            scale = math.sqrt(float(np.abs(panel.added[:, i, i]).max() * np.abs(panel.added[:, j, j]).max()))
+            # The median, for at irregular frequencies they may differ.
+            off = float(np.median(np.abs(one - two)))
+            if off > MUTUAL * scale:
+                panel.notes.append(
+                    f"Doubt: added mass of {MOTIONS[i]} by {MOTIONS[j]} and of {MOTIONS[j]} by {MOTIONS[i]} must be the same, but differ by "
+                    f"{100 * off / scale:.0f} % of the root of the product of both motions: the mean is taken."
+                )
 
 
 def _likely(panel: Panel, stiffness: Array, mass_kg: float) -> list[str]:
