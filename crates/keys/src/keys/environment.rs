@@ -435,7 +435,7 @@ pub(super) const WAVE_RESPONSE_DOC: &str = "Her first-order motion in waves by a
     Linear between the rows; outside the grid the value at its edge is used.";
 
 pub(super) const HYDRODYNAMICS_DOC: &str = "Hydrodynamic data by a panel code: a file beside this one, which the Python package \
-    makes of results of Capytaine, WAMIT or Nemoh (`fenderline.hydrodynamics`). She then moves in six degrees of freedom by \
+    makes of files of Capytaine, WAMIT, HAMS, Nemoh or AQWA (`fenderline.hydrodynamics`). She then moves in six degrees of freedom by \
     Cummins' equation: with added mass and damping by frequency, exciting forces, mean and slow drift; fenders and lines act where \
     they are in space, and heave, roll and pitch move them. Mass, centre of gravity and restoring are those of the file, in place of \
     `stability`.";

@@ -95,7 +95,9 @@ def draw(data: Hydrodynamics, path: str | Path | None) -> Any:
 def _title(data: Hydrodynamics) -> str:
     depth = "deep water" if not math.isfinite(data.depth_m) else f"{data.depth_m:g} m of water"
     first = data.source.splitlines()[0] if data.source else "hydrodynamic data"
-    text = f"{first}: {data.mass_kg / 1e3:,.0f} t, {depth}"
+    tonnes = data.mass_kg / 1e3
+    mass = f"{tonnes:,.0f} t" if tonnes >= 10.0 else f"{tonnes:.3g} t" if tonnes >= 1.0 else f"{data.mass_kg:.3g} kg"
+    text = f"{first}: {mass}, {depth}"
     parts = []
     if data.before is not None:
         parts.append("grey: cut")
@@ -166,8 +168,14 @@ def _limit(ax: Any, values: Any) -> None:
         ax.set_ylim(low - 0.15 * width, high + 0.12 * width)
 
 
+#: Thousands of kilogrammes by their own names.
+_TONNES = {"kkg": "t", "Mkg": "kt", "Gkg": "Mt"}
+
+
 def _named(ax: Any, title: str, prefix: str, unit: str) -> None:
-    ax.set_title(f"{title} [{prefix}{unit}]", fontsize=8, loc="left")
+    first, *rest = f"{prefix}{unit}".split(" ")
+    unit = " ".join([_TONNES.get(first, first), *rest])
+    ax.set_title(f"{title} [{unit}]", fontsize=8, loc="left")
 
 
 def _marks(ax: Any, data: Hydrodynamics, used: list[float], end: float) -> None:
