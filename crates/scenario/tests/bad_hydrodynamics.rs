@@ -78,6 +78,14 @@ fn a_step_beyond_her_own_periods_is_refused() {
     assert!(read(&text, STEP_S).is_ok());
 }
 
+/// A step that is too long for the highest frequency of the data: a tanker's pitch was 17 % wrong without a word.
+#[test]
+fn a_step_beyond_the_highest_frequency_is_refused() {
+    let message = read(&data_file(), 1.2).expect_err("a long step").to_string();
+    assert!(message.contains("whose highest frequency is"), "{message}");
+    assert!(message.contains("take a step of at most"), "{message}");
+}
+
 /// A ship on linear springs, stepped by hand around [`Motion`] without drag and viscous damping.
 struct Moored {
     motion: Motion,

@@ -55,6 +55,12 @@ impl Hydrodynamics {
         smallest_eigenvalue(&margin).0 > 0.0
     }
 
+    /// The highest frequency of the data (rad/s).
+    #[must_use]
+    pub fn last_frequency_radps(&self) -> f64 {
+        self.frequencies_radps.last().copied().unwrap_or(0.0)
+    }
+
     /// Rigid mass about the centre of gravity.
     #[must_use]
     pub fn rigid_mass(&self) -> &Matrix6 {
