@@ -117,7 +117,8 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             "berthing",
             Kind::Table(&berthing::BERTHING),
             Means("no study"),
-            "Particulars for the berthing energy by formula beside that of the run.",
+            "Particulars for the berthing energy by formula, which the report compares with the \
+             energy of the run.",
             &[],
         ),
         key(
@@ -131,7 +132,7 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             "chart",
             Kind::Table(&chart::CHART),
             Means("no chart"),
-            "What is drawn behind ships and quays: coast, depths, buoys, quays, names.",
+            "A chart that is drawn behind ships and quays: coast, depths, buoys, quays, names.",
             &["{ files = [\"harbour.geojson\"], coordinates = \"metres\" }"],
         ),
         key(

@@ -22,8 +22,8 @@ pub(crate) const DIRECTION: &str = "direction";
 
 pub(crate) static ORDER: TableSpec = TableSpec {
     what: "an order",
-    doc: "An order to a vessel (`vessel`), a tug (`tug`), a line (`line`) or an anchor (`anchor`) at a time; each [[order]] \
-          has one.",
+    doc: "An order to a vessel (`vessel`), a tug (`tug`), a line (`line`) or an anchor (`anchor`) \
+        at a time; each [[order]] has one target.",
     keys: &KEYS,
     rules: Some(rules),
 };
@@ -42,28 +42,28 @@ const HEAD: &[KeySpec] = &[
     key(
         "vessel",
         Kind::BodyName,
-        Means("it is for a tug, a line or an anchor"),
+        Means("the order is for a tug, a line or an anchor"),
         "The body of the vessel.",
         &["\"ship\""],
     ),
     key(
         "tug",
         Kind::Text,
-        Means("it is for a vessel, a line or an anchor"),
+        Means("the order is for a vessel, a line or an anchor"),
         "The tug.",
         &["\"bow tug\""],
     ),
     key(
         "line",
         Kind::Text,
-        Means("it is for a vessel, a tug or an anchor"),
+        Means("the order is for a vessel, a tug or an anchor"),
         "The line.",
         &["\"head line\""],
     ),
     key(
         "anchor",
         Kind::Text,
-        Means("it is for a vessel, a tug or a line"),
+        Means("the order is for a vessel, a tug or a line"),
         "The anchor.",
         &["\"port\""],
     ),
