@@ -62,7 +62,8 @@ impl Scenario {
     ) -> Result<Scenario, ScenarioError> {
         Scenario::parse_among(text, file_name, overrides, &mut |name| {
             Err(format!(
-                "{name}: this scenario was given as text alone, so no other file can be read"
+                "{name}: this scenario was given as text alone, so the program cannot read other \
+                 files"
             ))
         })
     }

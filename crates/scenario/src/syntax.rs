@@ -13,7 +13,10 @@ const LARGEST_FILE: usize = 16 << 20;
 pub(crate) fn parse<'a>(sources: &Sources<'a>) -> Result<DeTable<'a>, ScenarioError> {
     let bytes = sources.text.len();
     if bytes > LARGEST_FILE {
-        let message = format!("the file has {bytes} bytes; a scenario has at most {LARGEST_FILE}");
+        let message = format!(
+            "the file has {bytes} bytes; a scenario has at most {LARGEST_FILE} \
+            bytes"
+        );
         return Err(sources.file_error(message));
     }
     let document = DeTable::parse(sources.text).map_err(|error| broken(sources, &error))?;

@@ -45,7 +45,8 @@ impl Assembly<'_, '_> {
             }
             let table = item.table();
             let message = format!(
-                "the {} m to the fender take {:.0} s at {} m/s, but the run lasts {} s: she does not get there by her own speed",
+                "the {} m to the fender take {:.0} s at {} m/s, but the run lasts {} s: the ship \
+                 does not reach the fender at this speed",
                 rounded(approach.distance_m),
                 libm::ceil(needs_s),
                 rounded(approach.speed_mps()),
@@ -86,7 +87,10 @@ impl Assembly<'_, '_> {
         let start = starts.iter().find_map(|name| body.item(name).filter(|item| !item.is_default));
         let Some(item) = start else { return Ok(()) };
         let path = body.path_of(item.name);
-        let message = format!("`{path}` does not go together with `approach`, which gives it");
+        let message = format!(
+            "`{path}` does not go together with `approach`, which gives the \
+            start"
+        );
         let error = self.sources.error(&item.key_span, &path, message);
         Err(error.with_help("keep one of the two"))
     }
@@ -302,7 +306,7 @@ impl Assembly<'_, '_> {
         let ship = &bodies[approach.body];
         let targets = targets(berth, bodies, fenders);
         let target = targets.iter().find(|target| target.fender == approach.fender);
-        let target = target.expect("the fender is one of the berth's");
+        let target = target.expect("the fender must be a fender of the berth");
         let hull = moved(ship.outline.vertices(), pose(ship));
         let structures = berth.iter().map(|body| {
             let body = &bodies[*body];
@@ -356,7 +360,7 @@ impl Assembly<'_, '_> {
         match (at_m, first) {
             (None, _) => {
                 let message =
-                    format!("`{path}`: on this way the hull never meets the fender {name}");
+                    format!("`{path}`: on this course the hull never meets the fender {name}");
                 Err(self.sources.error(&span, &path, message))
             }
             (Some(at_m), Some((first_m, what))) if at_m - first_m > EARLIER_M => {

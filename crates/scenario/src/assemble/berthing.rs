@@ -40,7 +40,7 @@ impl Assembly<'_, '_> {
         let is_abnormal = |approach: &Approach| approach.body == ship && approach.is_abnormal();
         if let (Some(item), true) = (abnormal, approaches.iter().any(is_abnormal)) {
             // The formula takes the speed of the run, which has the factor in it.
-            let message = format!("{NO_EFFECT}the run itself is that of an abnormal berthing");
+            let message = format!("{NO_EFFECT}the run itself is already an abnormal berthing");
             self.note_at(&item.span, table.path_of(item.name), message);
             abnormal = None;
         }

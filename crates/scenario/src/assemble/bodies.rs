@@ -167,7 +167,7 @@ impl Assembly<'_, '_> {
             None => Ok(()),
             Some(item) => {
                 let path = table.path_of(item.name);
-                let message = format!("`{path}` is for floating bodies, but this one {is}");
+                let message = format!("`{path}` is for floating bodies, but this body {is}");
                 let error = self.sources.error(&item.key_span, &path, message);
                 Err(error.with_help(format!("remove `{}` or `{by}`", item.name)))
             }
@@ -187,8 +187,10 @@ impl Assembly<'_, '_> {
             None => Ok(()),
             Some(item) => {
                 let path = table.path_of(item.name);
-                let message =
-                    format!("`{path}` does not go together with `vessel`, whose model gives it");
+                let message = format!(
+                    "`{path}` does not go together with `vessel`, whose model gives this \
+                        value"
+                );
                 let error = self.sources.error(&item.key_span, &path, message);
                 Err(error.with_help(format!("remove `{}` or `vessel`", item.name)))
             }

@@ -34,7 +34,11 @@ impl Assembly<'_, '_> {
                 table.path_of("chains"),
                 Panel::MOST_CHAINS
             );
-            return refused(message, "take two chains at one place as one of twice the stiffness");
+            return refused(
+                message,
+                "combine two chains at one place into one chain of twice the \
+                stiffness",
+            );
         }
         if has(ChainKind::Weight) > 0 && panel_mass.is_none() {
             return Err(self.missing(
@@ -117,7 +121,7 @@ impl Assembly<'_, '_> {
         };
         refuse(
             &["break_load", "stiffness"],
-            "does not go together with `diameter`, which gives it",
+            "does not go together with `diameter`, which gives this value",
         )?;
         let grade: ChainGrade = match chain.item("grade") {
             Some(item) => item.choice(),

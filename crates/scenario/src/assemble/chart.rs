@@ -117,7 +117,7 @@ impl Assembly<'_, '_> {
                 })
             }
             several => Err(complain(format!(
-                "`{path}`: the chart has {} areas named {}: each needs a name of its own",
+                "`{path}`: the chart has {} areas named {}: each needs another name",
                 several.len(),
                 quoted(wanted)
             ))),

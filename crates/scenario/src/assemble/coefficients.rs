@@ -80,7 +80,8 @@ impl Assembly<'_, '_> {
             self.notices.push(Notice {
                 place: self.sources.place(&other.key_span),
                 key: vessel.path_of("windage"),
-                message: "of it only the centroid's height is used: `wind_coefficients` has areas and coefficients"
+                message: "only the height of its centroid is used: areas and coefficients come \
+                    from `wind_coefficients`"
                     .to_owned(),
             });
         }
@@ -142,17 +143,20 @@ impl Assembly<'_, '_> {
         let run = environment.depth_range_m().map(|depths_m| depths_m.map(|m| m / ship.draught_m));
         match run {
             None => note(format!(
-                "the water is deep: the forces are those of the greatest depth of the table, {most} draughts"
+                "the water is deep: the table's forces at its greatest depth, {most} draughts, are \
+                 used"
             )),
             Some([low, high]) => {
                 if low < least {
                     note(format!(
-                        "the water is down to {low:.3} draughts deep, but the table begins at {least}: below it its forces are used"
+                        "the water is down to {low:.3} draughts deep, but the table begins at \
+                         {least}: in less water the forces at {least} are used"
                     ));
                 }
                 if high > most {
                     note(format!(
-                        "the water is up to {high:.3} draughts deep, but the table ends at {most}: beyond it its forces are used"
+                        "the water is up to {high:.3} draughts deep, but the table ends at {most}: \
+                         in deeper water the forces at {most} are used"
                     ));
                 }
             }
@@ -187,7 +191,7 @@ impl Assembly<'_, '_> {
             if !about.is_default {
                 let path = of.path_of("moment_about");
                 let message = format!(
-                    "`{path}` does nothing: forces at the perpendiculars have no moment of their own"
+                    "`{path}` does nothing: forces at the perpendiculars have no separate moment"
                 );
                 return Err(self.sources.error(&about.key_span, &path, message));
             }
@@ -259,7 +263,7 @@ impl Assembly<'_, '_> {
             self.notices.push(Notice {
                 place: csv.place_of(None),
                 key: key.clone(),
-                message: "the angles are over one side: the other side is their mirror image"
+                message: "the angles cover one side: the other side is taken as the mirror image"
                     .to_owned(),
             });
         }
@@ -285,7 +289,8 @@ impl Assembly<'_, '_> {
                 place: self.sources.place(&of.given("file").span),
                 key: of.path_of("file"),
                 message: format!(
-                    "her draught of {draught_m} m is outside the table's, {} to {} m: the nearest is used",
+                    "her draught of {draught_m} m is outside the draughts of the table, {} to {} \
+                     m: the nearest draught is used",
                     draughts[0], draughts[last]
                 ),
             });

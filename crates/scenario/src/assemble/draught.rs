@@ -86,8 +86,8 @@ impl Assembly<'_, '_> {
                     continue;
                 }
                 let message = format!(
-                    "the face is {} to {} m above the water, and {} draws {} m{}: check that her side is so high, or give \
-                     her `outlines`, which say where it is",
+                    "the face is {} to {} m above the water, and {} draws {} m{}: check that the \
+                     ship's side is so high, or give `outlines`, which show where the side is",
                     rounded(lower_m),
                     rounded(lower_m + fender.height_m),
                     quoted(&setup.bodies[body].name),

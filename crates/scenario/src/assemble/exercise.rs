@@ -79,7 +79,7 @@ impl Assembly<'_, '_> {
         let path = table.path_of(item.name);
         let body = self.body_named(table, item, item.name(), names)?;
         if body == own {
-            let message = format!("`{path}`: a ship is not her own berth");
+            let message = format!("`{path}`: a ship cannot be the berth of herself");
             return Err(self.sources.error(&item.span, &path, message));
         }
         let berth = Berth::of(setup, own, |other| other == body);
@@ -282,8 +282,10 @@ impl Assembly<'_, '_> {
         if !is_beyond {
             let path = table.path_of("worst");
             let side = if measure.is_least() { "above `least`" } else { "below `most`" };
-            let message =
-                format!("`{path}` is {side}: it costs all points, so it is the worse value");
+            let message = format!(
+                "`{path}` is {side}: the value that costs all points must be the worse \
+                    value"
+            );
             return Err(self.sources.error(&table.given("worst").span, &path, message));
         }
         Ok(Limit {

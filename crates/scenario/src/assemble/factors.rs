@@ -15,7 +15,7 @@ impl Assembly<'_, '_> {
             if let (Some(item), None) = (given, table.item(other)) {
                 let path = table.path_of(key);
                 let message =
-                    format!("`{path}` needs `{other}`: without that factor it does nothing");
+                    format!("`{path}` needs `{other}`: without that factor this key does nothing");
                 return Err(self.sources.error(&item.key_span, &path, message));
             }
         }

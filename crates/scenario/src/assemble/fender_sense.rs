@@ -53,8 +53,8 @@ impl Assembly<'_, '_> {
         if let Some(item) = table.item("projection").filter(|item| *item.number() < height_m - 1e-9)
         {
             let message = format!(
-                "the face is {} m from the mounting, but the fender itself is {} m high: at least its height was expected, \
-                 plus the panel's thickness",
+                "the face is {} m from the mounting, but the fender itself is {} m high: at least \
+                 the fender's height plus the panel's thickness was expected",
                 rounded(*item.number()),
                 rounded(height_m)
             );
@@ -75,8 +75,8 @@ impl Assembly<'_, '_> {
         };
         if let Some(projection) = table.item("projection").filter(|_| end_m > fender.projection_m) {
             let message = format!(
-                "the curve goes on to a deflection of {} m, but the face is only {} m from the mounting: the body itself \
-                 is struck before",
+                "the curve goes on to a deflection of {} m, but the face is only {} m from the \
+                 mounting: the hull would strike the body itself before that",
                 rounded(end_m),
                 rounded(fender.projection_m)
             );

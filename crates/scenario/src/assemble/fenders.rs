@@ -148,7 +148,10 @@ impl Assembly<'_, '_> {
         let path = table.path_of("facing");
         let span = table.item("facing").map_or(&table.span, |item| &item.span);
         let name = quoted(&body.name);
-        let message = format!("`{path}`: the fender faces into {name}, the body that carries it");
+        let message = format!(
+            "`{path}`: the fender faces into {name}, the body that carries the \
+            fender"
+        );
         let error = self.sources.error(span, &path, message);
         let out_of_edge = facing_rad(&body.outline, face.middle_m);
         Err(error.with_help(match out_of_edge {

@@ -118,7 +118,7 @@ impl Assembly<'_, '_> {
             self.note_idle(interaction, "sections", why);
         }
         if setup.world.vessels.len() < 2 {
-            let why = "it acts between two vessels, and there are fewer";
+            let why = "interaction needs two vessels, and there are fewer";
             self.note_idle(interaction, "between_vessels", why);
         }
         for (_, ship) in file.given("passing").named() {
@@ -144,7 +144,7 @@ impl Assembly<'_, '_> {
                 continue;
             }
             if table.item("hydrodynamics").is_some() {
-                self.note_idle(table, "stability", "that of `hydrodynamics` is taken");
+                self.note_idle(table, "stability", "the stability data of `hydrodynamics` are used");
             }
             if !has_waves {
                 self.note_idle(table, "wave_response", "`[environment]` has no `waves`");
@@ -164,7 +164,7 @@ impl Assembly<'_, '_> {
     fn note_idle_anchors(&mut self, file: &Table) {
         for (_, anchor) in file.given("anchor").named() {
             if anchor.item("holding_factor").is_some() {
-                self.note_idle(anchor, "type", "`holding_factor` says how much it holds");
+                self.note_idle(anchor, "type", "`holding_factor` gives the holding power");
             }
             let side: BowSide = anchor.given("side").choice();
             if let Some(hawse) = anchor.item("hawse") {
@@ -192,7 +192,7 @@ impl Assembly<'_, '_> {
             }
             if *table.given("floating").flag() {
                 if !setup.bodies[fender.body].is_fixed() {
-                    let why = "the body that carries the fender floats itself";
+                    let why = "the body that carries the fender floats";
                     self.note_idle(table, "floating", why);
                 } else if level_m == [0.0, 0.0] {
                     self.note_idle(table, "floating", "the water stays at datum");

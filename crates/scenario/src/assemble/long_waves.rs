@@ -48,8 +48,10 @@ impl Assembly<'_, '_> {
         self.all_of(of, &["height", "period", "towards"], help)?;
         let Some(depth_m) = start_m else {
             let path = table.path_of("long_waves");
-            let message =
-                format!("`{path}` needs a `depth` beside it: it decides the velocity of the water");
+            let message = format!(
+                "`{path}` needs a `depth` beside it: the depth decides the velocity of the \
+                    water"
+            );
             return Err(self.sources.error(&item.key_span, &path, message));
         };
         let number = |name: &str| of.item(name).map(|item| *item.number());
@@ -85,8 +87,8 @@ impl Assembly<'_, '_> {
         {
             let path = of.path_of(shortest.name);
             let message = format!(
-                "`{path}`: the shortest long wave, of {} s, is not longer than the longest of `environment.waves`, of {:.1} s: there \
-                 energy would be in both",
+                "`{path}`: the shortest long wave, of {} s, is not longer than the longest of \
+                 `environment.waves`, of {:.1} s: energy between the two would be counted twice",
                 printable_number(shortest_s),
                 of_sea_s
             );
@@ -123,7 +125,7 @@ impl Assembly<'_, '_> {
         let rows = rows.collect::<Checked<Vec<_>>>()?;
         let mut steps_s: Vec<f64> = rows.windows(2).map(|two| two[1].0 - two[0].0).collect();
         if let Some(row) = steps_s.iter().position(|step_s| *step_s <= 0.0) {
-            let message = "its time is not later than that of the row before".to_owned();
+            let message = "its time is not later than the time of the row before".to_owned();
             return Err(csv.cell_error(row + 1, time, message));
         }
         let gaps_s = steps_s.clone();
@@ -136,12 +138,14 @@ impl Assembly<'_, '_> {
                 printable_number(usual_s)
             );
             let error = csv.cell_error(row + 1, time, message);
-            return Err(error.with_help("a straight line over a gap would be no wave: fill it in"));
+            return Err(
+                error.with_help("interpolation over a gap would not be a wave: fill the gap")
+            );
         }
         let (first_s, last_s) = (rows[0].0, rows[rows.len() - 1].0);
         if first_s > 0.0 || last_s < duration_s {
             let message = format!(
-                "`{key}`: the file has the time from {} to {} s, the run that from 0 to {} s",
+                "`{key}`: the file has the time from {} to {} s, the run covers 0 to {} s",
                 printable_number(first_s),
                 printable_number(last_s),
                 printable_number(duration_s)
@@ -189,8 +193,9 @@ impl Assembly<'_, '_> {
         let wave_m = site.length_m(*period.number());
         if longest_m > LONG_SHIP * wave_m {
             let message = format!(
-                "a wave of {} s is {:.0} m long here, and a vessel has {:.0} m, more than a quarter of it: its force along her is taken \
-                 as that amidships over her whole length, more than 10 % too large",
+                "a wave of {} s is {:.0} m long here, and a vessel has {:.0} m, more than a \
+                 quarter of it: the force along the vessel is computed from the water amidships, \
+                 and is more than 10 % too large",
                 printable_number(*period.number()),
                 wave_m,
                 longest_m

@@ -71,11 +71,13 @@ impl Assembly<'_, '_> {
         let path = of.path_of(friction.name);
         let key = material.path_of("shear_stiffness");
         let message = format!(
-            "`{path}` needs `{key}`: friction acts through a shear spring, and would be none without it"
+            "`{path}` needs `{key}`: friction acts through a shear spring, and is zero without a \
+             stiffness"
         );
         let error = self.sources.error(&friction.span, &path, message);
         Err(error.with_help(
-            "write shear_stiffness = \"3000 kN/m\", the value of the paper, or that of the fender's maker; without friction, remove `friction_static`",
+            "write shear_stiffness = \"3000 kN/m\", the value of the paper, or the value of the \
+             fender's maker; without friction, remove `friction_static`",
         ))
     }
 }

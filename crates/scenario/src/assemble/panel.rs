@@ -32,7 +32,7 @@ impl Assembly<'_, '_> {
         if performance.law == FenderLaw::Area {
             let message =
                 format!("`{path}` is for fenders with a `type`, a `stiffness` or a `curve`");
-            return refused(message, "give the cones a law of their own");
+            return refused(message, "give the cones a `type`, a `stiffness` or a `curve`");
         }
         if !(2..=Panel::MOST_CONES).contains(&cones.len()) {
             let message = format!(
@@ -53,7 +53,8 @@ impl Assembly<'_, '_> {
             });
         if high_m - low_m < Panel::LEAST_SPREAD_M {
             let message = format!(
-                "`{path}`: all cones stand at one place along the panel and do not hold it against turning"
+                "`{path}`: all cones stand at one place along the panel and cannot hold the panel \
+                 against turning"
             );
             return refused(
                 message,

@@ -101,7 +101,8 @@ impl Assembly<'_, '_> {
                 false => format!("{} to {} m", figures(least_m), figures(most_m)),
             };
             let message = format!(
-                "{0} m is given, but `environment.depth` with the tide, {depth}, less the draught of {1} m leaves {2} m: {0} m is taken",
+                "{0} m is given, but `environment.depth` with the tide, {depth}, less the draught \
+                 of {1} m is {2} m: {0} m is used",
                 figures(given_m),
                 figures(draught_m),
                 figures(depth_m - draught_m),
@@ -129,7 +130,7 @@ impl Assembly<'_, '_> {
         {
             let [given, value] = [given, value].map(figures);
             let message = format!(
-                "{given}{unit} is given, but {from} has {value}{unit}: {given}{unit} is taken"
+                "{given}{unit} is given, but {from} has {value}{unit}: {given}{unit} is used"
             );
             self.note_at(&item.span, table.path_of(key), message);
         }

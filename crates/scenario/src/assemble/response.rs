@@ -96,8 +96,8 @@ impl Assembly<'_, '_> {
                 place: self.sources.place(&item.span),
                 key: key.clone(),
                 message: format!(
-                    "in the longest waves of {} the ship sinks on the crest; heave must be positive down, is it \
-                     positive up in the file?",
+                    "in the longest waves of {} the ship sinks on the crest; heave must be \
+                     positive down: is heave positive up in the file?",
                     item.text()
                 ),
             });

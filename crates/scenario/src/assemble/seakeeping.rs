@@ -46,8 +46,8 @@ impl Assembly<'_, '_> {
         let (data, draught_m) = (file.data, kind.draught_m());
         if !data.is_resolved_by(step_s) {
             let message = format!(
-                "a step of {step_s} s is too long for these data: heave, roll or pitch has an own period below {} s, and would grow \
-                 without bound",
+                "a step of {step_s} s is too long for these data: heave, roll or pitch has a \
+                 natural period below {} s, and would grow without bound",
                 printable_number((step_s * SHORTEST_PERIOD * 100.0).round() / 100.0)
             );
             return Err(self.refused(table, item, &message).with_help(
@@ -135,7 +135,7 @@ impl Assembly<'_, '_> {
             parts.push(format!("{share} % beyond the frequencies of the data"));
         }
         let message = format!(
-            "of the energy of the sea {} % is in waves that the hydrodynamic data do not resolve: {}",
+            "{} % of the sea's energy is in waves that the hydrodynamic data do not resolve: {}",
             percent(unresolved.sum()),
             parts.join("; ")
         );

@@ -36,9 +36,10 @@ pub(super) fn read(sources: &Sources<'_>, file: &Table) -> Read<Option<Downtime>
         let error = sources.error(&item.span, key, message);
         return Err(error.with_help(match key {
             "limit" => {
-                "the limits of a downtime are those of the scenario: write [limit.NAME] there"
+                "a downtime campaign uses the limits of the scenario: write [limit.NAME] in the \
+                 scenario"
             }
-            _ => "the weather's file says what differs from run to run",
+            _ => "the file of the weather determines what differs from run to run",
         }));
     }
     let table = item.table();

@@ -179,7 +179,7 @@ pub(super) fn read(
     if matches!(kind, PlanKind::FullFactorial | PlanKind::Table) && file.item("number").is_some() {
         return refused(
             "number",
-            "goes with a random plan: here the values themselves say how many runs there are"
+            "goes with a random plan: in this plan the values determine the number of runs"
                 .to_owned(),
         );
     }
@@ -202,8 +202,9 @@ pub(super) fn read(
             if number > MOST_OF_HYPERCUBE / count {
                 let most = MOST_OF_HYPERCUBE / count;
                 let message = format!(
-                    "of a Latin hypercube of {count} variables is at most {most}, as the order of their parts is held in memory, but is {number}; \
-                     a \"Monte Carlo\" plan has no such bound"
+                    "of a Latin hypercube of {count} variables is at most {most}, because the \
+                     order of their parts is held in memory, but is {number}; a \"Monte Carlo\" \
+                     plan has no such bound"
                 );
                 return refused("number", message);
             }

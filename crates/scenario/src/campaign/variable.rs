@@ -182,7 +182,7 @@ impl Reader<'_, '_> {
         }
         let of_law = OF_LAWS.into_iter().filter_map(given).next();
         if let (Some(item), None) = (of_law, given("distribution")) {
-            return self.refused(item, "is of a `distribution`, which is missing".to_owned());
+            return self.refused(item, "belongs to a `distribution`, which is missing".to_owned());
         }
         match ways.first().map(|item| item.name) {
             Some("values") => self.values().map(Draw::Choices),
@@ -265,7 +265,7 @@ impl Reader<'_, '_> {
         if let Some(unit) = self.table.item("unit") {
             return self.refused(
                 unit,
-                "does not go together with `values`, which have their own units".to_owned(),
+                "does not go together with `values`, which have units themselves".to_owned(),
             );
         }
         let weights = match self.given("weights") {

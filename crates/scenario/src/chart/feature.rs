@@ -42,7 +42,7 @@ impl Reading<'_> {
         };
         let features: Vec<ChartFeature> = shapes.into_iter().map(feature).collect::<Read<_>>()?;
         if kind == ChartKind::Name && name.is_empty() {
-            return Err("it has no `name`, but is one".to_owned());
+            return Err("it is a name, but has no property `name`".to_owned());
         }
         Ok(features)
     }
@@ -71,7 +71,12 @@ impl Reading<'_> {
             "GeometryCollection" => {
                 return Err("a GeometryCollection is not read: make each part a feature".to_owned());
             }
-            other => return Err(format!("its geometry is {}, which is none", quoted(other))),
+            other => {
+                return Err(format!(
+                    "its geometry is {}, which is not a geometry of GeoJSON",
+                    quoted(other)
+                ));
+            }
         };
         // Each of these takes a place in messages and pictures.
         self.budget.features = self

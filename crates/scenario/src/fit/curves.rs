@@ -135,8 +135,9 @@ fn one_of(csv: &Csv<'_>, units: [ColumnUnit; 3], to_scale: &str) -> Read<(usize,
         }
         (Some((name, Some(factor))), None) => Ok((csv.column(name)?, *factor)),
         (Some((name, None)), None) => {
-            let message =
-                format!("the column `{name}` is in per cent of a number that is not given");
+            let message = format!(
+                "the column `{name}` is in per cent, but the number for 100 % is not given"
+            );
             Err(csv.header_error(message).with_help(to_scale))
         }
         (None, _) => {

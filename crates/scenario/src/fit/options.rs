@@ -95,21 +95,23 @@ impl fmt::Display for FitError {
                 let [mm, percent] = [deflection_m * 1e3, share * 100.0].map(shown);
                 write!(
                     f,
-                    "at {what}, {mm} mm, the reaction is {percent} % of the rated one; it must be 100 % at the rated \
-                     deflection: "
+                    "at {what}, {mm} mm, the reaction is {percent} % of the rated reaction; it \
+                     must be 100 % at the rated deflection: "
                 )?;
                 match at {
                     Some((at_m, of_height)) => {
                         let [mm, percent] = [at_m * 1e3, of_height * 100.0].map(shown);
                         write!(
                             f,
-                            "the curve is last at 100 % at {mm} mm, {percent} % of the height: if that is the rated \
-                             deflection of the catalogue, give --rated-deflection \"{mm} mm\""
+                            "the curve is at 100 % for the last time at {mm} mm, {percent} % of \
+                             the height: if this is the rated deflection of the catalogue, give \
+                             --rated-deflection \"{mm} mm\""
                         )
                     }
                     None => write!(
                         f,
-                        "the curve has the rated reaction nowhere: compare --rated-reaction with the catalogue, or add rows"
+                        "the curve never reaches the rated reaction: compare --rated-reaction with \
+                         the catalogue, or add rows"
                     ),
                 }
             }

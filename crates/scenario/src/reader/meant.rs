@@ -25,13 +25,16 @@ pub(super) fn meant(quantity: &Quantity, value: f64) -> Option<String> {
     if core::ptr::eq(measure, &unit::CELSIUS) {
         let in_celsius = units::of_kelvin(value);
         return is_within(in_celsius)
-            .then(|| format!("if that is kelvin, write {in_celsius}: degrees Celsius"));
+            .then(|| format!("if the number is in kelvin, write {in_celsius}: degrees Celsius"));
     }
     let (_, symbol, size) =
         OF_THE_TRADE.iter().find(|(other, _, _)| core::ptr::eq(*other, measure))?;
     let number = printable_number(value);
     is_within(value * size).then(|| match measure.unit {
         "" => format!("for a percentage write \"{number} {symbol}\""),
-        si => format!("a plain number is in {si}: write \"{number} {symbol}\" if that was meant"),
+        si => format!(
+            "a plain number is in {si}: write \"{number} {symbol}\" if you meant \
+            {symbol}"
+        ),
     })
 }

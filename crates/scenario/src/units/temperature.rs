@@ -37,7 +37,7 @@ pub(crate) fn celsius(text: &str) -> Result<f64, UnitError> {
     }
     if KELVIN.contains(&unit) {
         let help = format!("write degrees Celsius: \"{} degC\"", of_kelvin(number));
-        return Err(UnitError::with_help("a temperature in kelvin is not taken", help));
+        return Err(UnitError::with_help("a temperature in kelvin is not accepted", help));
     }
     let message = format!("`{}` is not a unit of temperature", unit.escape_debug());
     let near = NEAR.iter().find(|(name, _)| *name == unit || name.eq_ignore_ascii_case(unit));

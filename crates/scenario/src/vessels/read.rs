@@ -255,9 +255,10 @@ impl Reading<'_, '_> {
         for name in HERS {
             if let Some(item) = table.item(name) {
                 let error = self.together(table, item, "from");
-                return Err(
-                    error.with_help("remove it: the vessel of `from` has its own particulars")
-                );
+                return Err(error.with_help(
+                    "remove this key: the particulars come from the vessel of \
+                        `from`",
+                ));
             }
         }
         for (part, name) in [("propeller", "diameter"), ("rudder", "area"), ("rudder", "span")] {
@@ -265,7 +266,7 @@ impl Reading<'_, '_> {
             if let Some(item) = inner.item(name) {
                 let error = self.together(inner, item, "from");
                 return Err(error.with_help(
-                    "remove it: the vessel of `from` has its own propeller and rudder",
+                    "remove this key: propeller and rudder come from the vessel of `from`",
                 ));
             }
         }

@@ -64,7 +64,7 @@ pub(super) fn outline(
                 "it is {length_m} m long, but her length between perpendiculars is {} m",
                 ship.length_m
             );
-            Err(complain(message).with_help("give `length_overall` if that is right"))
+            Err(complain(message).with_help("give `length_overall` if this length is right"))
         }
         _ => Ok(Some(points)),
     }

@@ -152,14 +152,16 @@ fn covered(
                 "the angles do not cover the turn{at}: there is no row between {from} and {to}, {width} degrees apart"
             );
             let error = csv.cell_error(one.row, column, message);
-            return Err(error
-                .with_help(format!("at most {WIDEST_DEG} degrees are joined by a straight line")));
+            return Err(
+                error.with_help(format!("gaps of at most {WIDEST_DEG} degrees are interpolated"))
+            );
         }
         if width > GAP * middle {
             gaps.push((
                 one.row,
                 format!(
-                    "a gap of {width} degrees{at}: between the rows of {from} and {to} the forces follow a straight line"
+                    "a gap of {width} degrees{at}: between the rows of {from} and {to} the forces \
+                     are interpolated"
                 ),
             ));
         }

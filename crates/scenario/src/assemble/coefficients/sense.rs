@@ -55,7 +55,7 @@ pub(super) fn check(
         );
         let error = csv.cell_error(row.row, column, message);
         return Err(error.with_help(format!(
-            "the table has another convention: with `convention = \"own\"` say it by {keys}"
+            "the table has another convention: describe it with `convention = \"own\"` by {keys}"
         )));
     }
     let mut odd = Vec::new();
@@ -78,7 +78,8 @@ pub(super) fn check(
                     odd.push((
                         row.row,
                         format!(
-                            "the {name} at {}{at} is {:.2} % of the largest; it is taken as zero, as the other side is its mirror image",
+                            "the {name} at {}{at} is {:.2} % of the largest; it is taken as zero, \
+                             because the other side is the mirror image",
                             given(row),
                             100.0 * share
                         ),
@@ -120,7 +121,8 @@ fn asymmetry(
     Some((
         row.row,
         format!(
-            "at {}{at} the {name} differs from that of the other side by {:.0} % of its largest: is a sign wrong on one side?",
+            "at {}{at} the {name} differs from the other side by {:.0} % of its largest value: is \
+             a sign wrong on one side?",
             given(row),
             100.0 * share
         ),
@@ -149,7 +151,8 @@ fn moment(
         (
             row.row,
             format!(
-                "the moment at {}{at} turns the bow into the current, which hulls seldom do: is it positive with the bow to {words}?",
+                "the moment at {}{at} turns the bow into the current, which is rare for hulls: is \
+                 the moment positive with the bow to {words}?",
                 given(row)
             ),
         )

@@ -126,8 +126,8 @@ impl Assembly<'_, '_> {
                 let gaps = libm::round(length_m / spacing_m);
                 if (gaps * spacing_m - length_m).abs() > 0.01 || gaps + 1.0 > MOST_IN_ROW as f64 {
                     let message = format!(
-                        "`{path}`: the row is {} m long, which is not a multiple of the spacing of {} m, or has more \
-                         than {MOST_IN_ROW} fenders",
+                        "`{path}`: the row is {} m long, which is not a multiple of the spacing of \
+                         {} m, or would have more than {MOST_IN_ROW} fenders",
                         rounded(length_m),
                         rounded(spacing_m)
                     );
@@ -200,7 +200,7 @@ impl Assembly<'_, '_> {
                 shown(to_m)
             );
             let error = self.sources.error(&wall.span, &path, message);
-            return Err(error.with_help("give two corners of the body, in its own axes"));
+            return Err(error.with_help("give two corners of the body, in the axes of the body"));
         };
         let along = (to_m - from_m) * (1.0 / length_m);
         let spacing_m = *row.given("spacing").number();
