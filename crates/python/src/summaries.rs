@@ -327,7 +327,7 @@ fn fenders_table(setup: &Setup, all: Runs<'_>) -> KeptTable {
         names(&rows, "fender", "name of the fender", fenders, |f| f.fender),
         column(
             &rows,
-            ("first_touch_s", "s", "start of the first step in which it was touched"),
+            ("first_touch_s", "s", "start of the first step in which the fender was touched"),
             |f| f.first_touch_s,
         ),
         column(

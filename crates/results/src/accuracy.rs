@@ -37,7 +37,8 @@ pub fn accuracy(origin: &Origin, errors: &[EstimateError]) -> Vec<String> {
     let mut lines: Vec<String> = origin.outside.iter().map(ToString::to_string).collect();
     match route {
         EstimateMethod::Clarke => lines.push(
-            "no vessel like her was found to hold the formulas against: their error is not known"
+            "we found no similar vessel with which to compare the formulas: their error is not \
+             known"
                 .to_owned(),
         ),
         EstimateMethod::YoshimuraMasumoto => lines.extend(errors.iter().map(|error| {

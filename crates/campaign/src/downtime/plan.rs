@@ -122,7 +122,8 @@ impl DowntimePlan {
         }
         if let Some(limit) = limits.iter().find(|limit| limit.name.contains(BETWEEN.trim())) {
             let why = format!(
-                "the name of the limit `{}` has a semicolon, which parts the reasons of the table",
+                "the name of the limit `{}` has a semicolon, which separates the reasons in the \
+                 table",
                 limit.name
             );
             return Err(CampaignError::part("downtime", why));
@@ -163,7 +164,7 @@ impl DowntimePlan {
         let states = self.states.len();
         let kind = |run: usize| if run < states { "state" } else { "hour" }.to_owned();
         all.push((
-            variable("kind", None, "", "a state, or an hour as it is".to_owned()),
+            variable("kind", None, "", "a state, or a single hour".to_owned()),
             Given::Texts((0..runs).map(kind).collect()),
         ));
         if self.weather.is_series() {
@@ -185,7 +186,7 @@ impl DowntimePlan {
                 "state",
                 None,
                 "",
-                "number of the state, or of the state that the hour is in".to_owned(),
+                "number of the state, or of the state to which the hour belongs".to_owned(),
             ),
             Given::Numbers((0..runs).map(|run| number(run) as f64).collect()),
         ));
@@ -194,7 +195,12 @@ impl DowntimePlan {
             None => self.states[run].hours,
         };
         all.push((
-            variable("hours", None, "h", "hours of the weather that the run stands for".to_owned()),
+            variable(
+                "hours",
+                None,
+                "h",
+                "hours of the weather for which the run stands".to_owned(),
+            ),
             Given::Numbers((0..runs).map(hours).collect()),
         ));
         for (index, quantity) in self.weather.quantities.iter().enumerate() {
@@ -212,7 +218,7 @@ impl DowntimePlan {
         agents.dedup();
         for (name, key) in agents.into_iter().filter_map(Agent::seed) {
             all.push((
-                variable(name, Some(key), "", "each run has phases of its own".to_owned()),
+                variable(name, Some(key), "", "each run has other phases".to_owned()),
                 Given::Numbers((0..runs).map(|run| seed_of_run(self.seed, run)).collect()),
             ));
         }

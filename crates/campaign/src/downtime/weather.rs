@@ -50,7 +50,7 @@ impl Weather {
         }
         let count = columns[0].len();
         if count == 0 {
-            return Err(refused(file, "it has no rows below its head"));
+            return Err(refused(file, "the file has no rows below its head"));
         }
         let mut rows: Vec<Vec<f64>> =
             (0..count).map(|row| columns.iter().map(|column| column[row]).collect()).collect();
@@ -81,14 +81,15 @@ impl Weather {
                 let sum: f64 = shares.iter().sum();
                 if (sum - 1.0).abs() > ROUNDED {
                     let why = format!(
-                        "the column `{SHARE}` sums to {sum:.4}: that of a whole year sums to 1"
+                        "the column `{SHARE}` sums to {sum:.4}: for a whole year it must sum to 1"
                     );
                     return Err(refused(file, &why));
                 }
                 hours = shares.iter().map(|share| share / sum * HOURS_OF_A_YEAR).collect();
             }
             [] => {
-                let why = "a series has a column `time` or `t_s`, a scatter diagram `hours` or `share`: there is none of them";
+                let why = "a series has a column `time` or `t_s`, a scatter diagram a column \
+                    `hours` or `share`: the file has none of these";
                 return Err(refused(file, why));
             }
             _ => {
@@ -188,8 +189,8 @@ fn quantities(table: &Table) -> Result<Vec<&'static Quantity>, CampaignError> {
         }
     }
     if found.iter().all(|own| own.agent == Agent::Level) {
-        let why =
-            "it has neither waves (hs_m), wind (wind_speed_mps) nor current (current_speed_mps)";
+        let why = "the file has neither waves (hs_m), wind (wind_speed_mps) nor current \
+             (current_speed_mps)";
         return Err(refused(table.path(), why));
     }
     Ok(found)
@@ -229,7 +230,7 @@ fn dates(table: &Table) -> Result<Vec<Time>, CampaignError> {
 /// The hours that each row of a series stands for: its step.
 fn steps(table: &Table, column: &str, times_s: &[f64]) -> Result<Vec<f64>, CampaignError> {
     let [first_s, second_s, ..] = times_s else {
-        return Err(refused(table.path(), "a series has two rows at least"));
+        return Err(refused(table.path(), "a series needs at least two rows"));
     };
     let step_s = second_s - first_s;
     for (row, pair) in times_s.windows(2).enumerate() {
@@ -239,7 +240,7 @@ fn steps(table: &Table, column: &str, times_s: &[f64]) -> Result<Vec<f64>, Campa
                 table,
                 column,
                 row + 1,
-                "it is not later than the row before".to_owned(),
+                "the row is not later than the row before".to_owned(),
             ));
         }
         // Steps are compared to a second.

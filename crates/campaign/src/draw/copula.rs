@@ -36,7 +36,11 @@ impl Copula {
             let left = 1.0 - own.iter().map(|a| a * a).sum::<f64>();
             // Less is rounding: one of the variables would be a function of the others.
             if left < 1e-12 {
-                return Err("the matrix of the correlations is not positive definite: no variables have all of them".to_owned());
+                return Err(
+                    "the matrix of the correlations is not positive definite: no variables \
+                    can have all these correlations"
+                        .to_owned(),
+                );
             }
             own.push(libm::sqrt(left));
             factor.push(own);

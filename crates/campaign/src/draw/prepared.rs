@@ -344,7 +344,8 @@ fn formulas(
             let name = format!("variable.{}.expression", variables[waiting[0].0].name);
             return Err(CampaignError::part(
                 name,
-                "it needs a formula that needs it: there is no order to compute them",
+                "the formula needs another formula that needs this formula: there is no order to \
+                 compute them",
             ));
         };
         ordered.push(waiting.remove(ready));

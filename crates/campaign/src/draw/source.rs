@@ -177,8 +177,8 @@ pub(super) fn source(
             let target = with_unit(variable, target, unit)?;
             if target.unit.is_empty() && !target.is_plain && !target.keys.is_empty() {
                 let why = format!(
-                    "column `{column}` of {} has no unit: write it in its head, as in `{column} [cm/s]`, or give `unit`; \
-                     `unit = \"\"` says that the numbers have none",
+                    "column `{column}` of {} has no unit: write it in its head, as in `{column} \
+                     [cm/s]`, or give `unit`; `unit = \"\"` means plain numbers",
                     file.display()
                 );
                 return Err(CampaignError::part(format!("variable.{}", variable.name), why));

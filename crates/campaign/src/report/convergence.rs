@@ -22,8 +22,8 @@ pub(super) fn section(outputs: &[Output<'_>], asked: &Asked) -> Markup {
     html! {
         @if !charts.is_empty() {
             h2 { "Convergence" }
-            p { "Each line is the estimate of the first runs. Where it still moves, or its band is wider than the answer needs, more runs \
-                are due." }
+            p { "Each line is the estimate of the first runs. If the line still moves at the end, \
+                or its band is wider than you need, make more runs." }
             @for chart in charts { (chart.render()) }
         }
     }

@@ -134,7 +134,8 @@ fn provenance(campaign: &Campaign<'_>) -> maud::Markup {
         ul class="plain" {
             li { "Plan: " (campaign.plan) ". The same file gives the same runs, bit for bit." }
             @for notice in campaign.notices { li { "Notice of the scenario: " (notice) } }
-            li { "What a ship's or a fender's data are from, and what is estimated, is in the report of a single run (" code { (replay) } " and the like)." }
+            li { "The sources of the data of ships and fenders, and the estimates, are in the \
+                report of a single run (" code { (replay) } " and the like)." }
         }
     }
 }
@@ -218,7 +219,9 @@ fn section(output: &Output<'_>, limits: &[Limit]) -> maud::Markup {
             Ok(findings) => {
                 p class="note" { (column::counts(output.head, output.missing, findings)) }
                 @if output.apart > 0 {
-                    p class="note" { (output.apart) " further runs have 0: nothing was touched, or the run ended before the ship arrived (a longer time.duration shows which). The statistics are of the others"
+                    p class="note" { (output.apart) " further runs have 0: nothing was touched, or \
+                        the run ended before the ship arrived (a longer time.duration shows \
+                        which). The statistics are of the other runs"
                         @if let Some(traffic) = output.asked.traffic { ", of which there are " (words::number(traffic.per_year())) " a year" }
                         "." }
                 }

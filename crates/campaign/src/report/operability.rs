@@ -56,8 +56,9 @@ pub(super) fn section(campaign: &Campaign<'_>, verdicts: &Verdicts) -> Result<Ma
     Ok(html! {
         h2 { "Operability" }
         @match campaign.success {
-            None => p { "A run succeeds where its verdict is “all well” or a note: no limit was exceeded and nothing is in doubt." },
-            Some(name) => p { "A run succeeds where the output “" (name.replace('_', " ")) "” of the campaign's file is 1." },
+            None => p { "A run succeeds if its verdict is “all well” or a note: no limit was \
+                exceeded and nothing is in doubt." },
+            Some(name) => p { "A run succeeds if the output “" (name.replace('_', " ")) "” of the campaign's file is 1." },
         }
         ul class="plain" { @for (required, limit) in limits { li { (sentence(required, limit, &unit)) } } }
         (rose(&runs, &rings, &unit).render())
@@ -107,7 +108,8 @@ fn rose(runs: &[(f64, f64, bool)], edges: &Edges, unit: &str) -> Rose {
         0..=20 => {
             let interval = binomial(fewest, fewest.max(1), Confidence::USUAL).interval;
             format!(
-                "Some sectors have {} only: even where all of those succeed, the probability may be {} %.",
+                "Some sectors have only {}: even if all of these succeed, the true probability may \
+                 be {} %.",
                 counted(fewest as u64, "run", "runs"),
                 fixed(100.0 * interval.low, 0)
             )
@@ -115,7 +117,7 @@ fn rose(runs: &[(f64, f64, bool)], edges: &Edges, unit: &str) -> Rose {
         _ => format!("Each sector has {fewest} runs or more."),
     };
     Rose {
-        title: "Success by the direction that the wind comes from, and by its speed".to_owned(),
+        title: "Success by the direction from which the wind comes, and by its speed".to_owned(),
         rings: counts.iter().enumerate().map(ring).collect(),
         quantity: "share of runs that succeed".to_owned(),
         note,

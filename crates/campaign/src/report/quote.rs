@@ -20,7 +20,8 @@ pub struct Quote {
 }
 
 /// What may be quoted: of the laws of all values that nothing speaks against the one with the smallest criterion of Akaike; where there
-/// is none, the law of the values over the threshold, if nothing speaks against it; else the data themselves. `unit` is that of the column.
+/// is none, the law of the values over the threshold, if the data do not contradict it; else the data themselves.
+/// `unit` is that of the column.
 #[must_use]
 pub fn quote(findings: &Findings, unit: &str) -> Option<Quote> {
     let row = quoted_row(&findings.rows)?;
@@ -38,20 +39,23 @@ pub fn quote(findings: &Findings, unit: &str) -> Option<Quote> {
         }
         let title = fit.law.title();
         let why = match (fit.law, &objections[..]) {
-            (Law::Pareto, []) => "nothing speaks against it".to_owned(),
+            (Law::Pareto, []) => "the data do not contradict it".to_owned(),
             (Law::Pareto, all) => format!("no law of all values may be quoted ({})", listed(all)),
             (_, []) => {
-                "of the fitted laws it has the smallest AIC, and the data do not speak against it"
+                "of the fitted laws it has the smallest AIC, and the data do not contradict it"
                     .to_owned()
             }
             (_, all) => format!(
-                "it has the smallest AIC of the laws that the data do not speak against ({})",
+                "it has the smallest AIC of the laws that the data do not contradict ({})",
                 listed(all)
             ),
         };
         let beyond = match row.by_data.value {
             Some(_) => "",
-            None => " The runs do not reach this level: the value holds only if the law does.",
+            None => {
+                " The runs do not reach this level: the value is right only if the law is \
+                right there."
+            }
         };
         let sentence = format!(
             "Quote the law {title}: {why}. Its value of {} is {}.{beyond}",
@@ -99,13 +103,13 @@ fn of_data(findings: &Findings, unit: &str) -> String {
             with_unit(&words::by_data(&row.by_data), unit)
         ),
         None => format!(
-            "The {} values do not reach the levels that are asked for either: make more runs.",
+            "The {} values do not reach the required levels either: make more runs.",
             findings.sample.count()
         ),
     }
 }
 
-/// Why a law may not be quoted, in words that follow its name; `None` if nothing speaks against it.
+/// Why a law may not be quoted, in words that follow its name; `None` if the data do not contradict it.
 fn objection(findings: &Findings, place: usize, fit: &Fit) -> Option<String> {
     if fit.is_rejected() {
         return Some("rejected by the data (Kolmogorov and Smirnov, 1 %)".to_owned());
@@ -118,7 +122,7 @@ fn objection(findings: &Findings, place: usize, fit: &Fit) -> Option<String> {
             let above = words::number(tail.above);
             let expected = fixed(expected, 0);
             return Some(format!(
-                "with {expected} values above {above}, where the data have {count}"
+                "it expects {expected} values above {above}, but the data have {count}"
             ));
         }
     }

@@ -34,7 +34,7 @@ pub(super) fn section(table: &Table) -> Result<Markup, TableError> {
     let drawn = thinned(pairs);
     let note = if drawn.len() < count {
         format!(
-            "{} of {count} runs are drawn, the {HIGHEST} of the largest energy among them.",
+            "{} of {count} runs are drawn, including the {HIGHEST} with the largest energy.",
             drawn.len()
         )
     } else {
@@ -55,8 +55,8 @@ pub(super) fn section(table: &Table) -> Result<Markup, TableError> {
     };
     Ok(html! {
         h2 { "Beside the formula" }
-        p { "In " (fixed(100.0 * above as f64 / count as f64, 1)) " % of the runs one fender took more than the formula gives for \
-            the whole berthing with the same inputs."
+        p { "In " (fixed(100.0 * above as f64 / count as f64, 1)) " % of the runs one fender took \
+            more energy than the formula gives for the whole berthing with the same inputs."
             @if let Some(median) = ratios.get(ratios.len() / 2) {
                 " Half of the runs had less than " (significant(*median, 3)) " times the formula's energy, the largest ratio is "
                 (significant(ratios[ratios.len() - 1], 3)) "."

@@ -79,7 +79,7 @@ impl Verdicts {
             } }
             @if failed > 0 {
                 p { strong class="over" { (fixed(failed as f64, 0)) " runs could not be made" }
-                    " and are in no statistics below. The column `error` has their reasons." }
+                    " and are not in the statistics below. The column `error` has the reasons." }
             }
         }
     }

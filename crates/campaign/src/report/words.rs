@@ -99,7 +99,7 @@ pub fn remarks(findings: &Findings) -> Vec<String> {
         fits().filter(|(_, fit)| fit.is_rejected()).map(|(_, fit)| fit.law.title()).collect();
     if !rejected.is_empty() {
         all.push(format!(
-            "the data speak against {} (Kolmogorov and Smirnov, 1 %): its design values mean nothing",
+            "the data contradict {} (Kolmogorov and Smirnov, 1 %): its design values mean nothing",
             rejected.join(", ")
         ));
     }
@@ -107,7 +107,8 @@ pub fn remarks(findings: &Findings) -> Vec<String> {
     let rarest = findings.rows.iter().map(|row| row.exceedance).fold(1.0, lesser);
     if rarest < reach && !sample.is_weighted() {
         all.push(format!(
-            "{} is rarer than {} values can show: there only a law speaks, and the laws differ",
+            "{} is rarer than {} values can show: only the fitted laws give values there, and the \
+             laws differ",
             one_in(rarest),
             sample.count()
         ));

@@ -230,7 +230,7 @@ fn lock(folder: &Path) -> Result<File, CampaignError> {
         Ok(()) => Ok(file),
         Err(fs::TryLockError::WouldBlock) => Err(CampaignError::folder(
             folder,
-            "another program writes here; give each shard a folder of its own",
+            "another program writes here; give each shard another folder",
         )),
         Err(fs::TryLockError::Error(error)) => Err(CampaignError::disk(&path, &error)),
     }
@@ -314,14 +314,14 @@ fn read_manifest(path: &Path) -> Result<Option<Manifest>, CampaignError> {
 /// The manifest and the journal of a share, to be merged.
 pub(super) fn open_share(folder: &Path, runs: &Runs) -> Result<(Shard, Journal), CampaignError> {
     let Some(manifest) = read_manifest(&folder.join(MANIFEST))? else {
-        return Err(CampaignError::folder(folder, "there is no share of a campaign"));
+        return Err(CampaignError::folder(folder, "the folder holds no share of a campaign"));
     };
     manifest.check(runs, manifest.shard, folder)?;
     let path = folder.join(JOURNAL);
     if !path.exists() {
         return Err(CampaignError::folder(
             folder,
-            "it has no rows: its campaign is whole, or did not begin",
+            "the folder has no rows: its campaign is not a share, or did not begin",
         ));
     }
     // Nobody may append while it is read.

@@ -222,7 +222,7 @@ impl Reader<'_> {
         // Runs end nearly in order: most jumps stay within the buffer.
         self.file.seek_relative(start as i64 - self.at as i64).map_err(failed)?;
         let Some((row, length)) = next(&mut self.file).map_err(failed)? else {
-            return Err(CampaignError::folder(path, "a record that was good is damaged now"));
+            return Err(CampaignError::folder(path, "a record that was intact is now damaged"));
         };
         self.at = start + length;
         Ok(Some(row))

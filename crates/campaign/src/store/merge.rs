@@ -23,8 +23,11 @@ pub fn merge(runs: &Runs, folders: &[PathBuf], out: &Path) -> Result<(), Campaig
                 .resize_with(usize::try_from(shard.of).unwrap_or(usize::MAX).min(1 << 20), || None);
         }
         if shard.of != shares.len() as u64 {
-            let why =
-                format!("it is one of {} shards, the first one of {}", shard.of, shares.len());
+            let why = format!(
+                "it is one of {} shards, but the first folder is one of {}",
+                shard.of,
+                shares.len()
+            );
             return Err(CampaignError::folder(folder, why));
         }
         let wanted = shard.count(runs.count());

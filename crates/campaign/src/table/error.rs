@@ -119,12 +119,13 @@ impl fmt::Display for TableError {
             }
             TableFault::UnequalLines { line, cells, heads } => write!(
                 f,
-                "{path}:{line}: the number of cells, {cells}, is not that of the columns, {heads}; with decimal commas, put semicolons between \
-                 the columns"
+                "{path}:{line}: the row has {cells} cells, but the file has {heads} columns; with \
+                 decimal commas, put semicolons between the columns"
             ),
             TableFault::NotANumber { column, line, text } => write!(
                 f,
-                "{path}:{line}: column `{}`: `{}` is not a number; leave the cell empty where there is none",
+                "{path}:{line}: column `{}`: `{}` is not a number; leave the cell empty if there \
+                 is no number",
                 cut(column),
                 cut(text)
             ),

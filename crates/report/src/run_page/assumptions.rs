@@ -71,7 +71,7 @@ fn ships(setup: &Setup) -> Markup {
                     (fixed(100.0 * mass.added_sway_kg / mass.mass_kg, 0))
                     " % in sway (virtual mass factor C" sub { "m" } " " (fixed(1.0 + mass.added_sway_kg / mass.mass_kg, 2))
                     @if let Some(ratio) = extrapolated(setup, index) {
-                        ", by our extrapolation: she has " (fixed(ratio, 2)) " draughts of water, and published tests end at "
+                        ", by our extrapolation: the ship has " (fixed(ratio, 2)) " draughts of water, and published tests end at "
                         (PUBLISHED_RATIO)
                     }
                     "); radius of gyration " (plain(libm::sqrt(mass.yaw_inertia_kgm2 / mass.mass_kg), 3)) "\u{a0}m"

@@ -27,7 +27,8 @@ pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
     html! {
         h2 { "Branches side by side" }
         p {
-            "Each branch from the start of the session to its own end. This report is that of "
+            "Each branch is shown from the start of the session to the end of the branch. This \
+             report is of "
             strong { (name(session.branch)) } "."
         }
         (table(all, session.branch))
@@ -140,7 +141,8 @@ fn plan(outcome: &Outcome<'_>, all: &[BranchOutcome]) -> Markup {
         Some(Label { text: title(of.id), place })
     });
     let plan = Plan {
-        title: "The ship in each branch: her way, and her hull at its end".to_owned(),
+        title: "The ship in each branch: her track, and her hull at the end of the branch"
+            .to_owned(),
         frame,
         outlines: fixed_bodies.chain(hulls).collect(),
         fenders: Vec::new(),

@@ -138,7 +138,9 @@ impl<'a> Charts<'a> {
             [pair] => self.rebound(pair),
             _ => None,
         });
-        chart.note = "After the contact the speed is that along the last normal, at the last point of contact.".to_owned();
+        chart.note = "After the contact, the speed is measured along the last normal, at the last \
+            point of contact."
+            .to_owned();
         chart.render()
     }
 

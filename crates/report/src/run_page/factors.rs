@@ -22,7 +22,8 @@ pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
     html! {
         @if !factors.is_empty() {
             h3 { "Partial factors" }
-            p { "The factors are the scenario's own, of " (factors.source) ". fenderline claims none." }
+            p { "The factors come from the scenario, with the source " (factors.source) ". \
+                fenderline has no factors of its own." }
             div class="wide" {
                 table {
                     (table_head(&[

@@ -230,17 +230,20 @@ fn method_notes(outcome: &Outcome<'_>) -> Markup {
             li {
                 "Energy: the kinetic energy at the start plus the work of the loads equals the kinetic energy at "
                 "the end plus the work done against contact forces. Work is force times the mean velocity of the "
-                "step, so that this balance is exact. Its residual is rounding and, where surge and sway have "
+                "step, so this balance is exact. The residual is rounding and, if surge and sway \
+                 have "
                 "different added mass, the integration error of the Coriolis terms. Energy taken by contact forces "
                 "is stored, lost to restitution, damping and friction, or is a numerical loss or gain of method and "
-                "time step. That part decreases with the step, except where outlines meet in a corner, "
+                "time step. The numerical part decreases with the step, except where outlines meet \
+                 in a corner, "
                 "because the contact law there has no potential."
             }
             @if !outcome.setup.fenders.is_empty() {
                 li {
                     "The force of a fender is the gradient of its stored energy: its reaction at the mean "
                     "deflection over its width, times the factor that speed, angle, temperature and "
-                    "tolerance gave at the first touch. Its energy is the integral of its reaction. Beyond its travel its "
+                    "tolerance gave at the first touch. The energy is the integral of the \
+                     reaction. Beyond the fender's travel the "
                     "stop acts, then the structure behind it."
                 }
             }
@@ -251,15 +254,16 @@ fn method_notes(outcome: &Outcome<'_>) -> Markup {
 fn paper_notes(step_s: f64) -> Markup {
     html! {
         li {
-            "Paper method: the limiter treats each pair on its own, without the other contacts and the "
-            "loads. Where a body rests on several others at once, or is pressed by a steady load, "
+            "Paper method: the limiter treats each pair separately, without the other contacts and \
+             the "
+            "loads. If a body rests on several other bodies at once, or a steady load presses it, "
             "depth and rebound may be wrong (docs/contact_model.md, section 5). The limiter uses the mass "
             "with the smallest added mass."
         }
         li {
-            "Forces are those at the start of the time step over which they act (" (step_s)
+            "Forces are computed at the start of the time step over which they act (" (step_s)
             " s here). The peak rises and the contact shortens with a smaller step, while the "
-            "impulse stays; compare two steps before a peak is used in design."
+            "impulse stays the same; compare two steps before you use a peak in design."
         }
     }
 }
@@ -269,7 +273,7 @@ fn coupled_notes(step_s: f64) -> Markup {
         li {
             "Coupled method: the forces of all contacts of a step are solved together, with the "
             "external loads and the full mass matrix of each body, so that several fenders "
-            "share one rebound and a steady load is held at its static depth."
+            "share one rebound and a steady load is held at the static deflection."
         }
         li {
             "Forces in the charts are means over the time step (" (step_s) " s here). If it is "

@@ -55,7 +55,7 @@ pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
         @for group in &groups { (sight.face(group).render()) }
         @if left > 0 {
             p class="note" {
-                "Drawn are the faces with the most fenders; " (left) " more "
+                "The drawing shows the faces with the most fenders; " (left) " more "
                 @if left == 1 { "has" } @else { "have" } " fenders."
             }
         }

@@ -146,14 +146,15 @@ pub(crate) fn contacts_table() -> Layout<ContactRow> {
         float(
             "normal_work_j",
             "J",
-            "work of the normal force on the bodies in the interval; the first row of a pair or fender has the work of all its \
-             patches, the others 0",
+            "work of the normal force on the bodies in the interval; the first row of a pair or \
+             fender has the work of all its patches, the other rows 0",
             |r| r.work_j[0],
         ),
         float(
             "tangential_work_j",
             "J",
-            "work of the tangential force on the bodies in the interval, in the same rows",
+            "work of the tangential force on the bodies in the interval, in the same rows as the \
+             work of the normal force",
             |r| r.work_j[1],
         ),
     ];

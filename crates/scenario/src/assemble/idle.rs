@@ -144,7 +144,11 @@ impl Assembly<'_, '_> {
                 continue;
             }
             if table.item("hydrodynamics").is_some() {
-                self.note_idle(table, "stability", "the stability data of `hydrodynamics` are used");
+                self.note_idle(
+                    table,
+                    "stability",
+                    "the stability data of `hydrodynamics` are used",
+                );
             }
             if !has_waves {
                 self.note_idle(table, "wave_response", "`[environment]` has no `waves`");

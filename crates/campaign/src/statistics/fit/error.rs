@@ -43,10 +43,11 @@ impl fmt::Display for FitFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             FitFault::TooFew { count, needed } => {
-                write!(f, "there are {count} of the {needed} values that are needed at least")
+                write!(f, "there are {count} values, but at least {needed} are needed")
             }
             FitFault::NotPositive { least, count } => {
-                write!(f, "it has positive values only; of these {count} are not, the smallest is {least}")
+                write!(f, "the law has positive values only; {count} of the values are not \
+                    positive, the smallest is {least}")
             }
             FitFault::Constant => f.write_str("all values are equal"),
             FitFault::NoThreshold => f.write_str("it needs a threshold"),

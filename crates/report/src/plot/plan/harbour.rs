@@ -251,7 +251,7 @@ pub fn harbour_legend([has_lines, has_tugs, has_banks, has_passing]: [bool; 4]) 
                     svg width="30" height="12" viewBox="0 0 30 12" aria-hidden="true" {
                         path d="M28,6L21,11H4V1H21Z" fill="#f6d34a" stroke="#222" {}
                     }
-                    "tug, her bow where she pushes (not to scale; white: standing by)"
+                    "tug, with the bow at the place of pushing (not to scale; white: standing by)"
                 }
             }
             @if has_banks {

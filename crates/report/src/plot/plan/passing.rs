@@ -36,7 +36,7 @@ pub(super) fn legend() -> Markup {
                 path d="M1,6H29" fill="none" stroke=(stroke) stroke-width="1.2" stroke-dasharray="8 3 2 3" {}
                 path d="M5,3H21L26,6L21,9H5Z" fill=(fill) stroke=(stroke) {}
             }
-            "passing ship where she is nearest, and her track"
+            "passing ship at the nearest point, and track"
         }
     }
 }

@@ -35,7 +35,7 @@ pub struct Section {
     pub chains: Vec<(Chain, String)>,
     /// A round body without a panel, as a pneumatic fender has; `false`: a panel before a body.
     pub is_round: bool,
-    /// It floats: its height follows the water.
+    /// The fender floats: its height follows the water.
     pub is_floating: bool,
 }
 
@@ -213,7 +213,7 @@ impl Section {
             format!("Projection {} m", plain(self.projection_m, 3)),
         ];
         if self.is_floating {
-            all.push("It floats: its height follows the water".to_owned());
+            all.push("The fender floats: its height follows the water".to_owned());
         }
         if self.deflection_m > 0.0 {
             all.push(format!("Largest deflection {} m, as drawn", plain(self.deflection_m, 3)));

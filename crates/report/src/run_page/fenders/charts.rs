@@ -200,14 +200,12 @@ fn diagram(fender: &FenderSetup, summary: &FenderSummary, trace: &FenderTrace) -
         ));
     }
     if fender.panel.is_some() {
-        note.push_str(
-            " The deflection is that of the most compressed cone, the reaction that of all.",
-        );
+        note.push_str(" The deflection is of the most compressed cone, the reaction of all cones.");
     }
     if fender.law == FenderLaw::Area {
         note.push_str(
-            " The deflection is that of the deepest point of the face. The reaction follows from the overlap of the whole face, \
-             and is less if the hull is at an angle.",
+            " The deflection is of the deepest point of the face. The reaction follows from the \
+             overlap of the whole face, and is less if the hull is at an angle.",
         );
     }
     if let Some(rated) = fender.rated {

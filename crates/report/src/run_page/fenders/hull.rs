@@ -39,8 +39,10 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
         }
         (more(all.len()))
         p class="note" {
-            "Height: above the keel of a floating body, above datum of a fixed one, at the first touch. Flare: how far her side leans "
-            "out over the fender, negative where it leans in. Vertical force: positive up, a mean over a time step."
+            "Height: above the keel of a floating body, above datum of a fixed one, at the first \
+             touch. Flare: how far the ship's side leans "
+            "out over the fender, negative if it leans in. Vertical force: positive up, a mean \
+             over a time step."
         }
     }
 }

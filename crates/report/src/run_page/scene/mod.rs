@@ -139,7 +139,7 @@ fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Ma
     let note = if setup.bodies.len() > drawn.len() {
         format!("{} of {} bodies are drawn.", drawn.len(), setup.bodies.len())
     } else if berth.is_some() {
-        "The whole scene is among the plan views.".to_owned()
+        "One of the plan views shows the whole scene.".to_owned()
     } else {
         String::new()
     };
@@ -315,8 +315,8 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
         arrows: vec![arrow],
         labels: names(outcome, shown).into_iter().chain(labels).collect(),
         note: format!(
-            "N is the force on {}{}: a mean over the time step. The {} is that at the start of the step. \
-             The tables have the peaks within steps.",
+            "N is the force on {}{}: a mean over the time step. The {} is the value at the start \
+             of the step. The tables have the peaks within steps.",
             bodies[1].name,
             // A fender of a dolphin often has the dolphin's name.
             by.filter(|name| *name != bodies[1].name)

@@ -58,8 +58,9 @@ pub(super) fn degrees_of_freedom(setup: &Setup) -> String {
     if !without.is_empty() {
         let _ = write!(
             text,
-            "Without hydrodynamic data ({}): heave, roll and pitch are oscillators beside the motion in the plane; they do not move \
-             fairleads or contact points, and waves push by their mean drift alone.",
+            "Without hydrodynamic data ({}): heave, roll and pitch are oscillators that do not act \
+             on the motion in the plane; they do not move fairleads or contact points, and waves \
+             push only by their mean drift.",
             without.join(", ")
         );
     }
