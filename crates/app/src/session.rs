@@ -86,8 +86,8 @@ fn refuse_changes(overrides: &[Override]) -> Result<(), Failure> {
     match physical.map(|path| path.join(".")).next() {
         None => Ok(()),
         Some(key) => Err(Failure::input(format_args!(
-            "error: `{key}` cannot be changed: a recorded session is repeated as it was; only keys of `output` and \
-             `report` can be set"
+            "error: `{key}` cannot be changed: a recorded session is replayed without changes; \
+             only keys of `output` and `report` can be set"
         ))),
     }
 }

@@ -113,7 +113,7 @@ impl fmt::Display for EngineError {
                 })
             }
             EngineError::NotRecorded => {
-                f.write_str("the engine is not recorded: ask for it before the steps")
+                f.write_str("the engine is not recorded: start the recording before the steps")
             }
             EngineError::Dump(RestoreError::NotASnapshot) => {
                 f.write_str("these bytes are not a dump of an engine")
@@ -125,7 +125,7 @@ impl fmt::Display for EngineError {
                 write!(f, "dumps of version {found} are not supported")
             }
             EngineError::Dump(RestoreError::Checksum) => {
-                f.write_str("the dump's checksum does not match: it was changed or cut")
+                f.write_str("the dump's checksum does not match: the dump was changed or cut")
             }
             EngineError::Dump(_) => f.write_str("the dump is truncated or has impossible content"),
             EngineError::DumpVersion { library } => {

@@ -135,17 +135,18 @@ pub(crate) fn add_states(table: &mut Table, setup: &Setup) {
         table.group("AngularDisplacement", format!("{name}.heading"), &[heading]);
         table.group("LinearVelocity", format!("{name}.velocity"), &velocity);
         table.group("AngularVelocity", format!("{name}.rate_of_turn"), &[turn]);
-        let what = "counter of repositionings. Increase it when the master sets the body to a new position \
-                    instead of moving it there: the state of that step is then the new position, its \
-                    contacts start anew, and overlapping bodies are pushed apart slowly";
+        let what = "counter of repositionings. Increase the counter when the master sets the body \
+            to a new position instead of moving it there: the state of this step is then the new \
+            position, the body's contacts start anew, and overlapping bodies are pushed apart \
+            slowly";
         let input = Input::Placed(body);
         let range = Some([0.0, f64::from(i32::MAX)]);
         let name_of = format!("body.{name}.reposition_count");
         let row =
             Row { name: name_of, description: what, unit: Unit::One, start: 0.0, range, input };
         add(table, row);
-        let about = "all forces on the body other than contact; read where host.loads_connected is true or \
-                     host.following is false";
+        let about = "all forces on the body other than contact; read if host.loads_connected is \
+            true or host.following is false";
         add_loads(table, (body, of), "load", about);
     }
 }
@@ -213,7 +214,7 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
                 at_start,
                 Input::Rudder(index),
             );
-            let what = "revolutions ordered over full ones, positive ahead";
+            let what = "ordered revolutions over full revolutions, positive ahead";
             let at_start = bounded(vessel.shaft.value / vessel.shaft.stop, -1.0, 1.0);
             let at_start = if at_start.is_finite() { at_start } else { 0.0 };
             row(
@@ -227,7 +228,7 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
         }
         for (unit, thruster) in vessel.thrusters.iter().enumerate() {
             let field = format!("thruster.{}.order", thruster.name);
-            let what = "thrust ordered over the largest, positive to starboard";
+            let what = "ordered thrust over the largest thrust, positive to starboard";
             row(
                 &field,
                 what,

@@ -58,7 +58,7 @@ pub(crate) static INTEGRATION: Enumeration = Enumeration {
     description: "how the host moves its bodies",
     items: &[
         ("forward_euler", "positions with the old velocities, then velocities"),
-        ("semi_implicit", "velocities, then positions with the new ones"),
+        ("semi_implicit", "velocities, then positions with the new velocities"),
     ],
 };
 

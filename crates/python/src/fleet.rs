@@ -78,7 +78,7 @@ impl Fleet {
         let wanted = self.runs.len() * self.common.controls.len();
         let values = self.controls.read(py, <[f64]>::to_vec)?;
         if values.len() != wanted {
-            return Err(errors::bad_argument("the array of controls has another shape"));
+            return Err(errors::bad_argument("the array of controls has a wrong shape"));
         }
         if let Some(reason) = Run::refused(&self.common.controls, &values) {
             return Err(errors::refused(py, reason));
@@ -195,8 +195,8 @@ impl Fleet {
     /// A fleet is not sent to other processes: it fills their place.
     fn __reduce__(&self) -> PyResult<()> {
         Err(PyTypeError::new_err(
-            "a Fleet can be neither pickled nor copied: send its scenario and variants, and make a Fleet of them there; \
-             a Simulation can be pickled",
+            "a Fleet can be neither pickled nor copied: send the scenario and the variants, and \
+             make a Fleet of them there; a Simulation can be pickled",
         ))
     }
 
