@@ -8,7 +8,7 @@ use crate::row::Head;
 /// A limit of an output.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
-    /// Its name.
+    /// Name of the limit.
     pub name: String,
     /// Column of the output.
     pub output: String,

@@ -75,20 +75,20 @@ pub struct Dump {
 /// How a recorded step ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DumpedOutcome {
-    /// It was taken; the hash of its results.
+    /// The step was taken; the hash of its results.
     Done(u64),
-    /// It was refused with an error.
+    /// The step was refused with an error.
     Refused,
-    /// It did not end: the library panicked, or the process ended.
+    /// The step did not end: the library panicked, or the process ended.
     Unfinished,
 }
 
 /// A step that was replayed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DumpedStep {
-    /// Its length (s).
+    /// Length of the step (s).
     pub step_s: f64,
-    /// How it ended when it was recorded.
+    /// How the step ended when it was recorded.
     pub outcome: DumpedOutcome,
     /// The error of the replay.
     pub error: Option<EngineError>,

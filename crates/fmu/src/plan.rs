@@ -31,9 +31,9 @@ pub struct Plan {
 pub enum PlanError {
     /// The scenario is invalid.
     Bundle(BundleError),
-    /// It cannot be run, with the reason.
+    /// The scenario cannot be run, with the reason.
     Setup(String),
-    /// It starts other programs, which an FMU cannot.
+    /// The scenario starts other programs, which an FMU cannot.
     Providers,
 }
 

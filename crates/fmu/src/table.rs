@@ -83,7 +83,7 @@ pub enum Causality {
 pub struct Variable {
     /// Unique name.
     pub name: String,
-    /// What it is.
+    /// What the variable is.
     pub description: String,
     /// Unit.
     pub unit: Unit,

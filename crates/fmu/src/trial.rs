@@ -18,9 +18,9 @@ pub enum TrialError {
     Folder(String),
     /// The system does not load it, with the system's reason.
     NotLoaded(String),
-    /// It lacks a function of the standard.
+    /// The library lacks a function of the standard.
     Lacks(&'static str),
-    /// It makes no instance, with its message.
+    /// The library makes no instance, with its message.
     Refused(String),
 }
 

@@ -10,9 +10,9 @@ pub struct BranchOutcome {
     pub id: usize,
     /// The branch from which it goes off; `None` for the first.
     pub parent: Option<usize>,
-    /// When it goes off (s).
+    /// When the branch goes off (s).
     pub from_s: f64,
-    /// Its end (s).
+    /// End of the branch (s).
     pub ends_s: f64,
     /// The verdict on the run up to there.
     pub verdict: Verdict,

@@ -56,7 +56,7 @@ pub struct Outcome<'a> {
     pub setup: &'a Setup,
     /// Notices of the scenario.
     pub notices: &'a [String],
-    /// Where it was interrupted, if it was.
+    /// Where the run was interrupted, if it was.
     pub interrupted: Option<Interrupted>,
     /// Number of steps taken.
     pub steps: u64,

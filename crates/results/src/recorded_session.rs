@@ -22,15 +22,16 @@ pub struct RecordedSession {
 /// A line of the log of a session.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LogLine {
-    /// When it was, or began (s).
+    /// When the entry was, or began (s).
     pub t_s: f64,
-    /// When it ended (s); `None` for what has no length, and for an alarm whose cause was active at the end.
+    /// When the entry ended (s); `None` for what has no length, and for an alarm whose cause was active at
+    /// the end.
     pub until_s: Option<f64>,
-    /// Its kind.
+    /// Kind of the entry.
     pub kind: LogKind,
     /// Who gave the command, acknowledged or dropped the note; empty for what happened.
     pub who: String,
-    /// What it was.
+    /// What the entry was.
     pub text: String,
     /// When an alarm was acknowledged (s), and by whom; `None` if nobody did, and for all else.
     pub acknowledged: Option<(f64, String)>,

@@ -30,14 +30,14 @@ pub enum FileFault {
         /// Its text.
         text: String,
     },
-    /// It is not a regular file; says what it is, as "a named pipe".
+    /// The file is not a regular file; says what it is, as "a named pipe".
     NotRegular(&'static str),
-    /// It is larger than the caller allows.
+    /// The file is larger than the caller allows.
     TooLarge {
         /// The largest size allowed (bytes).
         largest_bytes: u64,
     },
-    /// It is not UTF-8 text.
+    /// The file is not UTF-8 text.
     NotText {
         /// The first line that is not, from 1.
         line: usize,

@@ -14,7 +14,7 @@ pub(crate) struct Table {
     pub(crate) spec: &'static TableSpec,
     /// Dotted path of the table; empty for the whole file.
     pub(crate) path: String,
-    /// Its header, or the whole of an inline table.
+    /// Header of the table, or the whole of an inline table.
     pub(crate) span: Span,
     pub(crate) items: Vec<Item>,
 }

@@ -176,7 +176,7 @@ impl std::error::Error for ScenarioError {}
 /// A warning about a scenario that can be run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Notice {
-    /// Where it points.
+    /// Where the warning points.
     pub place: Place,
     /// Dotted path of the key that it is about.
     pub key: String,

@@ -11,9 +11,9 @@ use crate::units::Measure;
 pub(crate) struct TableSpec {
     /// What one such table describes, with its article, as `a material`.
     pub(crate) what: &'static str,
-    /// What it is for.
+    /// What the table is for.
     pub(crate) doc: &'static str,
-    /// Its keys, in the order in which documentation shows them.
+    /// Keys of the table, in the order in which documentation shows them.
     pub(crate) keys: &'static [KeySpec],
     /// Rules between the keys, as JSON Schema keywords. `assemble` checks them in code, and a test compares the two.
     pub(crate) rules: Option<fn() -> Json>,
@@ -29,13 +29,13 @@ impl TableSpec {
 /// One key.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct KeySpec {
-    /// Its name.
+    /// Name of the key.
     pub(crate) name: &'static str,
-    /// What it holds.
+    /// What the key holds.
     pub(crate) kind: Kind,
     /// What its absence means.
     pub(crate) absent: Absent,
-    /// What it is for.
+    /// What the key is for.
     pub(crate) doc: &'static str,
     /// Example values, as TOML.
     pub(crate) examples: &'static [&'static str],

@@ -22,7 +22,7 @@ const LARGEST_LIBRARY: u64 = 1 << 30;
 pub(super) struct Library {
     pub(super) platform: Platform,
     pub(super) bytes: Cow<'static, [u8]>,
-    /// Its file; `None` for one that the program carries.
+    /// File of the library; `None` for one that the program carries.
     path: Option<PathBuf>,
 }
 

@@ -57,7 +57,7 @@ pub struct Reason {
 pub struct Group {
     /// The property: `month`, `wave direction`.
     pub name: String,
-    /// Its values with their counts.
+    /// Values of the group with their counts.
     pub counts: Vec<(String, Count)>,
 }
 
@@ -81,7 +81,7 @@ pub struct DowntimeTable {
 pub enum DowntimeError {
     /// The table.
     Table(TableError),
-    /// It has another number of rows than there are runs.
+    /// The table has another number of rows than there are runs.
     Rows {
         /// Rows of the table.
         own: usize,

@@ -34,9 +34,9 @@ pub use quote::{Quote, quote};
 /// An input of a campaign.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Input {
-    /// Its column in the table.
+    /// Column of the input in the table.
     pub column: String,
-    /// Its distribution in words, such as `lognormal, mean 7.1 cm/s, deviation 4.47 cm/s`.
+    /// Distribution of the input in words, such as `lognormal, mean 7.1 cm/s, deviation 4.47 cm/s`.
     pub distribution: String,
     /// Where that comes from; empty where nobody said.
     pub source: String,

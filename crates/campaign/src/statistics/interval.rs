@@ -27,7 +27,7 @@ impl Interval {
 pub struct Estimate {
     /// The estimate.
     pub value: f64,
-    /// Its interval.
+    /// Interval of the estimate.
     pub interval: Interval,
 }
 

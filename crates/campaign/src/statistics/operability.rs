@@ -128,9 +128,9 @@ pub fn sector(direction_deg: f64, count: usize) -> usize {
 pub enum Limit {
     /// Success falls below what is required at this value, by interpolation between the middles of two bins.
     At(f64),
-    /// It is not met in the first bin with runs, of this middle.
+    /// The limit is not met in the first bin with runs, of this middle.
     Below(f64),
-    /// It is met in all bins with runs, up to this middle.
+    /// The limit is met in all bins with runs, up to this middle.
     Beyond(f64),
     /// No bin has runs.
     Unknown,

@@ -21,7 +21,7 @@ const LOCK: &str = ".fenderline.lock";
 /// A share of a campaign's runs: every n-th.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
-    /// Its number, from 1.
+    /// Number of the shard, from 1.
     pub number: u64,
     /// How many there are.
     pub of: u64,
@@ -59,11 +59,11 @@ impl Shard {
 /// How a folder is opened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Opened {
-    /// It must not hold a campaign.
+    /// The folder must not hold a campaign.
     New,
-    /// It goes on with what it holds.
+    /// The folder goes on with what it holds.
     Resumed,
-    /// What it holds is removed first.
+    /// What the folder holds is removed first.
     Replaced,
 }
 

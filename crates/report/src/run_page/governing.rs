@@ -9,7 +9,7 @@ use fenderline_sim::{DolphinSummary, FenderSummary, Finding, PanelSummary, Rated
 /// A governing number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Governing {
-    /// What it is, such as `Reaction of a fender`.
+    /// What the number is, such as `Reaction of a fender`.
     pub quantity: &'static str,
     /// The fender, line, ship or contact that it belongs to; empty for all together.
     pub subject: String,
@@ -23,7 +23,7 @@ pub struct Governing {
     pub at_s: Option<f64>,
     /// The hit of the berthing in which that was, 1 for the first.
     pub hit: Option<u32>,
-    /// It is above its limit.
+    /// The number is above its limit.
     pub is_over: bool,
 }
 

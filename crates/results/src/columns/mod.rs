@@ -88,7 +88,7 @@ pub struct ColumnReference {
     pub name: &'static str,
     /// Unit as a reader writes it; `1` for a pure number, `-` for a text or a truth value.
     pub unit: &'static str,
-    /// Its meaning.
+    /// Meaning of the column.
     pub meaning: &'static str,
 }
 
@@ -128,7 +128,7 @@ pub struct Column<R> {
     pub name: &'static str,
     /// Unit as a reader writes it; `1` for a pure number, `-` for a text or a truth value.
     pub unit: &'static str,
-    /// Its meaning.
+    /// Meaning of the column.
     pub meaning: &'static str,
     /// Takes the value from a row.
     pub value: Value<R>,

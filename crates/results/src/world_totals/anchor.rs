@@ -26,9 +26,9 @@ pub struct AnchorTotals {
     pub dragged_j: f64,
     /// Chain that the brake rendered (m).
     pub rendered_m: f64,
-    /// When it was lost (s), and how.
+    /// When the anchor was lost (s), and how.
     pub lost: Option<(f64, LostBy)>,
-    /// Where it is at the end of the run.
+    /// Where the anchor is at the end of the run.
     pub position: AnchorPosition,
     /// Chain out at the end of the run (m).
     pub last_chain_m: f64,
@@ -95,13 +95,13 @@ impl AnchorTotals {
 /// The verdict on an anchor, from best to worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum AnchorVerdict {
-    /// It was never on the bottom.
+    /// The anchor was never on the bottom.
     NotUsed,
-    /// It held.
+    /// The anchor held.
     Held,
-    /// It dragged.
+    /// The anchor dragged.
     Dragged,
-    /// It was slipped by order.
+    /// The anchor was slipped by order.
     Slipped,
     /// Its chain parted or ran out.
     Lost,

@@ -20,11 +20,11 @@ pub struct LineTotals {
     pub over_working: Lasting,
     /// Line rendered by the winch brake (m).
     pub rendered_m: f64,
-    /// When it parted (s).
+    /// When the line parted (s).
     pub parted_s: Option<f64>,
     /// Tension at the end of the run (N).
     pub last_tension_n: f64,
-    /// It is fast at the end of the run.
+    /// The line is fast at the end of the run.
     pub is_fast: bool,
     /// Where its far end was when it was last fast.
     pub end: Option<LineEnd>,
@@ -84,7 +84,7 @@ impl LineTotals {
 /// The verdict on a line, from best to worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum LineVerdict {
-    /// It was never fast in this run.
+    /// The line was never fast in this run.
     NotMadeFast,
     /// Made fast, and within its working load.
     Ok,

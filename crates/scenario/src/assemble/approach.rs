@@ -30,7 +30,7 @@ struct Target {
     face: Face,
     /// Unit vector out of the berth.
     out: Vec2,
-    /// Its direction, clockwise from north (rad).
+    /// Direction of the fender, clockwise from north (rad).
     out_rad: f64,
 }
 

@@ -13,7 +13,7 @@ use crate::error::Notice;
 struct Motion {
     /// Its column of amplitudes.
     amplitude: &'static str,
-    /// Its column of phases.
+    /// Column of the motion of phases.
     phase: &'static str,
     /// Its amplitude is in degrees.
     is_angle: bool,

@@ -22,7 +22,7 @@ pub(super) struct Kind {
     /// Where notices about it point: its table, or the body that names it.
     pub(super) place: (Span, String),
     pub(super) mass: MassProperties,
-    /// Her added mass at the lowest water of the run.
+    /// Added mass of the vessel at the lowest water of the run.
     pub(super) low_water_mass: AddedMass,
     data: VesselData,
 }

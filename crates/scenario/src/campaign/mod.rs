@@ -104,7 +104,7 @@ pub struct Campaign {
     pub success: Option<String>,
     /// Limits that the report compares outputs with.
     pub limits: Vec<Limit>,
-    /// When it may end early.
+    /// When the campaign may end early.
     pub stop: Option<Stop>,
     /// What design values are for.
     pub design: Option<Design>,

@@ -75,18 +75,18 @@ pub struct Correlation {
 /// An output by an expression.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Output {
-    /// Its name.
+    /// Name of the output.
     pub name: String,
     /// The formula.
     pub expression: String,
-    /// Its unit; empty for none.
+    /// Unit of the output; empty for none.
     pub unit: String,
 }
 
 /// A value of an output that should seldom be exceeded.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Limit {
-    /// Its name.
+    /// Name of the limit.
     pub name: String,
     /// Column of the output.
     pub output: String,

@@ -15,11 +15,11 @@ use crate::sources::{Sources, Span, quoted};
 /// What differs from run to run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variable {
-    /// Its name.
+    /// Name of the variable.
     pub name: String,
     /// Where its values come from, in words.
     pub source: Option<String>,
-    /// How it gets its value.
+    /// How the variable gets its value.
     pub draw: Draw,
 }
 
@@ -95,7 +95,7 @@ pub struct Choice {
     pub label: String,
     /// The keys that it sets.
     pub changes: Vec<Change>,
-    /// Its weight in a random plan; not negative.
+    /// Weight of the choice in a random plan; not negative.
     pub weight: f64,
 }
 

@@ -42,7 +42,7 @@ pub struct FamilyUnloading {
     /// The share of energy returned, or the unloading curve with deflections over height and reactions over rated
     /// reaction.
     pub law: Unloading,
-    /// Where it comes from.
+    /// Where the unloading law comes from.
     pub source: String,
     /// How well that is known.
     pub standing: Standing,
@@ -66,7 +66,7 @@ pub struct FactorTable {
 pub struct Tolerance {
     /// To either side, 0.1 for ±10 %.
     pub value: f64,
-    /// Where it comes from.
+    /// Where the manufacturing tolerance comes from.
     pub source: String,
     /// How well that is known.
     pub standing: Standing,
@@ -89,7 +89,7 @@ pub struct FenderSize {
     pub hull_pressure_npm2: Option<f64>,
     /// Inner pressure of a pneumatic fender at zero deflection (N/m²).
     pub initial_pressure_npm2: Option<f64>,
-    /// Where it comes from.
+    /// Where the size comes from.
     pub source: String,
     /// How well that is known.
     pub standing: Standing,
@@ -102,7 +102,7 @@ pub struct HullPressureLimit {
     pub ship: String,
     /// Greatest mean pressure under a panel (N/m²).
     pub limit_npm2: f64,
-    /// Where it comes from.
+    /// Where the hull pressure limit comes from.
     pub source: String,
     /// How well that is known.
     pub standing: Standing,

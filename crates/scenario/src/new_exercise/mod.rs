@@ -76,7 +76,7 @@ pub struct NewShip {
     pub off_m: f64,
     /// From abreast of the middle of the berth to where she starts, astern (m).
     pub astern_m: f64,
-    /// Her speed ahead (m/s).
+    /// Speed ahead of the ship (m/s).
     pub speed_mps: f64,
 }
 
@@ -108,7 +108,7 @@ pub struct NewWeather {
     pub wind_mps: f64,
     /// Where the wind comes from (rad).
     pub wind_from_rad: f64,
-    /// Whether it has gusts.
+    /// Whether the wind has gusts.
     pub gusts: bool,
     /// Speed of the current (m/s).
     pub current_mps: f64,

@@ -18,7 +18,7 @@ use decimal::Decimal;
 pub(crate) struct Quantity {
     /// The number in SI units; finite.
     pub(crate) si: f64,
-    /// Its dimension.
+    /// Dimension of the quantity.
     pub(crate) dimension: Dimension,
     /// Whether the text gave a unit, `1` included.
     pub(crate) has_unit: bool,

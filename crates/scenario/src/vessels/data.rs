@@ -10,9 +10,9 @@ use fenderline_sim::{AzimuthSetup, ThrusterSetup};
 /// A vessel of the library: everything that does not depend on the scenario.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VesselData {
-    /// Her key.
+    /// Key of the vessel.
     pub name: String,
-    /// Her name in reports, and where every number comes from.
+    /// Name of the vessel in reports, and where every number comes from.
     pub origin: Origin,
     /// A model in a tank of fresh water.
     pub is_model: bool,
@@ -20,13 +20,13 @@ pub struct VesselData {
     pub resistance_of_model_m: Option<f64>,
     /// Length overall (m), where it is known.
     pub length_overall_m: Option<f64>,
-    /// Her manoeuvring model in deep water.
+    /// Manoeuvring model of the vessel in deep water.
     pub ship: Mmg,
     /// Speed at which standard manoeuvres begin (m/s).
     pub approach_mps: Option<f64>,
     /// Rudder amidships, with its rate and stop.
     pub rudder: RateLimited,
-    /// Her shaft, where she has a propeller.
+    /// Shaft of the vessel, where she has a propeller.
     pub shaft: Option<Shaft>,
     /// Tunnel thrusters, in the order of the file.
     pub thrusters: Vec<ThrusterSetup>,
@@ -36,7 +36,7 @@ pub struct VesselData {
     pub windage: Option<ShipWindage>,
     /// Data for heave, roll and pitch.
     pub stability: Option<Stability>,
-    /// Her outline, forward and to starboard of midship (m).
+    /// Outline of the vessel, forward and to starboard of midship (m).
     pub outline_m: Option<Vec<Vec2>>,
     /// Where lines leave her.
     pub chocks: Vec<DeckPoint>,
@@ -84,13 +84,13 @@ pub struct DeckPoint {
 pub struct Belting {
     /// Unique on the vessel.
     pub name: String,
-    /// Its middle, forward and to starboard of midship (m).
+    /// Middle of the strip, forward and to starboard of midship (m).
     pub middle_m: Vec2,
     /// Direction in which it faces: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
-    /// Its length (m).
+    /// Length of the strip (m).
     pub width_m: f64,
-    /// Its middle above the still water at her draught (m).
+    /// Middle of the strip above the still water at her draught (m).
     pub above_water_m: f64,
     /// Its extent up and down (m).
     pub extent_m: f64,

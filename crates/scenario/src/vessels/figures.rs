@@ -19,7 +19,7 @@ pub(super) struct Leaf {
     pub(super) figure: Figure,
     /// The file does not give it.
     pub(super) is_default: bool,
-    /// Its key.
+    /// Key of the leaf.
     pub(super) key_span: Span,
 }
 

@@ -24,11 +24,11 @@ use newton::Maximum;
 /// A parameter of a fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameter {
-    /// Its name, such as `shape`.
+    /// Name of the parameter, such as `shape`.
     pub name: &'static str,
     /// The estimate, in the unit of the values where it has one.
     pub value: f64,
-    /// Its standard error.
+    /// Standard error of the parameter.
     pub error: f64,
 }
 
@@ -39,7 +39,7 @@ pub struct Fit {
     pub law: Law,
     /// The fitted distribution.
     pub distribution: Distribution,
-    /// Its parameters.
+    /// Parameters of the fit.
     pub parameters: Vec<Parameter>,
     /// Number of values that it was fitted to: those above the threshold for [`Law::Pareto`].
     pub count: usize,

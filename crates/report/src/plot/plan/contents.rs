@@ -47,7 +47,7 @@ pub enum Stage {
 /// The outline of a body, earth-fixed (m).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outlined {
-    /// Its corners (m).
+    /// Corners of the outline (m).
     pub vertices_m: Vec<Vec2>,
     /// When in the run.
     pub stage: Stage,
@@ -58,7 +58,7 @@ pub struct Outlined {
 /// The path of a body's centre of gravity, earth-fixed (m).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track {
-    /// Its points (m).
+    /// Points of the track (m).
     pub points_m: Vec<Vec2>,
     /// Number of the body's colour.
     pub style: usize,

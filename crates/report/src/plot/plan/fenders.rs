@@ -17,7 +17,7 @@ pub struct FenderBox {
     pub out_m: Vec2,
     /// From the middle to one end of its width (m).
     pub half_width_m: Vec2,
-    /// How it was used in the run.
+    /// How the fender was used in the run.
     pub used: Use,
 }
 

@@ -31,11 +31,11 @@ pub struct Harbour {
 /// A mooring line from fairlead to bollard, earth-fixed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineDrawn {
-    /// Its ends (m).
+    /// Ends of the mooring line (m).
     pub ends_m: [Vec2; 2],
     /// Peak tension over break load.
     pub share: f64,
-    /// Whether it parted.
+    /// Whether the mooring line parted.
     pub has_parted: bool,
 }
 
@@ -46,7 +46,7 @@ pub struct TugDrawn {
     pub at_m: Vec2,
     /// Direction of her force on the ship, of length 1; zero: she is standing by.
     pub direction: Vec2,
-    /// Whether she pulls on a line; otherwise she pushes with her bow.
+    /// Whether the tug pulls on a line; otherwise she pushes with her bow.
     pub on_line: bool,
     /// Name and force.
     pub label: String,
@@ -57,7 +57,7 @@ pub struct TugDrawn {
 pub struct Weather {
     /// The direction in which it flows, of length 1.
     pub towards: Vec2,
-    /// What it is, how strong, and its direction.
+    /// What the wind or current is, how strong, and its direction.
     pub text: String,
     /// Colour of the arrow.
     pub colour: &'static str,

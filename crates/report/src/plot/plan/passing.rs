@@ -10,7 +10,7 @@ use super::map::Map;
 pub struct PassingDrawn {
     /// Her outline there, earth-fixed (m).
     pub outline_m: Vec<Vec2>,
-    /// Her track (m).
+    /// Track of the ship (m).
     pub track_m: Vec<Vec2>,
 }
 

@@ -81,7 +81,7 @@ pub(in crate::run_page) struct TugMark {
     pub(in crate::run_page) tug: usize,
     /// Where her force acts (m).
     pub(in crate::run_page) at_m: Vec2,
-    /// Her force on the ship, earth-fixed (N).
+    /// Force of the tug on the ship, earth-fixed (N).
     pub(in crate::run_page) force_n: Vec2,
     pub(in crate::run_page) on_line: bool,
 }

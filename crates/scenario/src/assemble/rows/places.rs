@@ -17,7 +17,7 @@ pub(super) struct Line {
     pub(super) number: usize,
     /// The edge of the outline along which the row runs.
     pub(super) edge: Option<Edge>,
-    /// It stands in the middle of its wall, not from a first fender on.
+    /// The row of fenders stands in the middle of its wall, not from a first fender on.
     is_in_the_middle: bool,
 }
 
