@@ -32,7 +32,7 @@ pub(crate) struct EngineHeld {
 
 /// All objects of one kind.
 pub(crate) struct Table<T> {
-    /// The low four bits of its handles. Odd, unlike an aligned pointer.
+    /// The low four bits of the handles of this kind. They are odd, unlike those of an aligned pointer.
     kind: usize,
     held: RwLock<Held<T>>,
 }
@@ -45,7 +45,7 @@ struct Held<T> {
 /// One object.
 pub(crate) struct Object<T> {
     pub(crate) content: T,
-    /// Message of its last failed call.
+    /// Message of the last failed call on this object.
     pub(crate) error: String,
     /// A call panicked: the content may be inconsistent.
     panicked: bool,
@@ -76,7 +76,7 @@ impl<T> Table<T> {
         Ok(ptr::without_provenance_mut(MARK | (serial << 4) | self.kind))
     }
 
-    /// Removes an object. It lives until a running call on it has ended.
+    /// Removes an object. The object lives until a running call on it has ended.
     pub(crate) fn remove<H>(&self, handle: *const H) -> Outcome {
         let serial = self.serial_of(handle)?;
         let mut held = self.held.write().unwrap_or_else(PoisonError::into_inner);

@@ -27,7 +27,7 @@ pub enum EngineError {
         what: &'static str,
         /// The name.
         name: String,
-        /// What is wrong with it.
+        /// What is wrong with the name.
         why: &'static str,
     },
     /// An index beyond the last.
@@ -48,7 +48,7 @@ pub enum EngineError {
     },
     /// A state, a load or a time step out of range, or a wrong number of them.
     Input(StepError),
-    /// A step with non-finite forces or states: it is far too long for these states.
+    /// A step with non-finite forces or states: the step is far too long for these states.
     NotFinite,
     /// A step before the state of a floating body was set.
     StateNotSet {
@@ -76,9 +76,9 @@ pub enum EngineError {
     NotRecorded,
     /// Bytes that are not a complete, unchanged dump.
     Dump(RestoreError),
-    /// A dump of another version of the library whose format this one does not read.
+    /// A dump by another version of the library, with a format that this version does not read.
     DumpVersion {
-        /// The version of the library that wrote it.
+        /// The version of the library that wrote the dump.
         library: String,
     },
     /// Points from which no outline can be made.

@@ -1,7 +1,7 @@
 //! The last steps of an engine, recorded so that they can be sent and replayed.
 //!
-//! Steps are kept in two segments, each with the saved engine at its start. When the second is full, the first is dropped: so
-//! between once and twice the wanted number of steps is there.
+//! Steps are kept in two segments, each with the saved engine at its start. When the second segment is full, the first
+//! is dropped. So the recording holds between once and twice the wanted number of steps.
 
 use fenderline_contact::hash::Fnv1a;
 use fenderline_contact::{BodyId, BodyState, Wrench};
@@ -38,7 +38,7 @@ pub(crate) struct Recording {
 
 #[derive(Clone, Debug)]
 struct Segment {
-    /// The saved engine before its first step.
+    /// The saved engine before the first step of the segment.
     start: Vec<u8>,
     entries: Vec<u8>,
     steps: usize,
@@ -51,7 +51,7 @@ impl Segment {
 }
 
 impl Recording {
-    /// The saved engine at the start, and all entries from there on.
+    /// The saved engine at the start of the recording, and all entries since.
     pub(crate) fn parts(&self) -> (&[u8], [&[u8]; 2]) {
         match &self.previous {
             Some(previous) => (&previous.start, [&previous.entries, &self.current.entries]),
@@ -66,8 +66,8 @@ impl Recording {
         });
     }
 
-    /// Writes what goes into a step before it is taken, so that it is there if the step does not end. No flags: all states are
-    /// set.
+    /// Writes the input of a step before the step is taken, so the input is recorded even if the step does not end.
+    /// There are no flags, because all states are set.
     pub(crate) fn begin_step(
         &mut self,
         states: &[BodyState],
@@ -118,8 +118,9 @@ pub(crate) fn digest(results: &Results<'_>) -> u64 {
 }
 
 impl Engine {
-    /// Records steps from now on, at least the last `steps` of them; 0 ends it. [`Engine::dump`] makes a file of them. A step
-    /// then takes longer, by the copy and the hash of its input and results.
+    /// Records steps from now on, and keeps at least the last `steps` steps; 0 ends the recording. [`Engine::dump`]
+    /// makes a dump of the recorded steps. A recorded step takes longer, by the copy and the hash of its input and
+    /// results.
     ///
     /// # Errors
     /// More than [`MOST_RECORDED_STEPS`].
@@ -134,7 +135,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Begins a new recording where one was asked for: the steps before do not lead here.
+    /// Begins the recording anew, if there is a recording: the steps so far do not lead to the present state.
     pub(crate) fn restart_recording(&mut self) {
         if let Some(recording) = &self.recording {
             let wanted = recording.wanted;
@@ -143,7 +144,7 @@ impl Engine {
         }
     }
 
-    /// Begins a new segment where one is full.
+    /// Begins a new segment if the present segment is full.
     pub(crate) fn make_room_in_recording(&mut self) {
         if self.recording.as_ref().is_some_and(|own| own.current.steps >= own.wanted) {
             let next = Segment::new(self.save());
