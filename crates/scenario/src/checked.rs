@@ -27,7 +27,7 @@ pub(crate) struct Item {
     pub(crate) key_span: Span,
     /// The span of the value; the table's span for a default.
     pub(crate) span: Span,
-    /// The file does not give it.
+    /// The value is the default: the file does not give the key.
     pub(crate) is_default: bool,
     pub(crate) value: Value,
 }
@@ -60,7 +60,7 @@ impl Table {
         key_path::join(&self.path, name)
     }
 
-    /// The key, where the file gives it or it has a default.
+    /// The key, if the file gives the key or the key has a default.
     pub(crate) fn item(&self, name: &str) -> Option<&Item> {
         debug_assert!(self.spec.key(name).is_some(), "{} has no key {name}", self.spec.what);
         self.items.iter().find(|item| item.name == name)
@@ -71,7 +71,7 @@ impl Table {
         self.item_if_any(name).map(|item| *item.number())
     }
 
-    /// The key, where this kind of table has it and the file gives it or it has a default.
+    /// The key, if this kind of table has the key, and the file gives the key or the key has a default.
     pub(crate) fn item_if_any(&self, name: &str) -> Option<&Item> {
         self.items.iter().find(|item| item.name == name)
     }

@@ -11,9 +11,9 @@ pub(crate) struct Choices<T: 'static>(pub(crate) &'static [Choice<T>]);
 #[derive(Debug)]
 pub(crate) struct Choice<T> {
     pub(crate) word: &'static str,
-    /// What it stands for.
+    /// The value for which the word stands.
     pub(crate) value: T,
-    /// What it means, for the user.
+    /// Meaning of the word, for the user.
     pub(crate) doc: &'static str,
 }
 

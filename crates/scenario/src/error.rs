@@ -41,7 +41,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// A scenario that cannot be run: one mistake, where it is, and where possible what to write instead. Displays as
+/// A scenario that cannot be run: one mistake, its place, and if possible what to write instead. Displays as
 /// several lines with the offending line of the file.
 #[derive(Clone, PartialEq, Eq)]
 pub struct ScenarioError(Box<Content>);
@@ -60,7 +60,7 @@ struct Content {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Snippet {
     pub(crate) line: String,
-    /// Characters of `line` before the marked ones.
+    /// Number of characters of `line` before the marked characters.
     pub(crate) before: usize,
     /// Number of characters to mark.
     pub(crate) marked: usize,
@@ -78,7 +78,7 @@ impl ScenarioError {
         }))
     }
 
-    /// A mistake in a row of a file that a campaign names; `key` is that of the campaign which names it.
+    /// A mistake in a row of a file that a campaign names; `key` is the campaign's key that names the file.
     #[must_use]
     pub fn in_row(origin: &Origin, key: &str, message: impl Into<String>) -> ScenarioError {
         ScenarioError::new(origin.place.clone(), Some(key.to_owned()), message.into())
@@ -109,7 +109,7 @@ impl ScenarioError {
         &self.0.place
     }
 
-    /// Line of the file, from 1; `None` where the mistake does not belong to one line.
+    /// Line of the file, from 1; `None` if the mistake does not belong to one line.
     #[must_use]
     pub fn line(&self) -> Option<usize> {
         match self.0.place {
@@ -118,7 +118,7 @@ impl ScenarioError {
         }
     }
 
-    /// Dotted path of the key that the mistake is about, as `material.paper.stiffness`; `None` for a syntax error
+    /// Dotted path of the key with the mistake, as `material.paper.stiffness`; `None` for a syntax error
     /// outside of any key.
     #[must_use]
     pub fn key(&self) -> Option<&str> {
@@ -131,7 +131,7 @@ impl ScenarioError {
         &self.0.message
     }
 
-    /// What the place does not show, as the value that a campaign drew.
+    /// Information that the place does not show, such as the value that a campaign drew.
     #[must_use]
     pub fn note(&self) -> Option<&str> {
         self.0.note.as_deref()
@@ -178,7 +178,7 @@ impl std::error::Error for ScenarioError {}
 pub struct Notice {
     /// Where the warning points.
     pub place: Place,
-    /// Dotted path of the key that it is about.
+    /// Dotted path of the key that the warning concerns.
     pub key: String,
     /// The warning, in one line.
     pub message: String,
@@ -188,8 +188,8 @@ pub struct Notice {
 pub(crate) const NO_EFFECT: &str = "no effect: ";
 
 impl Notice {
-    /// Whether it says that the key has no effect in this scenario, whatever happens in the run. `docs/design/files.md` has the
-    /// criterion.
+    /// Whether the warning says that the key has no effect in this scenario, whatever happens in the run.
+    /// `docs/design/files.md` has the criterion.
     ///
     /// ```
     /// # let tug = "outline = [[-9, -3], [9, -3], [9, 3], [-9, 3]]\nmass = 1e5\ngyradius = 5";

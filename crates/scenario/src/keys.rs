@@ -1,7 +1,7 @@
 //! Every key of a scenario file: its kind, unit, bounds, default and meaning.
 //!
-//! The bounds are beyond anything that floats, and keep all computed numbers far from overflow. To add a key, add it
-//! here, then use it in [`crate::assemble`].
+//! The bounds are beyond anything that floats, and keep all computed numbers far from overflow. To add a key, add its
+//! row to this table, then use the key in [`crate::assemble`].
 
 pub(crate) mod anchor;
 mod approach;

@@ -9,12 +9,13 @@ use crate::sources::cut;
 pub struct Origin {
     pub(crate) place: Place,
     pub(crate) snippet: Option<Snippet>,
-    /// What the place does not show, as the value that was drawn.
+    /// Information that the place does not show, such as the value that was drawn.
     pub(crate) note: Option<String>,
 }
 
 impl Origin {
-    /// Text in a line of a file: `text` is the whole line, `column` (from 1, in characters) and `length` are those of the text in it.
+    /// Text in a line of a file: `text` is the whole line, `column` (from 1, in characters) and `length` are the place
+    /// and length of the text in the line.
     #[must_use]
     pub fn line(name: &str, line: usize, column: usize, text: &str, length: usize) -> Origin {
         let start = |characters: usize| {

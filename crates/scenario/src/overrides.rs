@@ -71,8 +71,8 @@ impl Override {
         Ok(Override { shown, path, value: value.to_owned(), origins: None })
     }
 
-    /// An override of a key by a value that come from other files: errors about the one point at `key_origin`, about the other at
-    /// `origin`.
+    /// An override of a key by a value that come from other files: errors about the key point at `key_origin`, errors
+    /// about the value at `origin`.
     ///
     /// # Errors
     /// As [`Override::new`].
@@ -89,7 +89,7 @@ impl Override {
         }
     }
 
-    /// The same without the files that it comes from.
+    /// The same override without its origin in files.
     #[must_use]
     pub fn without_origins(self) -> Override {
         Override { origins: None, ..self }
@@ -202,11 +202,11 @@ pub(crate) fn apply<'a>(
     Ok(set)
 }
 
-/// The keys of a scenario's text that overrides set, in their order, and the value of each as the user wrote it. A path
-/// with a `*` becomes that of every key for which it stands.
+/// The keys of a scenario's text that overrides set, in their order, and the value of each as the user wrote it. A
+/// path with a `*` becomes the paths of all keys for which it stands.
 ///
 /// # Errors
-/// A text that is not TOML, or an override of a key that there is not.
+/// A text that is not TOML, or an override of a key that does not exist.
 pub fn set_keys(
     text: &str,
     file_name: &str,

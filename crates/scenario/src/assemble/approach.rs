@@ -95,7 +95,7 @@ impl Assembly<'_, '_> {
         Err(error.with_help("keep one of the two"))
     }
 
-    /// The bodies of the berth: the one that `to` names, or the dolphins of a row.
+    /// The bodies of the berth: the body that `to` names, or the dolphins of a row.
     fn berth(
         &self,
         table: &Table,
@@ -145,7 +145,7 @@ impl Assembly<'_, '_> {
         let targets = targets(berth, bodies, fenders);
         let (target, by_fender) = self.fender_met(table, &targets, fenders)?;
 
-        // Alongside, her side faces into the berth; the bow turns towards it by the angle.
+        // Alongside, the ship's side faces into the berth; the bow turns towards the berth by the angle.
         let quarter = core::f64::consts::FRAC_PI_2;
         let (alongside_rad, heading_rad, to_starboard) = match side {
             Side::Starboard => {
@@ -186,7 +186,8 @@ impl Assembly<'_, '_> {
         };
         let forward = Rotation::from_angle(alongside_rad).apply(vec2(1.0, 0.0));
         let speed_mps = approach.speed_mps();
-        // While the point closes the distance it also moves along, and shall then be at the fender's middle.
+        // While the contact point closes the distance, it also moves along the berth. At the end it must
+        // be at the middle of the fender.
         let before = target.out * distance_m - forward * (along_mps * distance_m / speed_mps);
         let position_m = target.face.middle_m() + before - attitude.apply(point_m);
         let (sine, cosine) = (libm::sin(angle_rad), libm::cos(angle_rad));
@@ -294,7 +295,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Refuses a start inside the berth, and notes what is met before the fender.
+    /// Refuses a start inside the berth, and notes what the hull meets before the fender.
     fn check_way(
         &mut self,
         table: &Table,

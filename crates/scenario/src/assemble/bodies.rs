@@ -70,7 +70,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// The body's outline: its own, or its vessel's.
+    /// The body's outline: from the body's table, or from the vessel.
     pub(super) fn outline(
         &mut self,
         table: &Table,
@@ -128,7 +128,7 @@ impl Assembly<'_, '_> {
         Ok(outline)
     }
 
-    /// A notice where an outline does not have the size of its vessel.
+    /// A notice if an outline does not have the size of the vessel.
     fn note_size(
         &mut self,
         kind: Option<&vessel::Kind>,

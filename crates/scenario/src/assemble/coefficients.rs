@@ -1,4 +1,5 @@
-//! Wind and current coefficients of one's own: from a file and its convention to forces over dynamic pressure in this program's axes.
+//! Wind and current coefficients of the user: from a file and its convention to forces over dynamic
+//! pressure in this program's axes.
 
 mod angles;
 mod sense;
@@ -44,7 +45,7 @@ pub(super) struct Row {
 /// Where the numbers of a table are.
 struct Columns {
     angle: usize,
-    /// Degrees in a unit of that column.
+    /// Degrees in a unit of the column of angles.
     degrees: f64,
     depth: Option<usize>,
     draught: Option<usize>,
@@ -59,7 +60,7 @@ enum Across {
 }
 
 impl Assembly<'_, '_> {
-    /// The windage of a vessel with wind coefficients of her own, if her table has them.
+    /// The windage of a vessel with the user's wind coefficients, if the vessel's table has them.
     pub(super) fn own_wind(
         &mut self,
         vessel: &Table,
@@ -102,7 +103,7 @@ impl Assembly<'_, '_> {
         Ok(Some(windage))
     }
 
-    /// The current coefficients of a vessel, if her table has them.
+    /// The current coefficients of a vessel, if the vessel's table has them.
     pub(super) fn own_current(
         &mut self,
         vessel: &Table,
@@ -120,7 +121,7 @@ impl Assembly<'_, '_> {
             .map_err(|error| self.refused(vessel, item, &error))
     }
 
-    /// Depths of the run outside those of the table.
+    /// Notes depths of the run that are outside the depths of the table.
     fn note_depths(
         &mut self,
         of: &Table,
@@ -432,7 +433,7 @@ fn columns(csv: &Csv<'_>, held: Held) -> Checked<Columns> {
     })
 }
 
-/// Radians under the name of degrees, and degrees under that of radians.
+/// Refuses radians under the name of degrees, and degrees under the name of radians.
 fn check_unit_of_angles(csv: &Csv<'_>, columns: &Columns) -> Checked<()> {
     let is_rad = columns.degrees != 1.0;
     let (mut most, mut at) = (0.0, 0);

@@ -20,7 +20,7 @@ use crate::error::{Notice, ScenarioError};
 
 /// Number of harmonics of a sea or a gusty wind.
 const HARMONICS: usize = 200;
-/// Depth that is deep for every wave (m).
+/// A depth that counts as deep water for every wave (m).
 const DEEP_M: f64 = 10_000.0;
 /// Bounds of times in a file (s).
 pub(super) const TIMES_S: [f64; 2] = [-1e9, 1e9];
@@ -169,7 +169,7 @@ impl Assembly<'_, '_> {
         banks.map(bank).collect()
     }
 
-    /// Adds notices where the environment is unvalidated, or a formula is used outside its range.
+    /// Adds notices if a part of the environment is unvalidated, or a formula is used outside its range.
     pub(super) fn note_unvalidated(
         &mut self,
         file: &Table,
@@ -240,7 +240,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Refuses keys that would have no effect beside another one.
+    /// Refuses keys that would have no effect beside another key.
     pub(super) fn none_of(&self, of: &Table, keys: &[&str], beside: &str) -> Checked<()> {
         match keys.iter().find_map(|key| of.item(key)) {
             None => Ok(()),

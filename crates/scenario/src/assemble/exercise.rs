@@ -12,12 +12,15 @@ use crate::keys::exercise::GoalWord;
 use crate::sources::quoted;
 use crate::suggest::nearest;
 
-/// Farthest from the fenders of a ship that is alongside, unless the scenario says otherwise (m); our choice.
+/// Largest distance from the fenders at which a ship counts as alongside, unless the scenario gives another
+/// distance (m); our choice.
 const ALONGSIDE_M: f64 = 0.5;
-/// Nearest to the fenders of a ship that is clear of them, unless the scenario says otherwise (m); our choice.
+/// Least distance from the fenders at which a ship counts as clear, unless the scenario gives another
+/// distance (m); our choice.
 const CLEAR_M: f64 = 30.0;
 
-/// Farthest from its place of an anchor, unless the scenario says otherwise (m); our choice.
+/// Largest distance of an anchor from its required place, unless the scenario gives another distance (m);
+/// our choice.
 const AT_PLACE_M: f64 = 50.0;
 
 impl Assembly<'_, '_> {
@@ -299,7 +302,7 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// The lines of a ship: those whose fairlead is on her.
+/// The lines of a ship: the lines whose fairlead is on the ship.
 fn own_lines(setup: &Setup, vessel: usize) -> impl Iterator<Item = usize> {
     let body = setup.world.vessels[vessel].body;
     let lines = setup.world.lines.iter().enumerate();

@@ -39,7 +39,7 @@ impl Assembly<'_, '_> {
         Ok(factors)
     }
 
-    /// Factors that nothing in the scenario can meet.
+    /// Notes factors without a fender or line to which they could apply.
     pub(super) fn note_factors(
         &mut self,
         table: Option<&Table>,

@@ -8,7 +8,7 @@ use super::{Assembly, FenderLibrary};
 use crate::checked::{Item, Table};
 use crate::rating::odd_reaction;
 
-/// Fenders are commonly less high than this (m): the largest pneumatic ones of ISO 17357 have 4.5 m.
+/// Fenders are usually less high than this (m): the largest pneumatic fenders of ISO 17357 have 4.5 m.
 const HIGH_M: f64 = 6.0;
 
 impl Assembly<'_, '_> {
@@ -27,7 +27,8 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Of a fender of the library: its rated reaction for its height, and its projection.
+    /// Notes a rated reaction that does not fit the height of a fender of the library, and a projection that does not
+    /// fit.
     fn note_odd_size(&mut self, table: &Table, family: &Item, library: &FenderLibrary) {
         let Ok(fender) = self.catalogue(table, family, library) else { return };
         let height_m = fender.height_m;
@@ -62,7 +63,8 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Of a fender with a law of its own: its reaction at its rated deflection, and the end of its curve.
+    /// Notes a fender with a `stiffness` or a `curve` whose reaction at the rated deflection, or whose end of the
+    /// curve, is unusual.
     fn note_weak_law(&mut self, table: &Table, fender: &FenderSetup) {
         let Some(item) = table.item("curve").or_else(|| table.item("stiffness")) else { return };
         if let Some(rated) = fender.rated {

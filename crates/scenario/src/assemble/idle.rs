@@ -29,7 +29,7 @@ impl Assembly<'_, '_> {
         self.note_after_the_end(file, setup.duration_s);
     }
 
-    /// A notice that a key has no effect, where the file gives it.
+    /// A notice that a key has no effect, if the file gives the key.
     pub(super) fn note_idle(&mut self, table: &Table, key: &str, why: &str) {
         if let Some(item) = table.item_if_any(key).filter(|item| !item.is_default) {
             self.note_at(&item.span, table.path_of(key), format!("{NO_EFFECT}{why}"));
@@ -41,7 +41,7 @@ impl Assembly<'_, '_> {
         self.note_at(&table.span, table.path.clone(), format!("{NO_EFFECT}{why}"));
     }
 
-    /// Numbers of materials that their pairs and fenders do not use.
+    /// Notes numbers of materials that pairs and fenders do not use.
     pub(super) fn note_idle_materials(
         &mut self,
         file: &Table,
@@ -79,7 +79,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Wind, current and waves that nothing feels, and numbers of theirs that are not used.
+    /// Notes wind, current and waves that act on nothing, and numbers of them that are not used.
     fn note_idle_weather(&mut self, file: &Table, setup: &Setup) {
         let environment = file.given("environment").table();
         let vessels = &setup.world.vessels;
@@ -108,7 +108,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Numbers of the flow about ships that no flow uses.
+    /// Notes numbers of the flow about ships that no flow uses.
     fn note_idle_flow(&mut self, file: &Table, setup: &Setup) {
         let interaction = file.given("environment").table().given("interaction").table();
         if setup.world.flow.hulls.is_empty() {
@@ -129,7 +129,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Kinds of vessels that nothing is of, and numbers that others replace.
+    /// Notes kinds of vessels that no body has, and numbers that other numbers replace.
     fn note_idle_vessels(&mut self, file: &Table, setup: &Setup) {
         let has_waves = setup.world.environment.sea.is_some();
         let of_bodies = file.given("body").named().iter().map(|(_, body)| body);
@@ -164,7 +164,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Keys of anchors that others replace.
+    /// Notes keys of anchors that other keys replace.
     fn note_idle_anchors(&mut self, file: &Table) {
         for (_, anchor) in file.given("anchor").named() {
             if anchor.item("holding_factor").is_some() {
@@ -185,7 +185,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Keys of fenders for what the fender does not have.
+    /// Notes keys of fenders for parts that the fender does not have.
     fn note_idle_fenders(&mut self, tables: &[(String, Table)], setup: &Setup) {
         let level_m = setup.world.environment.level_range_m();
         for ((_, table), fender) in tables.iter().zip(&setup.fenders) {
@@ -205,7 +205,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Limits of what the scenario does not have.
+    /// Notes limits of things that the scenario does not have.
     fn note_idle_limits(&mut self, file: &Table, setup: &Setup) {
         let limits = file.given("limit").named().iter().zip(&setup.world.statistics.limits);
         for ((_, table), limit) in limits {

@@ -14,16 +14,17 @@ use crate::printable::printable_number;
 
 /// Harmonics of a spectrum of long waves.
 const HARMONICS: usize = 40;
-/// The keys of a spectrum beside those of every wave.
+/// The keys of a spectrum that a regular wave does not have.
 const OF_SPECTRUM: [&str; 4] = ["shortest_period", "longest_period", "peakedness", "seed"];
 /// The shortest period of a spectrum (s), if half the peak's is less.
 const SHORTEST_S: f64 = 25.0;
 /// Bounds of level (m) and velocity (m/s) in a file.
 const LEVELS_M: [f64; 2] = [-10.0, 10.0];
 const VELOCITIES_MPS: [f64; 2] = [-15.0, 15.0];
-/// A step between two rows of a file that is so many times the usual one is a gap.
+/// A step between two rows of a file counts as a gap if it is this many times the usual step.
 const GAP: f64 = 1.5;
-/// Ships of this part of a wave's length feel 0.90 of its force, if it runs along them: the mean of a cosine over a quarter of its length.
+/// A ship longer than this share of the wave length gets a notice. On a ship of this share, with the wave along
+/// the ship, the true force is 0.90 of the computed force: the mean of a cosine over a quarter of its length.
 const LONG_SHIP: f64 = 0.25;
 
 impl Assembly<'_, '_> {
@@ -155,7 +156,7 @@ impl Assembly<'_, '_> {
         LongWaves::series(&rows).map_err(|error| self.refused(of, file, &error))
     }
 
-    /// Notices where a ship is too long for the waves, or touches the bottom in their trough.
+    /// Notices about a ship that is too long for the waves, or that touches the bottom in a trough.
     pub(super) fn note_long_waves(
         &mut self,
         file: &Table,

@@ -9,7 +9,7 @@ use super::{Assembly, Checked};
 use crate::checked::Table;
 use crate::vessels::Belting;
 
-/// A panel, and the height of its reaction above the middle of its face (m).
+/// A panel, and the height of the reaction above the middle of the face (m).
 pub(super) struct PanelParts {
     pub(super) panel: Panel,
     pub(super) reaction_above_m: f64,
@@ -107,8 +107,8 @@ impl PanelParts {
         })
     }
 
-    /// How the cones unload: a curve counts by the share of the energy that it returns from the rated deflection, because
-    /// the energy of a panel is a sum over cones of different deflections.
+    /// The unloading law of the cones. Of an unloading curve, only the share of the energy that the curve returns from
+    /// the rated deflection is used, because the energy of a panel is a sum over cones of different deflections.
     pub(super) fn unloading(
         &self,
         of_cone: Option<Unloading>,

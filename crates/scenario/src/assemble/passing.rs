@@ -24,7 +24,8 @@ const SUDDEN: f64 = 1.0;
 const ASKEW_RAD: f64 = 0.35;
 
 impl Assembly<'_, '_> {
-    /// The flow between ships: passing ships and, where they, `between_vessels` or banks need them, the hulls of the vessels.
+    /// The flow between ships: passing ships, and the hulls of the vessels if passing ships, `between_vessels` or banks
+    /// need them.
     pub(super) fn flow(
         &mut self,
         file: &Table,
@@ -161,7 +162,7 @@ impl Assembly<'_, '_> {
         Ok(PassingSetup { name: name.to_owned(), hull, outline_m, track, depth, berth })
     }
 
-    /// Her outline about midship: her own, that of her vessel, or a rectangle.
+    /// Outline of a passing ship about midship: from her table, from her vessel, or a rectangle.
     fn outline_of(
         &self,
         table: &Table,
@@ -250,7 +251,7 @@ impl Assembly<'_, '_> {
         Ok(())
     }
 
-    /// Her way past the bodies that do not move at the start.
+    /// Checks the track of a passing ship past the bodies that do not move at the start.
     fn check_passing_track(
         &mut self,
         table: &Table,
@@ -387,7 +388,7 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// What is said of vessels that are too short for the flow of slender ships; nothing if there are none.
+/// The text about vessels that are too short for the flow of slender ships; empty without such vessels.
 fn none_for_short(hulls: &[FlowHull], (vessels, bodies): (&[VesselSetup], &[BodySetup])) -> String {
     let short = hulls.iter().zip(vessels).filter(|(hull, _)| !hull.is_slender());
     let short: Vec<String> = short.map(|(_, vessel)| quoted(&bodies[vessel.body].name)).collect();

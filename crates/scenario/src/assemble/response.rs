@@ -17,7 +17,7 @@ struct Motion {
     phase: &'static str,
     /// Its amplitude is in degrees.
     is_angle: bool,
-    /// The table must have it.
+    /// The table must have this column.
     is_needed: bool,
 }
 
@@ -88,8 +88,8 @@ impl Assembly<'_, '_> {
             }
             operators.push(six);
         }
-        // In waves much longer than the ship, she rises with the crest. Heave is positive down here, so its real part
-        // must be negative.
+        // In waves much longer than the ship, the ship rises with the crest. Heave is positive down here, so the real
+        // part of heave must be negative.
         let longest = &operators[..headings.len()];
         if longest.iter().all(|six| six[HEAVE].re > 0.3) {
             self.notices.push(Notice {

@@ -1,4 +1,4 @@
-//! Ropes of lines and tails: of a material that is built in, or of one's own.
+//! Ropes of lines and tails: of a built-in material, or with the user's stretch.
 
 use fenderline_sim::mooring::{Rope, RopeCurve};
 

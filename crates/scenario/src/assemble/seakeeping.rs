@@ -14,17 +14,17 @@ use crate::error::Notice;
 use crate::hydrodynamics;
 use crate::printable::printable_number;
 
-/// Viscous damping of roll where none is given; our assumption for a hull with bilge keels.
+/// Viscous damping of roll unless given; our assumption for a hull with bilge keels.
 const ROLL_DAMPING: f64 = 0.05;
 /// How far the mass of the data may be from the displacement of the vessel.
 const MASS: f64 = 0.03;
-/// The shortest period over the step that a step can follow: 2π/√6.
+/// The shortest period that a time step can follow, over the step: 2π/√6.
 const SHORTEST_PERIOD: f64 = 2.565;
-/// From which share of the energy of the sea waves that the data do not resolve are told of.
+/// From this share of the sea's energy on, a notice tells of waves that the data do not resolve.
 const TOLD: f64 = 0.05;
 
 impl Assembly<'_, '_> {
-    /// The hydrodynamic data that a kind of vessel names, with her centre of gravity, if any.
+    /// The hydrodynamic data that a kind of vessel names, if any, with the centre of gravity.
     pub(super) fn seakeeping(
         &mut self,
         table: &Table,
@@ -103,7 +103,7 @@ impl Assembly<'_, '_> {
         Ok(Some((seakeeping, float)))
     }
 
-    /// Tells what share of the energy of the sea the data do not resolve.
+    /// Notes the share of the sea's energy that the data do not resolve.
     fn note_unresolved(
         &mut self,
         table: &Table,

@@ -7,20 +7,20 @@ use crate::checked::Table;
 use crate::origin::Origin;
 use crate::sources::Sources;
 
-/// Which weather a berth has, and how it is run.
+/// The weather at a berth, and how the weather is run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Downtime {
     /// File of a series or scatter diagram, CSV or Parquet.
     pub file: PathBuf,
-    /// Most states that the hours of a series are put together to.
+    /// Largest number of states into which the hours of a series are grouped.
     pub states: u64,
-    /// Number of hours of a series that are run as they are.
+    /// Number of single hours of a series that are run with their own weather.
     pub sample: u64,
-    /// Where the campaign's file names the file; `None` only where the campaign was not read from a file.
+    /// Place of the weather file's name in the campaign's file; `None` only if the campaign was not read from a file.
     pub origin: Option<Origin>,
 }
 
-/// Keys of a campaign that do not go with it.
+/// Keys of a campaign that do not go together with `downtime`.
 const OTHERS: [&str; 9] =
     ["variable", "plan", "number", "table", "correlation", "success", "stop", "design", "limit"];
 

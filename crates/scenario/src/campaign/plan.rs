@@ -1,4 +1,4 @@
-//! How a campaign chooses its values, when it ends, what else it reports, and what design values are for.
+//! How a campaign chooses its values, when it ends, what else it reports, and the events of design values.
 
 use std::path::PathBuf;
 
@@ -110,7 +110,7 @@ pub struct Stop {
     pub output: String,
     /// What is estimated.
     pub statistic: Statistic,
-    /// Probability of the quantile; 1/2 for the mean, which has none.
+    /// Probability of the quantile; 1/2 for the mean, which has no probability.
     pub probability: f64,
     /// Half the width of the confidence interval over the estimate.
     pub half_width: f64,
@@ -147,7 +147,7 @@ pub(super) fn kind(file: &Table) -> PlanKind {
     }
 }
 
-/// The plan, with what goes along with it.
+/// The plan, with the keys that belong to the plan.
 pub(super) fn read(
     sources: &Sources<'_>,
     file: &Table,

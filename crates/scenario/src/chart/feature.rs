@@ -1,4 +1,4 @@
-//! From the features of a GeoJSON file to those of a chart.
+//! From the features of a GeoJSON file to the features of a chart.
 
 use fenderline_contact::{Outline, OutlineError, Vec2};
 use fenderline_sim::chart::{ChartFeature, ChartKind, ChartMark, ChartShape, MarkColour, MarkSide};
@@ -8,7 +8,7 @@ use super::{Budget, MOST_FEATURES, MOST_POINTS, Placing};
 use crate::sources::quoted;
 use crate::suggest::nearest;
 
-/// Longest name (bytes), as that of a body.
+/// Longest name (bytes), the same as for a body.
 const LONGEST_NAME: usize = 200;
 /// Depths that a chart may have (m): heights that fall dry are negative.
 const DEPTHS_M: [f64; 2] = [-30.0, 12_000.0];
@@ -22,10 +22,10 @@ pub(super) struct Reading<'r> {
 }
 
 impl Reading<'_> {
-    /// The features that one of a file makes: one for each part of its geometry.
+    /// The features of the chart that a feature of a file makes: one for each part of the geometry.
     ///
     /// # Errors
-    /// Why it is not a feature of a chart.
+    /// The reason why it is not a feature of a chart.
     pub(super) fn features(&mut self, raw: &Raw) -> Read<Vec<ChartFeature>> {
         if raw.kind != "Feature" {
             return Err(format!("its `type` is {}, not \"Feature\"", quoted(&raw.kind)));
@@ -125,7 +125,8 @@ impl Reading<'_> {
     }
 
     fn ring(&mut self, ring: &Coordinates) -> Read<Vec<Vec2>> {
-        // Compared as written: a place that is projected twice has the same bits, but a mistake is easier to understand so.
+        // The points are compared as written, which makes an error easier to understand; projected
+        // points would compare equally well.
         let (Some(Coordinates::Position(first)), Some(Coordinates::Position(last))) =
             (list(ring)?.first(), list(ring)?.last())
         else {

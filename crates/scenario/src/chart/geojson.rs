@@ -68,7 +68,8 @@ pub(super) struct Properties {
     pub(super) side: Option<String>,
 }
 
-/// Nested lists of numbers. A list of two or more numbers is a position; what follows two of them, as a height, is dropped.
+/// Nested lists of numbers. A list of two or more numbers is a position; further numbers, such as a height, are
+/// dropped.
 #[derive(Debug)]
 pub(super) enum Coordinates {
     Number(f64),

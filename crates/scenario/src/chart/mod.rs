@@ -1,5 +1,5 @@
-//! Charts from GeoJSON files: `geojson` reads the text, `feature` what each feature is, `projection` makes metres of
-//! longitude and latitude.
+//! Charts from GeoJSON files: `geojson` reads the text, `feature` interprets each feature, `projection` converts
+//! longitude and latitude to metres.
 
 mod feature;
 mod geojson;
@@ -12,15 +12,16 @@ use self::feature::Reading;
 use self::projection::Projected;
 use crate::error::ScenarioError;
 
-/// Most features, and most points, of a chart: what a page draws without effort.
+/// Largest numbers of features and of points of a chart: a page draws such a chart without effort.
 const MOST_FEATURES: usize = 5_000;
 const MOST_POINTS: usize = 20_000;
-/// Largest file (bytes): ten times of what that many points need.
+/// Largest file (bytes): ten times the size that this many points need.
 const LARGEST_FILE: usize = 8 << 20;
-/// Farthest point from the scenario's origin (m). One that is farther has swapped coordinates, or belongs to another place.
+/// Largest distance of a point from the scenario's origin (m). A point beyond this distance has swapped
+/// coordinates, or belongs to another place.
 const FARTHEST_M: f64 = 200e3;
 
-/// From the coordinates of the files to those of the scenario.
+/// Conversion from the coordinates of the files to the coordinates of the scenario.
 #[derive(Clone, Debug)]
 pub(crate) enum Placing {
     /// They are metres east and north.

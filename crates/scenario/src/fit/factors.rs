@@ -4,7 +4,7 @@ use super::curves::{Branch, FenderCurves, LoadingCurve, end, integral};
 use super::options::FitError;
 use crate::printable::printable_number;
 
-/// Energy of a curve to the rated deflection over that of the reference.
+/// Energy of a curve to the rated deflection over the energy of the reference curve.
 fn factor(curve: &LoadingCurve, reference: &LoadingCurve, rated_m: f64) -> Result<f64, FitError> {
     let end_m = end(&curve.loading);
     if end_m < rated_m {

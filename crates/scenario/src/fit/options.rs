@@ -20,7 +20,8 @@ pub struct FitOptions {
     pub length_m: Option<f64>,
     /// Rated deflection (m); `None`: where the reference loading curve ends.
     pub rated_deflection_m: Option<f64>,
-    /// Rated reaction of the catalogue (N), with which the curve must agree at the rated deflection; `None`: that of the curve.
+    /// Rated reaction of the catalogue (N), with which the curve must agree at the rated deflection;
+    /// `None`: the curve's reaction at the rated deflection.
     pub rated_reaction_n: Option<f64>,
     /// Fraction of the energy that unloading returns, where the file has no unloading curve.
     pub returned_energy: Option<f64>,
@@ -50,18 +51,18 @@ pub enum FitError {
     Ends {
         /// Which curve.
         curve: String,
-        /// Where it ends (m).
+        /// Deflection at which the curve ends (m).
         end_m: f64,
-        /// What it conflicts with.
+        /// The option with which the end conflicts.
         conflict: String,
     },
-    /// The curve's reaction at the rated deflection is not the rated one.
+    /// The curve's reaction at the rated deflection is not the rated reaction.
     NotRated {
         /// The rated deflection (m).
         deflection_m: f64,
-        /// The curve's reaction there over the rated reaction.
+        /// The curve's reaction at the rated deflection over the rated reaction.
         share: f64,
-        /// Whether that deflection was given; otherwise it is the end of the curve.
+        /// Whether the rated deflection was given; otherwise it is the end of the curve.
         is_given: bool,
         /// The last deflection at which the curve has the rated reaction (m), and its share of the height.
         at: Option<(f64, f64)>,

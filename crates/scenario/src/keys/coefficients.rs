@@ -1,4 +1,4 @@
-//! Keys of wind and current coefficients of one's own.
+//! Keys of the user's wind and current coefficients.
 
 use serde_json::{Value as Json, json};
 
@@ -244,7 +244,7 @@ fn rules() -> Json {
     json!({ "allOf": [with("convention", "own", &OF_OWN), with("quantity", "forces", &OF_FORCES)] })
 }
 
-/// Angles and signs of a table, each true where it is that of this program.
+/// Angles and signs of a table; each is true if it agrees with this program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Convention {
     /// Angle 0: a flow from ahead.

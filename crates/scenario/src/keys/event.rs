@@ -11,12 +11,12 @@ use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{KeySpec, Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
-/// The keys of which an event has one.
+/// An event has exactly one of these keys.
 pub(crate) const WHAT: [&str; 7] =
     ["wind", "current", "visibility", "fault", "thruster_out", "line_parts", "tug_out"];
-/// Those that can end.
+/// The kinds of events that can end.
 pub(crate) const CAN_END: [&str; 3] = ["fault", "thruster_out", "tug_out"];
-/// Those that are of a vessel.
+/// The kinds of events that concern a vessel.
 pub(crate) const OF_VESSEL: [&str; 2] = ["fault", "thruster_out"];
 
 pub(super) static EVENT: TableSpec = TableSpec {

@@ -1,4 +1,4 @@
-//! Keys of rows of fenders: those of a fender, and where the row stands.
+//! Keys of rows of fenders: the keys of a fender, and the place of the row.
 
 use serde_json::{Value as Json, json};
 
@@ -138,7 +138,7 @@ static OWN: [KeySpec; 13] = [
     ),
 ];
 
-/// The key of exceptions; it comes last.
+/// The key of exceptions, which comes last.
 static EXCEPTIONS: KeySpec = key(
     "exception",
     Kind::Named(&EXCEPTION),
@@ -218,7 +218,7 @@ const fn same(one: &str, other: &str) -> bool {
     true
 }
 
-/// The rules of a fender without that of beltings, and where the row stands.
+/// The rules of a fender without the rule of beltings, and the rules for the place of the row.
 fn row_rules() -> Json {
     let of_fender = FENDER.rules.map_or(json!({}), |rules| rules());
     let is_of_beltings = |rule: &Json| rule["if"]["required"] == json!(["belting"]);

@@ -8,7 +8,7 @@ use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{KeySpec, Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
-/// The key that loads and providers name their body by.
+/// The key by which loads and providers name a body.
 pub(super) const FLOATING_BODY: KeySpec = key(
     "body",
     Kind::BodyName,

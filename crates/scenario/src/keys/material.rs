@@ -55,7 +55,7 @@ pub(super) static MATERIAL: TableSpec = TableSpec {
             &["0.1"],
         ),
     ],
-    // A text such as "0 %" is beyond a schema.
+    // A schema cannot evaluate a text such as "0 %".
     rules: Some(|| {
         json!({
             "if": { "required": ["friction_static"], "properties": { "friction_static": { "not": { "const": 0 } } } },

@@ -9,7 +9,7 @@ use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{KeySpec, Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
-/// The keys of a line that say where and how it is made fast by itself. A line without `to` has none of them.
+/// The keys of the far end of a line that is fast from the start. A line without `to` has none of these keys.
 pub(crate) const AT_THE_FAR_END: [&str; 6] =
     ["bollard", "bollard_height", "bitts", "length", "pretension", "made_fast"];
 
@@ -265,7 +265,7 @@ const LOAD_EXTENSION: KeySpec = key(
     &["\"rope.csv\""],
 );
 
-/// Either key of a rope of one's own, and neither of another.
+/// A rope of the user has one of the two keys; another rope has neither.
 fn rope_rules() -> serde_json::Value {
     json!({
         "if": { "properties": { "rope": { "const": "own" } }, "required": ["rope"] },
@@ -295,7 +295,7 @@ static TAIL: TableSpec = TableSpec {
     rules: Some(rope_rules),
 };
 
-/// The curve of each material; `None`: the file's own.
+/// The curve of each material; `None`: the curve comes from the file.
 pub(crate) type BuiltIn = Option<fn() -> RopeCurve>;
 
 static ROPES: Choices<BuiltIn> = Choices(&[

@@ -1,5 +1,5 @@
-//! Keys of orders. All but the telegraph are made from the table of orders in `fenderline_sim`, so that an order that
-//! is added there is a key here.
+//! Keys of orders. All but the telegraph are made from the table of orders in `fenderline_sim`, so a
+//! new order in that table is a key here.
 
 use fenderline_sim::hydro::actuator::Telegraph;
 use fenderline_sim::order::{
@@ -154,7 +154,7 @@ static TABLES: [TableSpec; ORDERS] = {
 /// How the key of an order holds its arguments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
-    /// `true`: it has no arguments.
+    /// `true`: the order has no arguments.
     Flag,
     /// The first argument, a number. The others are keys beside the order.
     Number,

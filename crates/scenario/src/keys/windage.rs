@@ -139,7 +139,7 @@ pub(crate) enum WindageMethod {
     Fujiwara,
 }
 
-/// The method where the file names none.
+/// The method if the file names none.
 const DEFAULT_METHOD: WindageMethod = WindageMethod::Blendermann;
 
 impl WindageMethod {

@@ -1,4 +1,4 @@
-//! The contents of a fender file, in SI units. The standing of a fender is that of its weakest part.
+//! The contents of a fender file, in SI units. The standing of a fender is the standing of its weakest part.
 
 use fenderline_contact::Unloading;
 use fenderline_sim::hydro::vessels::Standing;
@@ -12,11 +12,12 @@ pub struct Family {
     pub rated_deflection: f64,
     /// Deflection over height against reaction over rated reaction, from (0, 0), deflections rising; piecewise linear.
     pub curve: Vec<(f64, f64)>,
-    /// Deflection over height against energy over rated energy as published; empty where none was. For comparison only.
+    /// Deflection over height against energy over rated energy as published; empty if no energy was published. For
+    /// comparison only.
     pub published_energy: Vec<(f64, f64)>,
     /// Where the curve comes from.
     pub source: String,
-    /// How well that is known.
+    /// How well the source is known.
     pub standing: Standing,
     /// How the reaction falls in unloading.
     pub unloading: Option<FamilyUnloading>,
@@ -30,7 +31,7 @@ pub struct Family {
     pub angle_reaction: Option<FactorTable>,
     /// Manufacturing tolerance of reaction and energy.
     pub tolerance: Option<Tolerance>,
-    /// Index of the size from which others are scaled.
+    /// Index of the size from which other sizes are scaled.
     pub reference: Option<usize>,
     /// Sizes, in the order of the file.
     pub sizes: Vec<FenderSize>,
@@ -44,7 +45,7 @@ pub struct FamilyUnloading {
     pub law: Unloading,
     /// Where the unloading law comes from.
     pub source: String,
-    /// How well that is known.
+    /// How well the source is known.
     pub standing: Standing,
 }
 
@@ -57,7 +58,7 @@ pub struct FactorTable {
     pub holds: Option<String>,
     /// Where they come from.
     pub source: String,
-    /// How well that is known.
+    /// How well the source is known.
     pub standing: Standing,
 }
 
@@ -68,7 +69,7 @@ pub struct Tolerance {
     pub value: f64,
     /// Where the manufacturing tolerance comes from.
     pub source: String,
-    /// How well that is known.
+    /// How well the source is known.
     pub standing: Standing,
 }
 
@@ -91,7 +92,7 @@ pub struct FenderSize {
     pub initial_pressure_npm2: Option<f64>,
     /// Where the size comes from.
     pub source: String,
-    /// How well that is known.
+    /// How well the source is known.
     pub standing: Standing,
 }
 
@@ -104,6 +105,6 @@ pub struct HullPressureLimit {
     pub limit_npm2: f64,
     /// Where the hull pressure limit comes from.
     pub source: String,
-    /// How well that is known.
+    /// How well the source is known.
     pub standing: Standing,
 }

@@ -1,4 +1,4 @@
-//! What a plain number that is out of bounds may have meant: the unit in which the trade gives such a quantity.
+//! Suggests a unit for a plain number that is out of bounds: the unit in which the trade gives this quantity.
 
 use core::f64::consts::PI;
 
@@ -18,7 +18,8 @@ static OF_THE_TRADE: [(&Measure, &str, f64); 8] = [
     (&unit::PLAIN_NUMBER, "%", 1e-2),
 ];
 
-/// What to write instead of a plain number that is out of bounds, where another unit would bring it within them.
+/// What to write instead of a plain number that is out of bounds, if another unit would bring the number within the
+/// bounds.
 pub(super) fn meant(quantity: &Quantity, value: f64) -> Option<String> {
     let measure = quantity.measure;
     let is_within = |si: f64| si >= quantity.low && si <= quantity.high;

@@ -9,14 +9,14 @@ use super::{Flow, Row};
 use crate::csv::Csv;
 use crate::keys::coefficients::Convention;
 
-/// What a side force or moment may be in a flow from straight ahead or astern, over its maximum.
+/// Largest permitted side force or moment in a flow from straight ahead or astern, over the maximum of the table.
 const AT_THE_ENDS: f64 = 0.05;
-/// A difference of the two sides that is told, over the maximum.
+/// A larger difference between the two sides gets a notice; over the maximum.
 const ASYMMETRY: f64 = 0.3;
-/// A moment that is told where it is against what ships show, over the maximum.
+/// A larger moment of unusual sign gets a notice; over the maximum.
 const AGAINST: f64 = 0.1;
 
-/// Checks the signs of the rows at one depth and draught. Returns what is odd, each with its row.
+/// Checks the signs of the rows at one depth and draught. Returns the notices, each with its row.
 ///
 /// # Errors
 /// A force against the flow at 0, 90, 180 or −90 degrees; a mirrored table with a side force or moment straight ahead or astern.
@@ -34,7 +34,7 @@ pub(super) fn check(
         row.filter(|row| off(row) < 20.0)
     };
     let given = |row: &Row| crate::printable::printable_number(csv.plain(row.row, column));
-    // Our axes: from ahead it pushes aft, from port to starboard.
+    // In our axes a flow from ahead pushes aft, and a flow from port pushes to starboard.
     for (degrees, part, pushes, from) in [
         (0.0, 0, -1.0, "ahead"),
         (180.0, 0, 1.0, "astern"),
@@ -129,7 +129,7 @@ fn asymmetry(
     ))
 }
 
-/// A moment against what ships show: a current on the bow turns a hull broadside to it.
+/// Notes a moment of unusual sign: a current on the bow turns a hull broadside to the current.
 fn moment(
     angles: &Angles,
     (flow, convention): (Flow, &Convention),

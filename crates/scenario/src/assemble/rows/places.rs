@@ -60,7 +60,8 @@ fn is_along(edge: &Edge, direction: Vec2) -> bool {
     edge.along.cross(direction).abs() < 1e-6
 }
 
-/// The direction or its opposite: the one that runs forward, or to starboard where it runs straight across.
+/// The given direction or its opposite: of the two, the direction that runs forward; if both run
+/// straight across, the direction to starboard.
 fn forward(direction: Vec2) -> Vec2 {
     let is_across = direction.x.abs() < 1e-9;
     let is_back = if is_across { direction.y < 0.0 } else { direction.x < 0.0 };
@@ -223,7 +224,7 @@ impl Assembly<'_, '_> {
     fn whole_number(&self, row: &Table, item: &Item) -> Checked<usize> {
         let number = *item.number();
         if libm::trunc(number) == number {
-            // The key table bounds it.
+            // The key table bounds the number.
             return Ok(number as usize);
         }
         let path = row.path_of(item.name);

@@ -14,9 +14,10 @@ use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 use serde_json::{Value as Json, json};
 
-/// Most runs of a campaign. Their table is below the largest file that a report reads, and a column of it takes 0.8 GB.
+/// Largest number of runs of a campaign. The table of these runs is smaller than the largest file that a report reads,
+/// and a column of the table takes 0.8 GB.
 pub(super) const MOST_RUNS: f64 = 1e8;
-/// Most time steps of one run that a file can allow.
+/// Largest number of time steps that a file can allow for one run.
 const MOST_STEPS: f64 = 1e15;
 
 pub(crate) static PLANS: Choices<PlanKind> = Choices(&[
