@@ -238,7 +238,7 @@ fn fault_words(fault: Fault) -> &'static str {
     }
 }
 
-/// Over what time the weather changes; nothing where it changes at once.
+/// Over what time the weather changes; nothing if it changes at once.
 fn over_words(over_s: f64) -> String {
     if over_s > 0.0 { format!(" over {} s", plain(over_s, 0)) } else { String::new() }
 }

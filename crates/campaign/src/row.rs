@@ -43,7 +43,7 @@ impl Cell {
 pub struct Head {
     /// Name.
     pub name: String,
-    /// Unit; empty where it has none.
+    /// Unit; empty if it has none.
     pub unit: String,
     /// What it is.
     pub meaning: String,

@@ -66,7 +66,7 @@ impl StopRule {
     }
 }
 
-/// Half of the confidence interval over the estimate; `None` where there are too few values.
+/// Half of the confidence interval over the estimate; `None` if there are too few values.
 fn half_width(rule: &Stop, values: Vec<f64>) -> Option<f64> {
     let confidence = Confidence::new(rule.confidence).expect("the key has its bounds");
     let sample = Sample::new(values).ok()?;

@@ -54,7 +54,7 @@ pub(crate) struct Object<T> {
 pub(crate) static ENGINES: Table<EngineHeld> = Table::new(0b0101);
 pub(crate) static BUILDERS: Table<EngineBuilder> = Table::new(0b1011);
 
-/// High bits that no valid address has; 0 where pointers have no room for them.
+/// High bits that no valid address has; 0 if pointers have no room for them.
 const MARK: usize = if usize::BITS == 64 { 0xfede_usize.rotate_right(16) } else { 0 };
 const SERIALS: usize = if usize::BITS == 64 { 1 << 40 } else { usize::MAX >> 4 };
 

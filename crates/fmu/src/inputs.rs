@@ -26,14 +26,14 @@ pub(crate) enum Input {
         body: usize,
         component: LoadComponent,
     },
-    /// True where the master controls a vessel.
+    /// True if the master controls a vessel.
     ExternalControl(usize),
     Rudder(usize),
     Engine(usize),
     Thruster(usize, usize),
     AzimuthPower(usize, usize),
     AzimuthDirection(usize, usize),
-    /// True where the master controls a vector tug.
+    /// True if the master controls a vector tug.
     ExternalTugControl(usize),
     TugForce(usize),
     TugDirection(usize),
@@ -294,7 +294,7 @@ impl Inputs<'_> {
         self.value(wanted) != 0.0
     }
 
-    /// Writes the input states; fixed bodies have none and keep theirs.
+    /// Writes the input states; fixed bodies have no input and keep their states.
     pub(crate) fn states(&self, body_fixed: bool, states: &mut [BodyState]) {
         for (input, value) in self.all() {
             let Input::State { body, component } = input else { continue };
@@ -341,7 +341,7 @@ impl Inputs<'_> {
         loads
     }
 
-    /// The orders that follow from what changed since `before`.
+    /// The orders that follow from the inputs that have changed since `before`.
     pub(crate) fn orders(&self, before: &Inputs<'_>) -> Vec<InputOrder> {
         let changed = |input: Input| self.value(input).to_bits() != before.value(input).to_bits();
         let mut orders = Vec::new();
@@ -355,8 +355,8 @@ impl Inputs<'_> {
         orders
     }
 
-    /// The order that an input gives, with the input that says whether the master is in control, and the inputs whose
-    /// change gives a new order. `None`: the input gives no order of its own.
+    /// The order that an input gives, with the input that says whether the master is in control,
+    /// and the inputs whose change gives a new order. `None`: the input gives no order by itself.
     fn order_of(&self, input: Input) -> Option<(Input, Vec<Input>, InputOrder)> {
         let none = Arguments::new();
         let of_vessel = |vessel, order, arguments| {
@@ -390,7 +390,7 @@ impl Inputs<'_> {
                     vec![Input::TugForce(tug), Input::TugDirection(tug), Input::TugPulls(tug)];
                 (Input::ExternalTugControl(tug), parts, self.tug_order(tug))
             }
-            // They are part of the order that the force gives.
+            // These inputs are part of the order that the force gives.
             Input::ExternalTugControl(_) | Input::TugDirection(_) | Input::TugPulls(_) => {
                 return None;
             }

@@ -18,7 +18,7 @@ pub(crate) struct View<'a> {
     pub(crate) contacts: &'a [Contact],
     /// Report wrenches in the bodies' axes.
     pub(crate) body_fixed: bool,
-    /// The simulation, where there is one.
+    /// The simulation; `None` for an engine.
     pub(crate) simulation: Option<&'a Simulation>,
 }
 
@@ -64,7 +64,7 @@ impl View<'_> {
 }
 
 type Read = fn(&View<'_>, [usize; 2]) -> f64;
-/// Name, description, unit, and how it is read.
+/// Name, description, unit, and the function that reads the value.
 type Column = (&'static str, &'static str, Unit, Read);
 
 fn add(table: &mut Table, stem: &str, of: [usize; 2], columns: &[Column]) -> Vec<usize> {

@@ -10,7 +10,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use crate::border::Log;
 use crate::instance::{Instance, Outcome};
 
-/// An instance and where its messages go.
+/// An instance, and the receiver of its messages.
 struct Held {
     instance: Mutex<Instance>,
     log: Log,
@@ -30,7 +30,7 @@ pub(crate) enum Status {
 }
 
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    // Panics are caught while the lock is held, so that the lock is never poisoned; the value would be valid anyway.
+    // Panics are caught while the lock is held, so the lock is never poisoned; the value would be valid even then.
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 

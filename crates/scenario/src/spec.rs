@@ -9,7 +9,7 @@ use crate::units::Measure;
 /// A table of keys.
 #[derive(Debug)]
 pub(crate) struct TableSpec {
-    /// What one such table describes, with its article, as `a material`.
+    /// The thing that such a table describes, with its article, as `a material`.
     pub(crate) what: &'static str,
     /// What the table is for.
     pub(crate) doc: &'static str,
@@ -33,7 +33,7 @@ pub(crate) struct KeySpec {
     pub(crate) name: &'static str,
     /// What the key holds.
     pub(crate) kind: Kind,
-    /// What its absence means.
+    /// Meaning of the key's absence.
     pub(crate) absent: Absent,
     /// What the key is for.
     pub(crate) doc: &'static str,
@@ -61,7 +61,7 @@ pub(crate) enum Absent {
     Is(&'static str),
     /// What these words say.
     Means(&'static str),
-    /// An error unless these words hold. `assemble` checks it.
+    /// An error unless these words hold. `assemble` checks the condition.
     Unless(&'static str),
 }
 

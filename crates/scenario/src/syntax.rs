@@ -72,7 +72,7 @@ fn first_line(before: &str, key: &str) -> Option<usize> {
             .position(|line| header(line).is_some_and(|it| it == key))
             .map(|i| i + 1);
     }
-    // A key is given twice in one table. Look only there: the tables of a list have the same keys.
+    // A key is given twice in one table. Search only this table, because the tables of a list have the same keys.
     let name = key.rsplit('.').next().unwrap_or(key);
     let own = above.lines().enumerate().collect::<Vec<_>>();
     let own = own.iter().rev().take_while(|(_, line)| header(line).is_none());

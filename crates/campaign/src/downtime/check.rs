@@ -19,7 +19,7 @@ pub struct StatesCheck {
     pub as_it_is_alone: usize,
     /// Lost by neither.
     pub neither: usize,
-    /// Share of hours that do not agree with their state, with Wilson's interval; `None` where none could be compared.
+    /// Share of hours that do not agree with their state, with Wilson's interval; `None` if none could be compared.
     pub disagree: Option<Estimate>,
     /// Share of hours that are lost as they are, with Wilson's interval.
     pub lost_as_they_are: Option<Estimate>,

@@ -16,7 +16,7 @@ pub const DOWNTIME_JSON: &str = "downtime.json";
 /// Name of the table of all rows of the weather, each with its state.
 pub const HOURS_CSV: &str = "hours.csv";
 
-/// A share in per cent, rounded to a thousandth of one; empty where nothing is known.
+/// A share in per cent, rounded to a thousandth of one; empty if nothing is known.
 fn percent(share: Option<f64>) -> String {
     share.map_or_else(String::new, |share| shortest(100.0 * share))
 }

@@ -31,7 +31,7 @@ pub struct Weather {
     pub(super) hours: Vec<f64>,
     /// Time of each row as the file has it; empty for a scatter diagram.
     pub(super) times: Vec<String>,
-    /// Month of each row, from 0; `None` where the file has no dates.
+    /// Month of each row, from 0; `None` if the file has no dates.
     pub(super) months: Option<Vec<usize>>,
 }
 

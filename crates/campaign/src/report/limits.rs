@@ -22,7 +22,7 @@ pub(super) fn lines<'l>(
     })
 }
 
-/// A row a limit; nothing where there is none.
+/// A row a limit; nothing if there is none.
 pub(super) fn section(limits: &[&Limit], unit: &str, findings: &Findings, asked: &Asked) -> Markup {
     let quoted = quote(findings, unit).and_then(|quote| quote.law);
     let fit = quoted.and_then(|law| findings.fits.iter().flatten().find(|fit| fit.law == law));

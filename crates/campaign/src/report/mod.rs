@@ -38,7 +38,7 @@ pub struct Input {
     pub column: String,
     /// Distribution of the input in words, such as `lognormal, mean 7.1 cm/s, deviation 4.47 cm/s`.
     pub distribution: String,
-    /// Where that comes from; empty where nobody said.
+    /// Where that comes from; empty if nobody said.
     pub source: String,
 }
 

@@ -22,7 +22,7 @@ const BINS: usize = 12;
 /// Probability of success that the limit is given for.
 const REQUIRED: [f64; 2] = [0.95, 0.99];
 
-/// The section; empty where wind speed and direction are no inputs, or the table has no verdicts.
+/// The section; empty if wind speed and direction are no inputs, or the table has no verdicts.
 pub(super) fn section(campaign: &Campaign<'_>, verdicts: &Verdicts) -> Result<Markup, TableError> {
     let is_input = |name: &str| campaign.inputs.iter().any(|input| input.column == name);
     let successes = match campaign.success {

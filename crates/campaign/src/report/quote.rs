@@ -13,7 +13,7 @@ const TAIL_DEVIATIONS: f64 = 2.576;
 /// What may be quoted of a column.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Quote {
-    /// The law to quote; `None` where none may be quoted.
+    /// The law to quote; `None` if none may be quoted.
     pub law: Option<Law>,
     /// Which law or value to quote and why, in one or two sentences for a report.
     pub sentence: String,

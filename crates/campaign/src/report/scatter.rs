@@ -14,7 +14,7 @@ const FORMULA: &str = "formula_energy";
 const HIGHEST: usize = 400;
 const OTHERS: usize = 2000;
 
-/// The section; empty where the table lacks one of the columns.
+/// The section; empty if the table lacks one of the columns.
 pub(super) fn section(table: &Table) -> Result<Markup, TableError> {
     if !(table.has(ENERGY) && table.has(FORMULA)) {
         return Ok(html! {});

@@ -35,13 +35,13 @@ impl Verdicts {
         Ok(Verdicts { runs: first.map_or(0, |texts| texts.len()), columns: None })
     }
 
-    /// The verdict of a row in words; empty where the table has none.
+    /// The verdict of a row in words; empty if the table has none.
     pub(super) fn words(&self, row: usize) -> String {
         let key = self.columns.as_ref().and_then(|[verdict, _]| verdict.get(row));
         key.map_or_else(String::new, in_words)
     }
 
-    /// Whether each run succeeded: no limit exceeded, nothing in doubt. `None` where the table has no verdicts. A run that could
+    /// Whether each run succeeded: no limit exceeded, nothing in doubt. `None` if the table has no verdicts. A run that could
     /// not be made is no success and no failure: it has `None`.
     pub(super) fn successes(&self) -> Option<Vec<Option<bool>>> {
         let [verdict, gravity] = self.columns.as_ref()?;

@@ -10,7 +10,7 @@ use crate::downtime::BETWEEN;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Numbers {
     pub(super) verdict: Verdict,
-    /// The worst finding in a sentence; empty where all is well.
+    /// The worst finding in a sentence; empty if all is well.
     pub(super) finding: String,
     /// Fenders that were touched.
     pub(super) touched: usize,
@@ -43,7 +43,7 @@ pub(super) struct Numbers {
     pub(super) alongside_s: f64,
     /// Lines that parted.
     pub(super) lines_parted: usize,
-    /// Names of the limits that were exceeded, and verdicts of as grave findings, the gravest first; empty where there are none.
+    /// Names of the limits that were exceeded, and verdicts of as grave findings, the gravest first; empty if there are none.
     pub(super) lost_by: String,
 }
 

@@ -57,7 +57,7 @@ pub struct DesignRow {
     pub exceedance: f64,
     /// By the data alone.
     pub by_data: Quantile,
-    /// By each fit, in the order of the laws; `None` where the fit failed or says nothing there.
+    /// By each fit, in the order of the laws; `None` if the fit failed or says nothing there.
     pub by_fit: Vec<Option<Estimate>>,
 }
 
@@ -158,7 +158,7 @@ fn tail(sample: &Sample) -> Option<TailCheck> {
 }
 
 impl TailCheck {
-    /// How many of the values a fit expects in the tail; `None` where it begins below the threshold of the fit.
+    /// How many of the values a fit expects in the tail; `None` if it begins below the threshold of the fit.
     #[must_use]
     pub fn expected(&self, fit: &Fit, sample: &Sample) -> Option<f64> {
         match fit.distribution.threshold() {

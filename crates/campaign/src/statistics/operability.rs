@@ -40,7 +40,7 @@ impl Edges {
         if rises { Ok(Edges(edges)) } else { Err(EdgesDoNotRise) }
     }
 
-    /// `count` bins of equal width over the range of the finite values; `None` where they have no range.
+    /// `count` bins of equal width over the range of the finite values; `None` if they have no range.
     #[must_use]
     pub fn over(values: &[f64], count: usize) -> Option<Edges> {
         let finite = || values.iter().copied().filter(|value| value.is_finite());

@@ -6,11 +6,11 @@ use super::{Confidence, Sample};
 /// A quantile of a sample. What the sample cannot tell is `None`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantile {
-    /// The estimate; `None` where fewer runs were made than the probability needs: it is beyond the data.
+    /// The estimate; `None` if fewer runs were made than the probability needs: it is beyond the data.
     pub value: Option<f64>,
-    /// Lower end of the interval; `None` where it lies below all values.
+    /// Lower end of the interval; `None` if it lies below all values.
     pub low: Option<f64>,
-    /// Upper end of the interval; `None` where it lies above all values.
+    /// Upper end of the interval; `None` if it lies above all values.
     pub high: Option<f64>,
 }
 

@@ -138,7 +138,7 @@ impl Sample {
         self.weights.is_some()
     }
 
-    /// The weights in the order of the values; `None` where all are 1.
+    /// The weights in the order of the values; `None` if all are 1.
     pub(super) fn weights(&self) -> Option<&[f64]> {
         self.weights.as_ref().map(|weights| weights.each.as_slice())
     }

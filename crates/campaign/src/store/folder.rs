@@ -290,7 +290,7 @@ impl Manifest {
     }
 }
 
-/// The manifest of a folder; `None` where there is none.
+/// The manifest of a folder; `None` if there is none.
 fn read_manifest(path: &Path) -> Result<Option<Manifest>, CampaignError> {
     let text = match fs::read_to_string(path) {
         Ok(text) => text,

@@ -101,7 +101,7 @@ pub(super) struct Line {
     pub(super) length: usize,
 }
 
-/// The line of a row, from 0, and the cell of a column in it; `None` where the file cannot be read any more or has no such row.
+/// The line of a row, from 0, and the cell of a column in it; `None` if the file cannot be read any more or has no such row.
 pub(super) fn line_of_row(path: &Path, separator: u8, place: usize, row: usize) -> Option<Line> {
     let mut reader = reader(path, separator).ok()?;
     let record = reader.byte_records().nth(row)?.ok()?;

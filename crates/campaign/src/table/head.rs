@@ -5,9 +5,9 @@
 pub struct Head {
     /// Name without unit.
     pub name: String,
-    /// Unit as it is printed; empty where there is none.
+    /// Unit as it is printed; empty if there is none.
     pub unit: String,
-    /// What the column holds; empty where the file does not say.
+    /// What the column holds; empty if the file does not say.
     pub meaning: String,
 }
 

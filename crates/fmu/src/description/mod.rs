@@ -25,7 +25,7 @@ pub(crate) fn model(plan: &Plan, fmi: Fmi, name: &str, identifier: &str) -> io::
     }
 }
 
-/// Of the libraries in the FMU; `license.txt` in it has the text.
+/// Copyright of the libraries in the FMU; `license.txt` in the FMU has the text.
 const COPYRIGHT: &str = "Copyright (c) 2026 The fenderline authors";
 const LICENCE: &str = "MIT OR Apache-2.0";
 
@@ -98,7 +98,7 @@ fn variability(variable: &Variable) -> &'static str {
     }
 }
 
-/// `None` where the standard forbids the attribute.
+/// `None` if the standard forbids the attribute.
 fn initial(variable: &Variable) -> Option<&'static str> {
     match variable.causality {
         Causality::Parameter => Some("exact"),

@@ -24,7 +24,7 @@ pub struct Rose {
 pub struct Ring {
     /// Printed at its outer edge.
     pub label: String,
-    /// A share from 0 to 1 a sector; `None` where there is nothing to say.
+    /// A share from 0 to 1 a sector; `None` if there is nothing to say.
     pub shares: Vec<Option<f64>>,
 }
 

@@ -260,7 +260,7 @@ fn energies(outcome: &Outcome<'_>, all: &mut Vec<Governing>) {
     }));
 }
 
-/// The rated energy of the fender that she meets first, with its factors (J); `None` where she meets several at once, which share the
+/// The rated energy of the fender that she meets first, with its factors (J); `None` if she meets several at once, which share the
 /// energy.
 fn capacity_of_one_j(outcome: &Outcome<'_>, berthing: &BerthingOutcome) -> Option<f64> {
     let [one] = berthing.fenders[..] else { return None };

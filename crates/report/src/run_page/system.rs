@@ -315,7 +315,7 @@ impl Sight<'_> {
     }
 }
 
-/// From above, the most used fender among those with a panel on several cones, in its largest turn; nothing where none was
+/// From above, the most used fender among those with a panel on several cones, in its largest turn; nothing if none was
 /// touched.
 fn panel_plan(outcome: &Outcome<'_>) -> Option<PanelPlan> {
     let setups = &outcome.setup.fenders;
@@ -391,7 +391,7 @@ fn chains(fender: &FenderSetup, summary: Option<&FenderSummary>) -> Vec<(Chain, 
     fender.chains.iter().enumerate().map(drawn).take(CHAINS).collect()
 }
 
-/// Where an outline is nearest to the face at a place along it (m); `None` where it does not reach there.
+/// Where an outline is nearest to the face at a place along it (m); `None` if it does not reach there.
 fn nearest_m(outline_m: &[[f64; 2]], along_m: f64) -> Option<f64> {
     let next = outline_m.iter().cycle().skip(1);
     let crossings = outline_m.iter().zip(next).filter_map(|(from, to)| {

@@ -18,7 +18,7 @@ pub(crate) struct LineRow {
 }
 
 impl LineRow {
-    /// The row of line number `line`; `None` while it is not fast.
+    /// The row of line number `line`; `None` while the line is not fast.
     pub(crate) fn new(t_s: f64, line: usize, now: &Mooring) -> Option<LineRow> {
         let (_, state) = now.line.as_ref()?;
         Some(LineRow {

@@ -15,7 +15,7 @@ pub(crate) struct PanelRow {
 }
 
 impl PanelRow {
-    /// The row of a panel on so many cones.
+    /// The row of a panel on several cones.
     pub(crate) fn new(t_s: f64, motion: &PanelMotion, cones: usize) -> PanelRow {
         let most_m = motion.peak_deflections_m.iter().take(cones).copied().fold(0.0, greater);
         let least_m = motion.least_deflections_m.iter().take(cones).copied();

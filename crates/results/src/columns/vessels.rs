@@ -52,7 +52,7 @@ impl VesselRow {
         }
     }
 
-    /// The same with the start of its interval.
+    /// The same row with the start of its interval.
     pub(crate) fn at(self, start_s: f64) -> VesselRow {
         VesselRow { t_s: start_s, ..self }
     }
@@ -76,7 +76,7 @@ impl Row for VesselRow {
     }
 }
 
-/// Replaces each force; `with` also gets the function that takes that force from others.
+/// Replaces each force; `with` also gets the function that takes this force from other rows.
 fn each_force(
     forces: &VesselForces,
     with: impl Fn(Force, fn(&VesselForces) -> Force) -> Force,

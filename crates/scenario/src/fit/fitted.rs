@@ -24,9 +24,9 @@ pub struct FittedFender {
     pub points: Branch,
     /// The unloading curve in the same form; empty without an unloading curve.
     pub unloading: Branch,
-    /// Time to rated deflection (s) against factor on the reaction; empty where the file has no speeds.
+    /// Time to rated deflection (s) against factor on the reaction; empty if the file has no speeds.
     pub velocity: Branch,
-    /// Temperature (°C) against factor on the reaction; empty where the file has no temperatures.
+    /// Temperature (°C) against factor on the reaction; empty if the file has no temperatures.
     pub temperature: Branch,
 }
 

@@ -39,7 +39,7 @@ pub struct CatalogueFender {
     pub angle_energy_factors: Vec<(f64, f64)>,
     /// Angle of compression (rad) against factor on the reaction; empty without data.
     pub angle_reaction_factors: Vec<(f64, f64)>,
-    /// Manufacturing tolerance of reaction and energy, 0.1 for ±10 %, where it is known.
+    /// Manufacturing tolerance of reaction and energy, 0.1 for ±10 %, if known.
     pub tolerance: Option<f64>,
     /// Pressure on the hull at the rated deflection (N/m²); `None` if the pressure depends on the panel.
     pub hull_pressure_npm2: Option<f64>,

@@ -61,7 +61,7 @@ pub(super) fn bollards(berth: &NewBerth) -> usize {
     if places < 1e4 { places as usize + 1 } else { usize::MAX }
 }
 
-/// The file; `None` where fenders have neither a size nor height and reaction.
+/// The file; `None` if fenders have neither a size nor height and reaction.
 pub(super) fn compose(
     of: &NewExercise,
     ship: &VesselData,

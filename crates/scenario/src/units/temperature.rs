@@ -5,7 +5,7 @@ use super::decimal::{Decimal, Scale};
 
 const CELSIUS: [&str; 2] = ["degC", "°C"];
 const FAHRENHEIT: [&str; 2] = ["degF", "°F"];
-/// What people also write, and what they then mean.
+/// Other spellings of units, and the units that they mean.
 const NEAR: [(&str, &str); 12] = [
     ("C", "degC"),
     ("c", "degC"),

@@ -12,13 +12,13 @@ use fenderline_sim::{AzimuthSetup, ThrusterSetup};
 pub struct VesselData {
     /// Key of the vessel.
     pub name: String,
-    /// Name of the vessel in reports, and where every number comes from.
+    /// Name of the vessel in reports, and the source of every number.
     pub origin: Origin,
     /// A model in a tank of fresh water.
     pub is_model: bool,
-    /// Length of the model that the resistance in `ship` was measured on (m), where it is known.
+    /// Length of the model on which the resistance in `ship` was measured (m), if known.
     pub resistance_of_model_m: Option<f64>,
-    /// Length overall (m), where it is known.
+    /// Length overall (m), if known.
     pub length_overall_m: Option<f64>,
     /// Manoeuvring model of the vessel in deep water.
     pub ship: Mmg,
@@ -26,7 +26,7 @@ pub struct VesselData {
     pub approach_mps: Option<f64>,
     /// Rudder amidships, with its rate and stop.
     pub rudder: RateLimited,
-    /// Shaft of the vessel, where she has a propeller.
+    /// Shaft of the vessel, if she has a propeller.
     pub shaft: Option<Shaft>,
     /// Tunnel thrusters, in the order of the file.
     pub thrusters: Vec<ThrusterSetup>,
@@ -38,11 +38,11 @@ pub struct VesselData {
     pub stability: Option<Stability>,
     /// Outline of the vessel, forward and to starboard of midship (m).
     pub outline_m: Option<Vec<Vec2>>,
-    /// Where lines leave her.
+    /// Places where lines leave the vessel.
     pub chocks: Vec<DeckPoint>,
-    /// Where lines of others are made fast.
+    /// Places where lines of other vessels are made fast.
     pub bitts: Vec<DeckPoint>,
-    /// Strips that a fender may lie on.
+    /// Strips on which a fender may lie.
     pub beltings: Vec<Belting>,
     /// Coefficients that a geometrically similar vessel may use.
     pub(crate) coefficients: Coefficients,
@@ -71,11 +71,11 @@ pub struct Stability {
 /// A chock or a pair of bitts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DeckPoint {
-    /// Unique among its kind on the vessel.
+    /// Name of the point, unique among points of its kind on the vessel.
     pub name: String,
     /// Forward and to starboard of midship (m).
     pub at_m: Vec2,
-    /// Above the still water at her draught (m).
+    /// Height above the still water at the vessel's draught (m).
     pub above_water_m: f64,
 }
 
@@ -86,7 +86,7 @@ pub struct Belting {
     pub name: String,
     /// Middle of the strip, forward and to starboard of midship (m).
     pub middle_m: Vec2,
-    /// Direction in which it faces: 0 forward, positive to starboard (rad).
+    /// Direction in which the strip faces: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
     /// Length of the strip (m).
     pub width_m: f64,

@@ -50,7 +50,7 @@ pub(super) fn file_vessel(
     })
 }
 
-/// A vessel of a scenario, with its own particulars or derived from one of the library.
+/// A vessel of a scenario, with particulars of its own, or derived from a vessel of the library.
 ///
 /// # Errors
 /// An unknown vessel in `from`, particulars beside `from`, missing or impossible particulars.
@@ -247,7 +247,7 @@ impl Reading<'_, '_> {
         Ok(())
     }
 
-    /// Refuses particulars beside `from`: they are those of the library's vessel.
+    /// Refuses particulars beside `from`, because they come from the library's vessel.
     fn refuse_other_particulars(&self) -> Read<()> {
         let table = self.table;
         const HERS: [&str; 6] =

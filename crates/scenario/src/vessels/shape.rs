@@ -133,9 +133,9 @@ pub(super) fn beltings(
     tables.iter().map(read).collect()
 }
 
-/// The hull that points on deck must be on.
+/// The hull on which points of the deck must lie.
 pub(super) struct Hull<'h> {
-    /// The outline about midship, where it is known.
+    /// The outline about midship, if known.
     pub(super) outline_m: Option<&'h [Vec2]>,
     /// Length and beam.
     pub(super) ship: &'h Particulars,

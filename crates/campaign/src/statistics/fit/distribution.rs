@@ -119,7 +119,7 @@ impl Distribution {
         }
     }
 
-    /// The value that is exceeded with probability `p` between 0 and 1; `None` where it lies below the threshold.
+    /// The value that is exceeded with probability `p` between 0 and 1; `None` if it lies below the threshold.
     #[must_use]
     pub fn value_exceeded(&self, p: f64) -> Option<f64> {
         Some(match *self {

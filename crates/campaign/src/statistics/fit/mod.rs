@@ -150,7 +150,7 @@ impl Fit {
         self.kolmogorov * libm::sqrt(self.count as f64) > KOLMOGOROV_1_PER_CENT
     }
 
-    /// The value that is exceeded with probability `p`, with its band by the delta method. `None` where it lies below the
+    /// The value that is exceeded with probability `p`, with its band by the delta method. `None` if it lies below the
     /// threshold of the fit, or is not finite.
     #[must_use]
     pub fn value_exceeded(&self, p: f64, confidence: Confidence) -> Option<Estimate> {

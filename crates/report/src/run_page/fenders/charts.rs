@@ -88,7 +88,7 @@ pub(super) fn reactions(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     chart.render()
 }
 
-/// Turns of the panels on several cones over time; nothing where none turned.
+/// Turns of the panels on several cones over time; nothing if none turned.
 pub(super) fn turns(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     let setups = &charts.outcome.setup.fenders;
     let in_degrees = |p: &Point| Point { x: p.x, y: p.y.to_degrees() };
@@ -103,7 +103,7 @@ pub(super) fn turns(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     charts.chart("Turns of the panels", axis, series).render()
 }
 
-/// Tensions of the chains of fenders over time; nothing where none was taut.
+/// Tensions of the chains of fenders over time; nothing if none was taut.
 pub(super) fn tensions(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     let setups = &charts.outcome.setup.fenders;
     let series = recorder.held.chains.iter().map(|trace| {

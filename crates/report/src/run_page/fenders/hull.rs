@@ -8,7 +8,7 @@ use crate::run_page::tables::{ROWS, more, number};
 use crate::table::breakable;
 use crate::{Head, table_head};
 
-/// One row a fender that met such a hull; nothing where none did.
+/// One row a fender that met such a hull; nothing if none did.
 pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
     let met = outcome.fenders.iter().filter_map(|summary| Some((summary, summary.hull?)));
     let all: Vec<_> = met.collect();

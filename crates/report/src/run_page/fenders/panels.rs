@@ -13,7 +13,7 @@ use crate::run_page::tables::{ROWS, TONNE_N, more, number};
 use crate::table::breakable;
 use crate::{Head, table_head};
 
-/// The panels of touched fenders, and their cones; nothing where there are none.
+/// The panels of touched fenders, and their cones; nothing if there are none.
 pub(super) fn panels(outcome: &Outcome<'_>) -> Markup {
     let with = outcome.fenders.iter().filter_map(|summary| {
         Some((&outcome.setup.fenders[summary.fender], summary, summary.panel.as_ref()?))
@@ -135,7 +135,7 @@ fn with_share(text: String, share: Option<f64>) -> String {
     }
 }
 
-/// The chains of touched fenders; nothing where there are none.
+/// The chains of touched fenders; nothing if there are none.
 pub(super) fn chains(outcome: &Outcome<'_>) -> Markup {
     let all: Vec<_> = outcome
         .fenders

@@ -62,7 +62,7 @@ pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     scene(outcome, recorder, None)
 }
 
-/// Around floating bodies and fenders at the largest force; `None` where the whole scene is not much larger.
+/// Around floating bodies and fenders at the largest force; `None` if the whole scene is not much larger.
 fn berth_frame(outcome: &Outcome<'_>, recorder: &Recorder) -> Option<Frame> {
     let peak = recorder.peak.as_ref()?;
     let setup = outcome.setup;

@@ -1,4 +1,4 @@
-//! Keys of the outline and of what is on deck: chocks, bitts and belting.
+//! Keys of the outline and of the deck gear: chocks, bitts and belting.
 
 use crate::choices::{Choice, Choices};
 use crate::keys::quantities::{LENGTH, PLACE};
