@@ -1,5 +1,5 @@
-//! The stop rule: a campaign ends when an estimate is good enough. It looks at the rows in the order of the runs, so that the end does
-//! not depend on which run was done first.
+//! The stop rule: a campaign ends when an estimate is good enough. The rule takes the rows in the
+//! order of the runs, so the end does not depend on the order in which runs are finished.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use crate::statistics::{Confidence, Moments, Sample, quantile};
 pub struct StopRule {
     rule: Stop,
     column: usize,
-    /// The output of the runs from the first on without a gap; NaN for a run that has none.
+    /// The output of the runs from the first on without a gap; NaN for a run without the output.
     values: Vec<f64>,
     /// Those of later runs.
     waiting: BTreeMap<u64, f64>,

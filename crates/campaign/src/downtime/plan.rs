@@ -13,10 +13,10 @@ use crate::error::CampaignError;
 
 /// Column of the table with the reasons for which a run is lost.
 pub(crate) const LOST_BY: &str = "lost_by";
-/// What stands between two reasons in it.
+/// Separator between two reasons in the column.
 pub(crate) const BETWEEN: &str = "; ";
 
-/// The stream of the random numbers that draw the sample: no run has it.
+/// The stream of the random numbers that draw the sample: no run has this stream.
 const STREAM_OF_SAMPLE: u64 = u64::MAX / 2;
 
 /// The values of a variable, one a run.
@@ -26,21 +26,21 @@ pub(crate) enum Given {
     Texts(Vec<String>),
 }
 
-/// The weather of a berth, its states, and the hours that are run as they are.
+/// The weather of a berth, its states, and the sample of single hours.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DowntimePlan {
     weather: Weather,
     states: Vec<State>,
     /// The state of each row of the weather.
     state_of: Vec<usize>,
-    /// Rows that are run as they are, rising.
+    /// Rows of the sample, which are run with their own weather, rising.
     sample: Vec<usize>,
     most_states: u64,
     seed: u64,
 }
 
 impl DowntimePlan {
-    /// Reads the weather of a downtime and puts its hours together.
+    /// Reads the weather of a downtime campaign and groups its hours into states.
     ///
     /// # Errors
     /// A weather that is refused; a sample of more hours than there are, or of a scatter diagram.
@@ -77,7 +77,7 @@ impl DowntimePlan {
         self.states.len()
     }
 
-    /// The most states that were asked for.
+    /// Largest number of states.
     #[must_use]
     pub fn most_states(&self) -> u64 {
         self.most_states
@@ -101,7 +101,7 @@ impl DowntimePlan {
         self.weather.quantities.iter().map(|own| (own.name, own.unit)).collect()
     }
 
-    /// The rows that are run as they are, after the states.
+    /// The rows of the sample, which are run after the states.
     #[must_use]
     pub fn sample(&self) -> &[usize] {
         &self.sample
@@ -112,7 +112,8 @@ impl DowntimePlan {
         (self.states.len() + self.sample.len()) as u64
     }
 
-    /// Refuses a scenario without limits, one whose water is too shallow for the seas, and names that cannot stand in a list.
+    /// Refuses a scenario without limits, a scenario whose water is too shallow for the seas, and
+    /// names that cannot stand in a list.
     pub(crate) fn check(&self, base: &Scenario) -> Result<(), CampaignError> {
         let world = &base.setup.world;
         let limits = &world.statistics.limits;

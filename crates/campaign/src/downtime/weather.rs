@@ -13,23 +13,23 @@ use crate::table::Table;
 pub const HOURS_OF_A_YEAR: f64 = 8760.0;
 
 /// No single wave is higher than this share of the depth (McCowan 1894, by Turner 2010, "Testing a ratio for the relationship between
-/// wave height and water depth"): a significant height above it is a mistake in the file or in the depth.
+/// wave height and water depth"): a significant height above this share is a mistake in the file or in the depth.
 const BREAKING: f64 = 0.78;
 
-/// Shares of a scatter diagram may miss 1 by so much: they are rounded.
+/// Rounded shares of a scatter diagram may miss a sum of 1 by this much.
 const ROUNDED: f64 = 0.01;
 
 /// The weather: a row an hour, or a row a class of a scatter diagram.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Weather {
     table: Table,
-    /// The quantities that it has.
+    /// The quantities that the weather has.
     pub(super) quantities: Vec<&'static Quantity>,
     /// The values of each row, in the order of the quantities.
     pub(super) rows: Vec<Vec<f64>>,
-    /// Hours that each row stands for.
+    /// Hours for which each row stands.
     pub(super) hours: Vec<f64>,
-    /// Time of each row as the file has it; empty for a scatter diagram.
+    /// Time of each row as written in the file; empty for a scatter diagram.
     pub(super) times: Vec<String>,
     /// Month of each row, from 0; `None` if the file has no dates.
     pub(super) months: Option<Vec<usize>>,
@@ -109,7 +109,7 @@ impl Weather {
         Ok(Weather { table, quantities, rows, hours, times, months })
     }
 
-    /// Whether it is a series of hours, rather than a scatter diagram.
+    /// Whether the weather is a series of hours, rather than a scatter diagram.
     #[must_use]
     pub fn is_series(&self) -> bool {
         !self.times.is_empty()
@@ -138,8 +138,8 @@ impl Weather {
         self.quantities.iter().position(|own| own.agent == agent && own.role == role)
     }
 
-    /// Refuses a sea that is higher than the water allows. `level_m` is the highest level of the scenario's tide, for a weather without
-    /// levels of its own.
+    /// Refuses a sea that is higher than the water allows. `level_m` is the highest level of the scenario's tide, for a
+    /// weather without levels.
     ///
     /// # Errors
     /// The first such row.
@@ -227,7 +227,7 @@ fn dates(table: &Table) -> Result<Vec<Time>, CampaignError> {
     table.texts(TIME)?.iter().enumerate().map(read).collect()
 }
 
-/// The hours that each row of a series stands for: its step.
+/// The hours for which each row of a series stands: the step of the series.
 fn steps(table: &Table, column: &str, times_s: &[f64]) -> Result<Vec<f64>, CampaignError> {
     let [first_s, second_s, ..] = times_s else {
         return Err(refused(table.path(), "a series needs at least two rows"));

@@ -1,4 +1,4 @@
-//! What is shown of one column: exceedance, fits, design values; and the page of the command `statistics`.
+//! The tables and charts of one column: exceedance, fits, design values; and the page of the command `statistics`.
 
 use fenderline_contact::number::greater;
 use fenderline_report::plot::{
@@ -15,13 +15,14 @@ use crate::statistics::design::{Asked, Findings, Rarity};
 use crate::statistics::fit::Fit;
 use crate::table::Head;
 
-/// Fits are drawn to so many times the largest value.
+/// Fits are drawn up to this many times the largest value.
 const REACH: f64 = 2.0;
 
 /// Points of a fitted line.
 const LINE: u32 = 120;
 
-/// The page of one column of a table; `source` is the file as it is named to the reader, `missing` the number of its empty cells.
+/// The page of one column of a table; `source` is the name of the file for the reader, `missing` the number of
+/// empty cells.
 #[must_use]
 pub fn column_page(
     source: &str,
@@ -89,7 +90,7 @@ pub(super) fn sections(
     }
 }
 
-/// Exceedance with its band, fits drawn through, to the rarest level that is asked for.
+/// Exceedance with its band, fits drawn through, to the rarest level of the design values.
 fn chart(head: &Head, findings: &Findings, asked: &Asked, limits: &[&Limit]) -> Chart {
     let curve = &findings.curve;
     let per_cent = plain(100.0 * asked.confidence.level(), 4);
@@ -113,7 +114,7 @@ fn chart(head: &Head, findings: &Findings, asked: &Asked, limits: &[&Limit]) -> 
     series.extend(limits::lines(limits, rarest));
     // On top of the lines.
     series.push(Series::dots("data", data).styled(6));
-    // Those of a lifetime lie too close to those of periods.
+    // Levels of a lifetime lie too close to levels of periods.
     let drawn = findings.rows.iter().filter(|row| !matches!(row.rarity, Rarity::Life { .. }));
     let references =
         drawn.map(|row| Reference { label: words::rarity(row.rarity), value: row.exceedance });
@@ -139,11 +140,11 @@ pub(super) fn words_of(head: &Head) -> String {
     head.name.replace('_', " ")
 }
 
-/// A fit as a line down to the rarest probability; that over a threshold from there.
+/// A fit as a line down to the rarest probability; a fit over a threshold begins at the threshold.
 fn line(fit: &Fit, findings: &Findings, rarest: f64) -> Vec<Point> {
     let most = fit.distribution.threshold().map_or(0.999, |(_, share)| 0.9999 * share);
     let ratio = rarest / most;
-    // A law with a tail that is far too heavy would flatten the others; values below all of the data say nothing.
+    // A law with a tail that is far too heavy would flatten the others; values below all data have no meaning.
     let (least, largest) = (findings.sample.least(), findings.sample.largest());
     let end = greater(REACH * largest, least);
     (0..=LINE)

@@ -10,7 +10,7 @@ use crate::statistics::design::Asked;
 /// Numbers of runs at which an estimate is made.
 const STEPS: usize = 40;
 
-/// The probability of the quantile that is followed.
+/// The probability of the quantile in the chart.
 const P: f64 = 0.01;
 
 /// Fewest runs of a section.
@@ -45,7 +45,7 @@ fn chart(output: &Output<'_>, asked: &Asked) -> Option<Chart> {
         let point = |step: &Step| Some(Point { x: step.runs as f64, y: of(step)? });
         steps.iter().filter_map(point).collect()
     };
-    // A band has both ends or none.
+    // A band needs both ends.
     let known = |step: &Step| step.quantile.low.zip(step.quantile.high);
     let name = column::words_of(output.head);
     let per_cent = plain(100.0 * asked.confidence.level(), 4);

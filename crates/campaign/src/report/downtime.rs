@@ -11,14 +11,14 @@ use crate::downtime::{
 use crate::statistics::Estimate;
 use crate::table::{Table, TableError};
 
-/// States that are listed.
+/// Largest number of listed states.
 const LISTED: usize = 25;
 
 /// What the report of a downtime is about.
 pub struct DowntimeReport<'a> {
     /// Title of the campaign.
     pub title: &'a str,
-    /// The scenario, as it is named to the reader.
+    /// Name of the scenario for the reader.
     pub scenario: &'a str,
     /// Duration of each run (s).
     pub duration_s: f64,
@@ -26,7 +26,7 @@ pub struct DowntimeReport<'a> {
     pub plan: &'a DowntimePlan,
     /// What was counted.
     pub counted: &'a DowntimeTable,
-    /// The limits: name, and what it is of with its value, in words.
+    /// The limits: name, and the limited quantity with its value, in words.
     pub limits: &'a [(String, String)],
     /// The table, a row a run.
     pub table: &'a Table,
@@ -243,7 +243,7 @@ fn check_table(check: &StatesCheck) -> Markup {
     }
 }
 
-/// The states that are lost, those of the most hours first.
+/// The lost states, the states with most hours first.
 fn states(of: &DowntimeReport<'_>) -> Result<Markup, TableError> {
     let mut lost: Vec<usize> = (0..of.plan.states())
         .filter(|state| of.counted.outcomes[*state] != Outcome::Works)

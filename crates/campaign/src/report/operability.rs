@@ -1,4 +1,4 @@
-//! Success by wind speed and direction, and the wind up to which it holds.
+//! Success by wind speed and direction, and the wind up to which runs succeed.
 
 use fenderline_report::plot::{
     Axis, Chart, Point, Reference, Ring, Rose, Series, counted, fixed, plain,
@@ -19,7 +19,7 @@ const SECTORS: usize = 16;
 const RINGS: usize = 6;
 const BINS: usize = 12;
 
-/// Probability of success that the limit is given for.
+/// Probabilities of success for which the limit is given.
 const REQUIRED: [f64; 2] = [0.95, 0.99];
 
 /// The section; empty if wind speed and direction are no inputs, or the table has no verdicts.
@@ -38,7 +38,7 @@ pub(super) fn section(campaign: &Campaign<'_>, verdicts: &Verdicts) -> Result<Ma
     let unit = campaign.table.head(SPEED)?.unit.clone();
     let speeds = campaign.table.numbers(SPEED)?.values;
     let directions = campaign.table.numbers(DIRECTION)?.values;
-    // Runs that could not be made say nothing.
+    // Runs that could not be made do not count.
     let runs = speeds.iter().zip(&directions).zip(&successes);
     let runs =
         runs.filter_map(|((speed, direction), success)| Some((*speed, *direction, (*success)?)));
@@ -103,7 +103,7 @@ fn rose(runs: &[(f64, f64, bool)], edges: &Edges, unit: &str) -> Rose {
     let filled: Vec<usize> =
         counts.iter().flatten().map(|cell| cell.0).filter(|runs| *runs > 0).collect();
     let fewest = filled.iter().copied().min().unwrap_or(0);
-    // Of so few runs a share cannot be told from 95 %.
+    // With so few runs, a share cannot be distinguished from 95 %.
     let note = match fewest {
         0..=20 => {
             let interval = binomial(fewest, fewest.max(1), Confidence::USUAL).interval;

@@ -1,4 +1,4 @@
-//! Which value may be quoted: that of one of the fitted laws, or that of the data.
+//! Chooses the value that may be quoted: the value of a fitted law, or the value of the data.
 
 use fenderline_report::plot::fixed;
 
@@ -6,8 +6,8 @@ use super::words::{self, with_unit};
 use crate::statistics::design::{DesignRow, Findings, Rarity};
 use crate::statistics::fit::{Fit, Law};
 
-/// A law whose number of values in the tail is farther from that of the data than so many standard deviations of a count says
-/// something else than the data there; a chance of 1 % for a law that is true.
+/// A law contradicts the data in the tail if its expected number of values there differs from the number in the data by
+/// more than this many standard deviations of a count. For a true law the chance of this is 1 %.
 const TAIL_DEVIATIONS: f64 = 2.576;
 
 /// What may be quoted of a column.
@@ -19,9 +19,9 @@ pub struct Quote {
     pub sentence: String,
 }
 
-/// What may be quoted: of the laws of all values that nothing speaks against the one with the smallest criterion of Akaike; where there
-/// is none, the law of the values over the threshold, if the data do not contradict it; else the data themselves.
-/// `unit` is that of the column.
+/// The value that may be quoted. Of the laws of all values that the data do not contradict, the law with the smallest
+/// criterion of Akaike; without such a law, the law of the values over the threshold, if the data do not contradict it;
+/// else the data themselves. `unit` is the unit of the column.
 #[must_use]
 pub fn quote(findings: &Findings, unit: &str) -> Option<Quote> {
     let row = quoted_row(&findings.rows)?;
@@ -71,7 +71,7 @@ pub fn quote(findings: &Findings, unit: &str) -> Option<Quote> {
     Some(Quote { law: None, sentence: format!("{why}. {}", of_data(findings, unit)) })
 }
 
-/// What speaks against the laws; those with the same objection together.
+/// The objections against the laws; laws with the same objection are named together.
 fn listed(objections: &[(&str, String)]) -> String {
     let mut kinds: Vec<(Vec<&str>, &String)> = Vec::new();
     for (law, objection) in objections {
@@ -85,14 +85,14 @@ fn listed(objections: &[(&str, String)]) -> String {
     each.join("; ")
 }
 
-/// The rarest return period; the rarest level where there is no period.
+/// The rarest return period; the rarest level if there is no period.
 fn quoted_row(rows: &[DesignRow]) -> Option<&DesignRow> {
     let is_period = |row: &&DesignRow| matches!(row.rarity, Rarity::Period(_));
     let rarest = |a: &&DesignRow, b: &&DesignRow| a.exceedance.total_cmp(&b.exceedance);
     rows.iter().filter(is_period).min_by(rarest).or_else(|| rows.iter().min_by(rarest))
 }
 
-/// What the data say at the rarest level that they reach.
+/// The value of the data at the rarest level that the data reach.
 fn of_data(findings: &Findings, unit: &str) -> String {
     let reached = findings.rows.iter().filter(|row| row.by_data.value.is_some());
     let rarest = reached.min_by(|a, b| a.exceedance.total_cmp(&b.exceedance));
@@ -109,7 +109,7 @@ fn of_data(findings: &Findings, unit: &str) -> String {
     }
 }
 
-/// Why a law may not be quoted, in words that follow its name; `None` if the data do not contradict it.
+/// The reason why a law may not be quoted, in words that follow its name; `None` if the data do not contradict it.
 fn objection(findings: &Findings, place: usize, fit: &Fit) -> Option<String> {
     if fit.is_rejected() {
         return Some("rejected by the data (Kolmogorov and Smirnov, 1 %)".to_owned());

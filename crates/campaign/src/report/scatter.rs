@@ -1,4 +1,4 @@
-//! Energy of each run beside that of the formula with the same inputs.
+//! Energy of each run compared with the energy by the formula with the same inputs.
 
 use fenderline_contact::number::greater;
 use fenderline_report::plot::{Axis, Chart, Point, Series, fixed, significant};
@@ -10,7 +10,7 @@ use crate::table::{Table, TableError};
 const ENERGY: &str = "energy";
 const FORMULA: &str = "formula_energy";
 
-/// Runs that are drawn: the highest ones all, the others each so many.
+/// Drawn runs: all of the highest runs, and of the others every n-th.
 const HIGHEST: usize = 400;
 const OTHERS: usize = 2000;
 
@@ -66,7 +66,7 @@ pub(super) fn section(table: &Table) -> Result<Markup, TableError> {
     })
 }
 
-/// The points of the highest energies, and of the others each so many.
+/// The points of the highest energies, and of the other points every n-th.
 fn thinned(mut points: Vec<Point>) -> Vec<Point> {
     points.sort_by(|a, b| b.y.total_cmp(&a.y));
     let every = points.len().saturating_sub(HIGHEST).div_ceil(OTHERS).max(1);

@@ -19,7 +19,7 @@ pub(super) fn section(
     for input in campaign.inputs {
         let head = campaign.table.head(&input.column)?;
         let name = column::words_of(head);
-        // A mix of ships is words: it has no rank.
+        // A mix of ships is in words, which have no rank.
         let Ok(numbers) = campaign.table.numbers(&input.column) else {
             words.push(name);
             continue;

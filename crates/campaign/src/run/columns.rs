@@ -15,7 +15,7 @@ fn number(value: Option<f64>) -> Cell {
     value.filter(|value| value.is_finite()).map_or(Cell::Empty, Cell::Number)
 }
 
-/// 0 where no fender was touched.
+/// 0 if no fender was touched.
 fn or_none(of: &Numbers, value: Cell) -> Cell {
     if of.touched == 0 { Cell::Number(0.0) } else { value }
 }

@@ -161,7 +161,7 @@ impl Named {
         }
     }
 
-    /// The body whose motion it needs.
+    /// The body whose motion the output needs.
     pub(super) fn body(self) -> Option<usize> {
         match self {
             Named::Body(index, _) => Some(index),

@@ -19,7 +19,7 @@ pub(super) struct Outputs {
     formulas: Vec<(Formula, Vec<usize>)>,
     /// Bodies whose motion is needed.
     pub(super) bodies: Vec<usize>,
-    /// The runs are those of a downtime: why each is lost is a column.
+    /// True for a downtime campaign, which has a column of the reasons of a loss.
     is_downtime: bool,
     /// Heads of variables and results, in the order of the table, without the number of the run.
     pub(super) heads: Vec<Head>,
@@ -96,7 +96,7 @@ impl Outputs {
         Ok(Outputs { named, formulas, bodies, is_downtime, heads })
     }
 
-    /// The cells of a run that has ended, after those of its variables.
+    /// The cells of a run that has ended, after the cells of its variables.
     pub(super) fn cells(
         &self,
         variables: Vec<Cell>,

@@ -44,7 +44,7 @@ pub fn value_exceeded(sample: &Sample, p: f64, confidence: Confidence) -> Quanti
         }
     });
     let tail = confidence.tail();
-    // Of m values above the quantile, the one of rank m + 1 from the top is below it.
+    // Of m values above the quantile, the one of rank m + 1 from the top is below the quantile.
     let fewest = first_count(n, |m| at_most(m, n, p) > tail);
     let most = first_count(n, |m| at_most(m, n, p) >= 1.0 - tail);
     // No more than `most` values are above: the next one is a lower bound. At least `fewest` are: the last of them is an upper one.

@@ -4,8 +4,8 @@ use core::fmt;
 
 /// The values of a column, sorted, with weights where runs were drawn by importance sampling.
 ///
-/// A weight is the ratio of the density that a run is to stand for to the density that it was drawn from; its mean over many
-/// runs is 1. Without weights all are 1.
+/// A weight is the ratio of the density that a run is to stand for to the density from which the run was
+/// drawn; its mean over many runs is 1. Without weights, all weights are 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
     values: Vec<f64>,
@@ -37,7 +37,7 @@ pub enum SampleError {
     },
     /// A weight is negative, or all are zero.
     BadWeights {
-        /// Place in the column, from 0; that of the first for weights that are all zero.
+        /// Place in the column, from 0; the first place if all weights are zero.
         place: usize,
     },
     /// Values and weights are not of one number.
@@ -72,7 +72,7 @@ impl std::error::Error for SampleError {}
 const FEWEST: usize = 2;
 
 impl Sample {
-    /// A sample of values that count alike.
+    /// A sample of values with equal weights.
     ///
     /// # Errors
     /// Fewer than two values, or one that is not finite.

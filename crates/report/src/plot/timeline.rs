@@ -25,7 +25,7 @@ pub struct Timeline {
 pub struct Lane {
     /// Printed left of it.
     pub name: String,
-    /// Draws its bars and marks dark.
+    /// True for a lane whose bars and marks are drawn dark.
     pub is_grave: bool,
     /// Its bars and marks.
     pub spans: Vec<Span>,

@@ -1,4 +1,4 @@
-//! The page of assumptions: method, ships, fenders, water, and what of it has to be checked.
+//! The page of assumptions: method, ships, fenders, water, and the assumptions that must be checked.
 
 use fenderline_contact::number::greater;
 use fenderline_sim::hydro::shallow::PUBLISHED_RATIO;
@@ -9,7 +9,7 @@ use super::{Recorder, fenders, scene, vessels};
 use crate::plot::{fixed, plain};
 use fenderline_results::Outcome;
 
-/// From this time on it is given in hours too (s).
+/// Times from this on are given in hours too (s).
 const HOUR_S: f64 = 3600.0;
 /// Ships listed.
 const SHIPS: usize = 8;

@@ -1,4 +1,5 @@
-//! The branches of a session side by side: what came of each, their ways in one plan, their speeds and distances in one chart.
+//! The branches of a session side by side: the outcome of each, the tracks in one plan, speeds and distances in one
+//! chart.
 
 use fenderline_contact::Vec2;
 use fenderline_results::{BranchOutcome, Outcome, WayPoint};
@@ -169,7 +170,7 @@ fn charts(outcome: &Outcome<'_>, all: &[BranchOutcome]) -> Markup {
     let chart = |title: &str, y: Axis, series: Vec<Series>| {
         let mut chart = page.chart(title, y, series);
         chart.x = chart.x.including(end_s / unit_s);
-        // Branches have times of their own beside those of the report.
+        // The branches have separate time axes from the charts of the report.
         chart.linked = Some("branches");
         chart
     };

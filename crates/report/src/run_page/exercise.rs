@@ -1,4 +1,4 @@
-//! The exercise: its result on the title page, and each condition and limit with what it cost.
+//! The exercise: its result on the title page, and each condition and limit with its deduction.
 
 use fenderline_results::Outcome;
 use fenderline_sim::Setup;

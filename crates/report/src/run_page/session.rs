@@ -14,7 +14,7 @@ const LANES: usize = 12;
 /// Most lines of the list.
 const LINES: usize = 400;
 
-/// What the session was, its picture and its log; nothing for a run that nobody steered.
+/// Description of the session, its picture and its log; nothing for a run that nobody steered.
 pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
     let Some(session) = outcome.session else { return html! {} };
     html! {

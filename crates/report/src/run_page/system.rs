@@ -15,9 +15,9 @@ use crate::plot::{
     decimals_for, fixed, shortened, significant,
 };
 
-/// Faces drawn at most, those with the most fenders and with more than one.
+/// Largest number of drawn faces: the faces with most fenders, each with more than one fender.
 const FACES: usize = 3;
-/// Faces whose directions differ by less are one (rad).
+/// Faces whose directions differ by less count as one face (rad).
 const SAME_FACING_RAD: f64 = 0.035;
 /// Mountings that are farther apart square to the face are not on one face (m).
 const SAME_LINE_M: f64 = 6.0;
@@ -47,7 +47,7 @@ pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     // The largest first; of equal ones in the order of the scenario.
     groups.sort_by_key(|group| core::cmp::Reverse(group.len()));
     let all = groups.len();
-    // Beside a row of fenders, the single one at a tug's bow is no system.
+    // Beside a row of fenders, the single fender at a tug's bow is not drawn as a system.
     groups.truncate(groups.iter().filter(|group| group.len() > 1).count().clamp(1, FACES));
     let left = all - groups.len();
     html! {
@@ -104,7 +104,7 @@ impl Frame {
         Frame {
             mount_m: pose.apply(fender.position_m),
             origin_m: states[fender.body].position_m,
-            // One who looks against `outward` has it on the right hand.
+            // The right hand, as you look against `outward`.
             right: outward.quarter_turn_back(),
             outward,
         }

@@ -266,7 +266,7 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
     let bodies = pair.bodies.map(|i| &setup.bodies[i]);
     let stage = |body: &BodySetup| if body.mass.is_none() { Stage::Fixed } else { Stage::Peak };
     let [style_1, style_2] = pair.bodies.map(|i| styles[i]);
-    // Colours repeat after a few bodies; those of this pair must differ.
+    // Colours repeat after a few bodies; the colours of this pair must differ.
     let pair_styles =
         if style_1 % STYLES == style_2 % STYLES { [0, 1] } else { [style_1, style_2] };
     let outlines =

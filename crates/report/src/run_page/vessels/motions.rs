@@ -38,7 +38,7 @@ pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
     }
 }
 
-/// What her hydrodynamic data have, and what they lack.
+/// Contents of a vessel's hydrodynamic data, and what they lack.
 fn data(name: &str, ship: &Seakeeping) -> Markup {
     html! {
         p class="note" {

@@ -9,7 +9,7 @@ use crate::plot::{fixed, plain, significant};
 use crate::run_page::tables::{ROWS, more, number};
 use crate::{Head, table_head};
 
-/// What passed, how near and how fast, and what the vessels felt.
+/// The passing ships, their distances and speeds, and the forces on the vessels.
 pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
     let (setup, world) = (outcome.setup, outcome.world);
     let flow = &setup.world.flow;

@@ -183,7 +183,7 @@ fn banks(environment: &Environment) -> Markup {
     }
 }
 
-/// Every estimated quantity with its formula and how well that is known.
+/// Every estimated quantity with its formula and the standing of the formula.
 fn estimates(origin: &Origin) -> Markup {
     html! {
         div class="wide" {
