@@ -55,7 +55,8 @@ fn run(args: &CampaignRunArgs) -> Result<(), Failure> {
             Some(layout.map_err(|why| Failure::input(format_args!("error: {why}")))?)
         }
         _ if args.x.is_some() || args.lines.is_some() => {
-            let why = "--x and --lines are of the figure of a full factorial plan; this campaign's is another";
+            let why = "--x and --lines belong to the figure of a full factorial plan; this \
+                campaign has another plan";
             return Err(Failure::input(format_args!("error: {why}")));
         }
         _ => None,
@@ -180,7 +181,7 @@ fn refusal_of_shard(args: &CampaignRunArgs, runs: &Runs, shard: Shard) -> Option
     }
     if runs.campaign().stop.is_some() {
         return Some(
-            "a campaign with a [stop] rule cannot be shared: the rule looks at all runs".to_owned(),
+            "a campaign with a [stop] rule cannot be shared: the rule needs all runs".to_owned(),
         );
     }
     (shard.of > runs.count())

@@ -104,11 +104,12 @@ fn asked(args: &StatisticsArgs) -> Result<Asked, Failure> {
     let is_named = !args.fit.is_empty();
     if is_named && args.fit.contains(&Law::Pareto) && args.threshold.is_none() {
         return Err(Failure::input(
-            "error: --fit gpd needs --threshold: it is fitted to the values above it",
+            "error: --fit gpd needs --threshold: the law is fitted to the values above the \
+             threshold",
         ));
     }
     if is_named && !args.fit.contains(&Law::Pareto) && args.threshold.is_some() {
-        return Err(Failure::input("error: --threshold is of --fit gpd, which is not asked for"));
+        return Err(Failure::input("error: --threshold belongs to --fit gpd, which is not given"));
     }
     let mut laws = if is_named { args.fit.clone() } else { LAWS.to_vec() };
     if !is_named && args.threshold.is_some() {
@@ -145,5 +146,5 @@ fn list(table: &Table, is_json: bool) -> Result<(), Failure> {
         meaning => format!("{}: {meaning}\n", head.title()),
     };
     let lines: String = table.heads().iter().map(line).collect();
-    answer(&format!("{lines}--column NAME gives the statistics of one of them\n"))
+    answer(&format!("{lines}--column NAME gives the statistics of one column\n"))
 }

@@ -265,7 +265,7 @@ fn errors_are_coloured_only_where_colours_are_wanted() {
     assert_eq!(error("NO_COLOR=1"), plain);
 }
 
-/// The program on a terminal of its own, by `script` of util-linux; `None` where that is missing.
+/// The program on a terminal of its own, by `script` of util-linux; `None` if that is missing.
 /// Without `CI`, which asks for colours whatever the terminal is.
 fn on_a_terminal(place: &Workplace, line: &str) -> Option<String> {
     if place.shell("script --version").code != 0 {

@@ -42,7 +42,7 @@ fn the_worked_terminal_has_motions_limits_lines_and_what_is_not_covered() {
             "A peak is the largest distance from the mean between two crossings",
             "ship moves in six degrees of freedom by her hydrodynamic data (",
             "With hydrodynamic data (ship): motion in six degrees of freedom",
-            "Surge, ahead of her first place, ship",
+            "Surge, ahead of the place at the start, ship",
             "Tension of the lines, 3 of 3",
             "Above the chart: break load 1200 kN, working load 600 kN.",
             "Cycles of the lines",

@@ -34,9 +34,9 @@ pub extern "C" fn fl_status_text(status: i32) -> *const c_char {
     known.map_or(c"no status", FlStatus::text).as_ptr()
 }
 
-/// Copies the message of the last failed call on this thread; empty if there was none. It stays until another call fails;
-/// a call of this function with too small a buffer does not count as a failed call. `length` may be NULL. See "Texts" in
-/// the preamble.
+/// Copies the message of the last failed call on this thread; empty if no call has failed. The
+/// message stays until another call fails; a call of this function with too small a buffer does not
+/// count as a failed call. `length` may be NULL. See "Texts" in the preamble.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_last_error(
     buffer: *mut c_char,
@@ -47,7 +47,7 @@ pub unsafe extern "C" fn fl_last_error(
     keep_last(|text| unsafe { put_text(text, buffer, capacity, length) })
 }
 
-/// Runs a query of the last error. If the query fails, that error stays the last one.
+/// Runs a query of the last error. If the query fails, the last error stays.
 pub(crate) fn keep_last(query: impl FnOnce(&str) -> crate::failure::Outcome) -> FlStatus {
     let text = last();
     let status = no_panic(|| query(&text));

@@ -25,12 +25,12 @@ pub struct Engine {
     pub(crate) states: Vec<BodyState>,
     /// Which of them the host has set; a fixed body's need not be.
     pub(crate) is_set: Vec<bool>,
-    /// The loads, one per body; `None` where the host has set none.
+    /// The loads, one per body; `None` if the host has set no loads.
     pub(crate) loads: Option<Vec<Wrench>>,
     pub(crate) latest: Latest,
-    /// Zero loads, for a direct host that has set none.
+    /// Zero loads, for a direct host that has set no loads.
     pub(crate) no_loads: Vec<Wrench>,
-    /// The last steps, where [`Engine::record`] asked for them.
+    /// The last steps, if [`Engine::record`] asked for a recording.
     pub(crate) recording: Option<Box<Recording>>,
 }
 
@@ -76,9 +76,9 @@ pub(crate) enum Latest {
 }
 
 impl Engine {
-    /// An engine for the bodies, fenders, materials and pairs of a scenario. The host computes everything else
-    /// that acts on the bodies (loads, wind, propellers, lines, tugs): [`Engine::notices`] names those
-    /// parts of the scenario.
+    /// An engine for the bodies, fenders, materials and pairs of a scenario. The host computes all other forces
+    /// on the bodies (loads, wind, propellers, lines, tugs): [`Engine::notices`] names the parts of the scenario
+    /// that the host must compute.
     ///
     /// # Errors
     /// [`EngineError`] for settings that conflict with each other or with the scenario.
@@ -199,13 +199,13 @@ impl Engine {
         &self.plan.initial
     }
 
-    /// The states of the next step: those set last, or the initial ones.
+    /// The states of the next step: the states set last, or the initial states.
     #[must_use]
     pub fn states(&self) -> &[BodyState] {
         &self.states
     }
 
-    /// The loads that were set; `None` where none were.
+    /// The loads that were set; `None` without loads.
     #[must_use]
     pub fn loads(&self) -> Option<&[Wrench]> {
         self.loads.as_deref()
@@ -255,10 +255,11 @@ impl Engine {
         Ok(())
     }
 
-    /// Marks a body as teleported: its state in the next step is a new position, not the result of motion. Its contacts
-    /// start anew, no load is observed from it, and where it overlaps another body it is pressed out slowly
-    /// ([`fenderline_contact::EventKind::PlacedInOverlap`]). Without the mark the engine detects a teleport where the body
-    /// is farther from where its velocities lead than a tenth of its radius.
+    /// Marks a body as teleported: the state of the body in the next step is a new position, not the result of
+    /// motion. The body's contacts start anew, no load is observed from the jump, and if the body overlaps
+    /// another body, it is pressed out slowly ([`fenderline_contact::EventKind::PlacedInOverlap`]). Without the
+    /// mark, the engine detects a teleport only if the new position differs from the position by the velocities
+    /// by more than a tenth of the body's radius.
     ///
     /// # Errors
     /// There is no such body.
@@ -279,9 +280,9 @@ impl Engine {
         Ok(())
     }
 
-    /// Sets all that acts on each body except contact, about its centre of gravity and earth-fixed, in the order
-    /// of the model. The loads hold until they are set again. `None`, as at the start: zero loads for a direct
-    /// host; those of a co-simulation host are observed.
+    /// Sets the loads: all forces on each body except contact, about the centre of gravity and earth-fixed, in
+    /// the order of the model. The loads hold until they are set again. `None`, as at the start, means zero
+    /// loads for a direct host; the loads of a co-simulation host are observed.
     ///
     /// # Errors
     /// As [`Engine::set_states`]; with the paper's method, which has no loads.

@@ -2,8 +2,8 @@
 //! contains no physics.
 //!
 //! An [`Engine`] is made from a scenario ([`Engine::from_scenario`]) or by calls ([`EngineBuilder`]), for a direct or a
-//! co-simulation host ([`Settings`]). The host sets states, and loads where it has them, takes a step, and reads
-//! [`Results`]. It can save the engine as bytes at any time and restore it. A call that fails changes nothing.
+//! co-simulation host ([`Settings`]). The host sets states, and loads if it knows them, takes a step, and reads
+//! [`Results`]. It can save the engine as bytes at any time, and restore the engine. A call that fails changes nothing.
 //!
 //! ```
 //! use fenderline_embed::*;

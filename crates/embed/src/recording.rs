@@ -1,7 +1,7 @@
 //! The last steps of an engine, recorded so that they can be sent and replayed.
 //!
-//! Steps are kept in two segments, each with the saved engine at its start. When the second is full, the first is dropped: so
-//! between once and twice the wanted number of steps is there.
+//! Steps are kept in two segments, each with the saved engine at its start. When the second segment is full, the first
+//! is dropped. So the recording holds between once and twice the wanted number of steps.
 
 use fenderline_contact::{BodyId, BodyState, Wrench};
 
@@ -30,7 +30,7 @@ pub(crate) struct Recording {
 
 #[derive(Clone, Debug)]
 pub(crate) struct Segment {
-    /// The saved engine before its first step.
+    /// The saved engine before the first step of the segment.
     start: Vec<u8>,
     entries: Vec<u8>,
     pub(crate) steps: usize,
@@ -43,7 +43,7 @@ impl Segment {
 }
 
 impl Recording {
-    /// The saved engine at the start, and all entries from there on.
+    /// The saved engine at the start of the recording, and all entries since.
     pub(crate) fn parts(&self) -> (&[u8], [&[u8]; 2]) {
         match &self.previous {
             Some(previous) => (&previous.start, [&previous.entries, &self.current.entries]),
@@ -58,8 +58,8 @@ impl Recording {
         });
     }
 
-    /// Writes what goes into a step before it is taken, so that it is there if the step does not end. No flags: all states are
-    /// set.
+    /// Writes the input of a step before the step is taken, so the input is recorded even if the step does not end.
+    /// There are no flags, because all states are set.
     pub(crate) fn begin_step(
         &mut self,
         states: &[BodyState],

@@ -85,7 +85,7 @@ impl EngineRun {
         Ok(EngineRun { engine, uses_loads, body_fixed, beginning, placed })
     }
 
-    /// True before its first step.
+    /// True before the engine's first step.
     pub(crate) fn waits(&self) -> bool {
         self.beginning != Beginning::Begun
     }
@@ -99,7 +99,8 @@ impl EngineRun {
                 return Ok(());
             }
             Beginning::Waiting(0) => {
-                // The host takes this step without a wrench; the engine starts from its end.
+                // The host takes this step without a wrench; the engine starts from the end of this
+                // step.
                 self.advance(plan, values, step_s)?;
                 self.beginning = Beginning::Begun;
             }
@@ -119,7 +120,7 @@ impl EngineRun {
             }
         }
         let nothing = loads.iter().all(|load| *load == Wrench::default());
-        // The paper's method takes no loads: pass none if all are zero.
+        // The paper's method takes no loads: pass no loads if all are zero.
         let use_loads = self.uses_loads && !(nothing && self.engine.method() == Method::Paper);
         let loads = use_loads.then_some(&*loads);
         let placed = self.newly_placed(&inputs);

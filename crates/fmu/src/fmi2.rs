@@ -209,7 +209,8 @@ pub unsafe extern "C" fn fmi2GetFMUstate(component: *mut c_void, state: *mut *mu
     }))
 }
 
-/// Number for a saved state: that of the state to overwrite, or a new one, which is written to the master's pointer.
+/// Number for a saved state: the number of the state to overwrite, or a new number, which is written to the
+/// master's pointer.
 ///
 /// # Safety
 /// The master's promise for one pointer.
@@ -380,7 +381,7 @@ pub unsafe extern "C" fn fmi2CancelStep(component: *mut c_void) -> c_int {
     }))
 }
 
-/// Writes a status value; Discard where there is none, as the standard requires.
+/// Writes a status value; Discard if there is no value, as the standard requires.
 fn status_value<T: Copy>(
     component: *mut c_void,
     name: &str,

@@ -89,17 +89,18 @@ pub(crate) fn add_states(table: &mut Table, setup: &Setup) {
         table.group("AngularDisplacement", format!("{name}.heading"), &[heading]);
         table.group("LinearVelocity", format!("{name}.velocity"), &velocity);
         table.group("AngularVelocity", format!("{name}.rate_of_turn"), &[turn]);
-        let what = "counter of repositionings. Increase it when the master sets the body to a new position \
-                    instead of moving it there: the state of that step is then the new position, its \
-                    contacts start anew, and overlapping bodies are pushed apart slowly";
+        let what = "counter of repositionings. Increase the counter when the master sets the body \
+            to a new position instead of moving it there: the state of this step is then the new \
+            position, the body's contacts start anew, and overlapping bodies are pushed apart \
+            slowly";
         let input = Input::Placed(body);
         let range = Some([0.0, f64::from(i32::MAX)]);
         let name_of = format!("body.{name}.reposition_count");
         let row =
             Row { name: name_of, description: what, unit: Unit::One, start: 0.0, range, input };
         add(table, row);
-        let about = "all forces on the body other than contact; read where host.loads_connected is true or \
-                     host.following is false";
+        let about = "all forces on the body other than contact; read if host.loads_connected is \
+            true or host.following is false";
         add_loads(table, (body, of), "load", about);
     }
 }
@@ -167,7 +168,7 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
                 at_start,
                 Input::Rudder(index),
             );
-            let what = "revolutions ordered over full ones, positive ahead";
+            let what = "ordered revolutions over full revolutions, positive ahead";
             let at_start = bounded(vessel.shaft.value / vessel.shaft.stop, -1.0, 1.0);
             let at_start = if at_start.is_finite() { at_start } else { 0.0 };
             row(
@@ -181,7 +182,7 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
         }
         for (unit, thruster) in vessel.thrusters.iter().enumerate() {
             let field = format!("thruster.{}.order", thruster.name);
-            let what = "thrust ordered over the largest, positive to starboard";
+            let what = "ordered thrust over the largest thrust, positive to starboard";
             row(
                 &field,
                 what,
@@ -247,7 +248,7 @@ impl Inputs<'_> {
         self.value(wanted) != 0.0
     }
 
-    /// Writes the input states; fixed bodies have none and keep theirs.
+    /// Writes the input states; fixed bodies have no input and keep their states.
     pub(crate) fn states(&self, body_fixed: bool, states: &mut [BodyState]) {
         for (input, value) in self.all() {
             let Input::State { body, component } = input else { continue };
@@ -294,7 +295,7 @@ impl Inputs<'_> {
         loads
     }
 
-    /// The orders that follow from what changed since `before`.
+    /// The orders that follow from the inputs that have changed since `before`.
     pub(crate) fn orders(&self, before: &Inputs<'_>) -> Vec<InputOrder> {
         let changed = |input: Input| self.value(input).to_bits() != before.value(input).to_bits();
         let mut orders = Vec::new();
@@ -308,8 +309,8 @@ impl Inputs<'_> {
         orders
     }
 
-    /// The order that an input gives, with the input that says whether the master is in control, and the inputs whose
-    /// change gives a new order. `None`: the input gives no order of its own.
+    /// The order that an input gives, with the input that says whether the master is in control,
+    /// and the inputs whose change gives a new order. `None`: the input gives no order by itself.
     fn order_of(&self, input: Input) -> Option<(Input, Vec<Input>, InputOrder)> {
         let none = Arguments::new();
         let of_vessel = |vessel, order, arguments| {
@@ -343,7 +344,7 @@ impl Inputs<'_> {
                     vec![Input::TugForce(tug), Input::TugDirection(tug), Input::TugPulls(tug)];
                 (Input::ExternalTugControl(tug), parts, self.tug_order(tug))
             }
-            // They are part of the order that the force gives.
+            // These inputs are part of the order that the force gives.
             Input::ExternalTugControl(_) | Input::TugDirection(_) | Input::TugPulls(_) => {
                 return None;
             }

@@ -11,7 +11,7 @@ use crate::border::Log;
 use crate::instance::{Instance, Outcome};
 use crate::status::Status;
 
-/// An instance and where its messages go.
+/// An instance, and the receiver of its messages.
 struct Held {
     instance: Mutex<Instance>,
     log: Log,
@@ -21,7 +21,7 @@ static ALL: Mutex<BTreeMap<usize, Arc<Held>>> = Mutex::new(BTreeMap::new());
 static NEXT: AtomicUsize = AtomicUsize::new(1);
 
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    // Panics are caught while the lock is held, so that the lock is never poisoned; the value would be valid anyway.
+    // Panics are caught while the lock is held, so the lock is never poisoned; the value would be valid even then.
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 

@@ -7,7 +7,7 @@ pub use crate::place::Place;
 use crate::place::Snippet;
 use crate::printable::printable_line;
 
-/// A scenario that cannot be run: one mistake, where it is, and where possible what to write instead. Displays as
+/// A scenario that cannot be run: one mistake, its place, and if possible what to write instead. Displays as
 /// several lines with the offending line of the file.
 #[derive(Clone, PartialEq, Eq)]
 pub struct ScenarioError(Box<Content>);
@@ -35,7 +35,7 @@ impl ScenarioError {
         }))
     }
 
-    /// A mistake in a row of a file that a campaign names; `key` is that of the campaign which names it.
+    /// A mistake in a row of a file that a campaign names; `key` is the campaign's key that names the file.
     #[must_use]
     pub fn in_row(origin: &Origin, key: &str, message: impl Into<String>) -> ScenarioError {
         ScenarioError::new(origin.place.clone(), Some(key.to_owned()), message.into())
@@ -68,7 +68,7 @@ impl ScenarioError {
         &self.0.place
     }
 
-    /// Line of the file, from 1; `None` where the mistake does not belong to one line.
+    /// Line of the file, from 1; `None` if the mistake does not belong to one line.
     #[must_use]
     pub fn line(&self) -> Option<usize> {
         match self.0.place {
@@ -77,7 +77,7 @@ impl ScenarioError {
         }
     }
 
-    /// Dotted path of the key that the mistake is about, as `material.paper.stiffness`; `None` for a syntax error
+    /// Dotted path of the key with the mistake, as `material.paper.stiffness`; `None` for a syntax error
     /// outside of any key.
     #[must_use]
     pub fn key(&self) -> Option<&str> {
@@ -90,7 +90,7 @@ impl ScenarioError {
         &self.0.message
     }
 
-    /// What the place does not show, as the value that a campaign drew.
+    /// Information that the place does not show, such as the value that a campaign drew.
     #[must_use]
     pub fn note(&self) -> Option<&str> {
         self.0.note.as_deref()
@@ -135,9 +135,9 @@ impl std::error::Error for ScenarioError {}
 /// A warning about a scenario that can be run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Notice {
-    /// Where it points.
+    /// Where the warning points.
     pub place: Place,
-    /// Dotted path of the key that it is about.
+    /// Dotted path of the key that the warning concerns.
     pub key: String,
     /// The warning, in one line.
     pub message: String,
@@ -147,8 +147,8 @@ pub struct Notice {
 pub const NO_EFFECT: &str = "no effect: ";
 
 impl Notice {
-    /// Whether it says that the key has no effect in this scenario, whatever happens in the run. `docs/design/files.md` has the
-    /// criterion.
+    /// Whether the warning says that the key has no effect in this scenario, whatever happens in the run.
+    /// `docs/design/files.md` has the criterion.
     ///
     /// ```
     /// # let tug = "outline = [[-9, -3], [9, -3], [9, 3], [-9, 3]]\nmass = 1e5\ngyradius = 5";

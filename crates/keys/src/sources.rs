@@ -1,5 +1,5 @@
 //! The texts that a scenario comes from, on one axis of positions: first the bytes of the file, then two positions for
-//! each override, of its key and of its value. The start of a span tells which of them it belongs to.
+//! each override, of its key and of its value. The start of a span shows to which text the span belongs.
 
 use core::cell::OnceCell;
 
@@ -76,7 +76,7 @@ impl Sources<'_> {
         position..position
     }
 
-    /// The override that a span belongs to, and where its key or value comes from if it is known.
+    /// The override to which a span belongs, and the origin of its key or value if known.
     fn override_of(&self, span: &Span) -> Option<(&Override, Option<&Origin>)> {
         let position = span.start.checked_sub(self.text.len() + 1)?;
         let own = &self.overrides[position / 2];
@@ -127,7 +127,7 @@ impl Sources<'_> {
         ScenarioError::new(place, None, message.into())
     }
 
-    /// The line that a span starts in; `None` for an override, whose place shows all of it.
+    /// The line in which a span starts; `None` for an override, whose place shows the whole override.
     fn snippet(&self, span: &Span) -> Option<Snippet> {
         if span.start > self.text.len() {
             return None;

@@ -2,7 +2,7 @@
 //! `python/fenderline`, with types in `_native.pyi`.
 //!
 //! Mistakes of users are exceptions of `fenderline._errors`; bugs panic, which PyO3 turns into exceptions too. NumPy
-//! owns all memory that Python sees (`arrays`), so that no array outlives it and no `unsafe` is needed.
+//! owns all memory that Python sees (`arrays`), so no array outlives its memory and no `unsafe` is needed.
 #![forbid(unsafe_code)]
 #![allow(missing_docs, reason = "private items; the classes have the documentation for Python")]
 

@@ -362,7 +362,7 @@ impl Simulation {
         self.refuse_recording(py, "restored")?;
         let (own, other) = (&self.scenario.get().source, &state.scenario.get().source);
         if !Arc::ptr_eq(own, other) && own != other {
-            let message = "the state is that of another scenario".to_owned();
+            let message = "the state belongs to another scenario".to_owned();
             return Err(errors::refused(py, message));
         }
         self.take_over(py, state)
@@ -489,7 +489,7 @@ impl Simulation {
         let controls = self.controls.bind(py).try_readonly()?;
         let values = controls.as_slice()?;
         if values.len() != self.run.controls.len() {
-            return Err(errors::bad_argument("the array of controls has another length"));
+            return Err(errors::bad_argument("the array of controls has a wrong length"));
         }
         if let Some(reason) = Run::refused(&self.run.controls, values) {
             return Err(errors::refused(py, reason));
@@ -619,7 +619,7 @@ impl Simulation {
         let mut array = self.controls.bind(py).try_readwrite()?;
         let values = array.as_slice_mut()?;
         if values.len() != controls.len() {
-            return Err(errors::bad_argument("the array of controls has another length"));
+            return Err(errors::bad_argument("the array of controls has a wrong length"));
         }
         values.copy_from_slice(controls);
         self.external_wrenches.write(py, |rows| write_wrenches(external, rows))

@@ -66,7 +66,7 @@ fn design(column: &Column<'_>) -> String {
     let mut text = format!("\nDesign values{unit} with {per_cent} % bands");
     let _ = match asked.traffic {
         Some(traffic) => writeln!(text, ", for {} berthings a year", plain(traffic.per_year(), 6)),
-        None => writeln!(text, ", for one berthing (--per-year N gives those of return periods)"),
+        None => writeln!(text, ", for one berthing (--per-year N gives values of return periods)"),
     };
     for row in &findings.rows {
         let _ = writeln!(

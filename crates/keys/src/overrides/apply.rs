@@ -46,11 +46,11 @@ pub fn apply<'a>(
     Ok(set)
 }
 
-/// The keys of a scenario's text that overrides set, in their order, and the value of each as the user wrote it. A path
-/// with a `*` becomes that of every key for which it stands.
+/// The keys of a scenario's text that overrides set, in their order, and the value of each as the user wrote it. A
+/// path with a `*` becomes the paths of all keys for which it stands.
 ///
 /// # Errors
-/// A text that is not TOML, or an override of a key that there is not.
+/// A text that is not TOML, or an override of a key that does not exist.
 pub fn set_keys(
     text: &str,
     file_name: &str,

@@ -20,7 +20,7 @@ use decimal::Decimal;
 pub struct Quantity {
     /// The number in SI units; finite.
     pub si: f64,
-    /// Its dimension.
+    /// Dimension of the quantity.
     pub dimension: Dimension,
     /// Whether the text gave a unit, `1` included.
     pub has_unit: bool,

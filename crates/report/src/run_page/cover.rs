@@ -1,4 +1,4 @@
-//! The title page: what the document is, the verdict, the governing numbers, a picture.
+//! The title page: kind of document, verdict, governing numbers, a picture.
 
 use fenderline_sim::constants::KNOT_MPS;
 use maud::{Markup, html};
@@ -111,7 +111,7 @@ fn numbers(outcome: &Outcome<'_>, governing: &[Governing]) -> Markup {
     }
 }
 
-/// When it was, and in which hit of the berthing.
+/// The time of the number, and the hit of the berthing in which it occurred.
 fn time(row: &Governing, decimals: usize) -> String {
     let at = row.at_s.map_or_else(|| "–".to_owned(), |at_s| fixed(at_s, decimals));
     row.hit.map_or(at.clone(), |hit| format!("{at}, {} hit", ordinal(hit)))

@@ -1,4 +1,5 @@
-//! Wind and current coefficients of one's own: from a file and its convention to forces over dynamic pressure in this program's axes.
+//! Wind and current coefficients of the user: from a file and its convention to forces over dynamic
+//! pressure in this program's axes.
 
 mod angles;
 mod row;
@@ -31,7 +32,7 @@ const UNITS: [(&str, &str, f64); 3] =
 /// Where the numbers of a table are.
 struct Columns {
     angle: usize,
-    /// Degrees in a unit of that column.
+    /// Degrees in a unit of the column of angles.
     degrees: f64,
     depth: Option<usize>,
     draught: Option<usize>,
@@ -46,7 +47,7 @@ enum Across {
 }
 
 impl Assembly<'_, '_> {
-    /// The windage of a vessel with wind coefficients of her own, if her table has them.
+    /// The windage of a vessel with the user's wind coefficients, if the vessel's table has them.
     pub(super) fn own_wind(
         &mut self,
         vessel: &Table,
@@ -67,7 +68,8 @@ impl Assembly<'_, '_> {
             self.notices.push(Notice {
                 place: self.sources.place(&other.key_span),
                 key: vessel.path_of("windage"),
-                message: "of it only the centroid's height is used: `wind_coefficients` has areas and coefficients"
+                message: "only the height of its centroid is used: areas and coefficients come \
+                    from `wind_coefficients`"
                     .to_owned(),
             });
         }
@@ -88,7 +90,7 @@ impl Assembly<'_, '_> {
         Ok(Some(windage))
     }
 
-    /// The current coefficients of a vessel, if her table has them.
+    /// The current coefficients of a vessel, if the vessel's table has them.
     pub(super) fn own_current(
         &mut self,
         vessel: &Table,
@@ -106,7 +108,7 @@ impl Assembly<'_, '_> {
             .map_err(|error| self.refused(vessel, item, &error))
     }
 
-    /// Depths of the run outside those of the table.
+    /// Notes depths of the run that are outside the depths of the table.
     fn note_depths(
         &mut self,
         of: &Table,
@@ -129,17 +131,20 @@ impl Assembly<'_, '_> {
         let run = environment.depth_range_m().map(|depths_m| depths_m.map(|m| m / ship.draught_m));
         match run {
             None => note(format!(
-                "the water is deep: the forces are those of the greatest depth of the table, {most} draughts"
+                "the water is deep: the table's forces at its greatest depth, {most} draughts, are \
+                 used"
             )),
             Some([low, high]) => {
                 if low < least {
                     note(format!(
-                        "the water is down to {low:.3} draughts deep, but the table begins at {least}: below it its forces are used"
+                        "the water is down to {low:.3} draughts deep, but the table begins at \
+                         {least}: in less water the forces at {least} are used"
                     ));
                 }
                 if high > most {
                     note(format!(
-                        "the water is up to {high:.3} draughts deep, but the table ends at {most}: beyond it its forces are used"
+                        "the water is up to {high:.3} draughts deep, but the table ends at {most}: \
+                         in deeper water the forces at {most} are used"
                     ));
                 }
             }
@@ -174,7 +179,7 @@ impl Assembly<'_, '_> {
             if !about.is_default {
                 let path = of.path_of("moment_about");
                 let message = format!(
-                    "`{path}` does nothing: forces at the perpendiculars have no moment of their own"
+                    "`{path}` does nothing: forces at the perpendiculars have no separate moment"
                 );
                 return Err(self.sources.error(&about.key_span, &path, message));
             }
@@ -246,7 +251,7 @@ impl Assembly<'_, '_> {
             self.notices.push(Notice {
                 place: csv.place_of(None),
                 key: key.clone(),
-                message: "the angles are over one side: the other side is their mirror image"
+                message: "the angles cover one side: the other side is taken as the mirror image"
                     .to_owned(),
             });
         }
@@ -272,7 +277,8 @@ impl Assembly<'_, '_> {
                 place: self.sources.place(&of.given("file").span),
                 key: of.path_of("file"),
                 message: format!(
-                    "her draught of {draught_m} m is outside the table's, {} to {} m: the nearest is used",
+                    "her draught of {draught_m} m is outside the draughts of the table, {} to {} \
+                     m: the nearest draught is used",
                     draughts[0], draughts[last]
                 ),
             });
@@ -414,7 +420,7 @@ fn columns(csv: &Csv<'_>, held: Held) -> Checked<Columns> {
     })
 }
 
-/// Radians under the name of degrees, and degrees under that of radians.
+/// Refuses radians under the name of degrees, and degrees under the name of radians.
 fn check_unit_of_angles(csv: &Csv<'_>, columns: &Columns) -> Checked<()> {
     let is_rad = columns.degrees != 1.0;
     let (mut most, mut at) = (0.0, 0);

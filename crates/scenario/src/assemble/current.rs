@@ -11,9 +11,9 @@ use fenderline_keys::csv::Csv;
 /// Columns of a file of currents.
 const COLUMNS: [&str; 7] =
     ["t_s", "north_m", "east_m", "north_mps", "east_mps", "speed_mps", "towards_deg"];
-/// Bounds of places (m) and times (s) in such a file.
+/// Bounds of places (m) and times (s) in a file of the current.
 const PLACES_OR_TIMES: [f64; 2] = TIMES_S;
-/// Largest speed in such a file (m/s).
+/// Largest speed in a file of the current (m/s).
 const FASTEST_MPS: f64 = 15.0;
 
 impl Assembly<'_, '_> {

@@ -216,7 +216,7 @@ impl Assembly<'_, '_> {
         index.ok_or_else(|| self.unknown("line", table, item, item.text(), known()))
     }
 
-    /// The simulation's error about an order, at the key that it is about.
+    /// The simulation's error about an order, at the key with the mistake.
     fn refused_order(&self, table: &Table, what: &Item, error: &OrderError) -> ScenarioError {
         let tables = match &what.value {
             fenderline_keys::checked::Value::Table(own) => [own, table],

@@ -6,7 +6,7 @@ use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
 use fenderline_sim::{OutputPlan, OutputTable};
 
-/// Difference of the interval from a whole number of steps, as a share of it, that rounding may make.
+/// Largest difference of the interval from a whole number of steps that counts as rounding, as a share of the interval.
 const ROUNDING: f64 = 1e-9;
 
 impl Assembly<'_, '_> {

@@ -13,11 +13,11 @@ use fenderline_keys::error::Notice;
 struct Motion {
     /// Its column of amplitudes.
     amplitude: &'static str,
-    /// Its column of phases.
+    /// Column of the motion of phases.
     phase: &'static str,
     /// Its amplitude is in degrees.
     is_angle: bool,
-    /// The table must have it.
+    /// The table must have this column.
     is_needed: bool,
 }
 
@@ -88,16 +88,16 @@ impl Assembly<'_, '_> {
             }
             operators.push(six);
         }
-        // In waves much longer than the ship, she rises with the crest. Heave is positive down here, so its real part
-        // must be negative.
+        // In waves much longer than the ship, the ship rises with the crest. Heave is positive down here, so the real
+        // part of heave must be negative.
         let longest = &operators[..headings.len()];
         if longest.iter().all(|six| six[HEAVE].re > 0.3) {
             self.notices.push(Notice {
                 place: self.sources.place(&item.span),
                 key: key.clone(),
                 message: format!(
-                    "in the longest waves of {} the ship sinks on the crest; heave must be positive down, is it \
-                     positive up in the file?",
+                    "in the longest waves of {} the ship sinks on the crest; heave must be \
+                     positive down: is heave positive up in the file?",
                     item.text()
                 ),
             });

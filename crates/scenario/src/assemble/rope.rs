@@ -1,4 +1,4 @@
-//! Ropes of lines and tails: of a material that is built in, or of one's own.
+//! Ropes of lines and tails: of a built-in material, or with the user's stretch.
 
 use fenderline_sim::mooring::{Rope, RopeCurve};
 
@@ -109,7 +109,8 @@ impl Assembly<'_, '_> {
                 place: csv.place_of(Some((csv.len() - 1, load))),
                 key,
                 message: format!(
-                    "the curve ends at {} % of the break load: beyond it the last slope goes on",
+                    "the curve ends at {} % of the break load: beyond the end the last slope goes \
+                     on",
                     printable_number((1e3 * last).round() / 10.0)
                 ),
             });

@@ -22,7 +22,7 @@ use fenderline_keys::reader;
 use fenderline_keys::row_names::name_in_row;
 use fenderline_keys::sources::{Span, quoted};
 
-/// Where one fender of a row stands.
+/// The place of one fender of a row.
 struct Stand {
     body: String,
     position_m: Vec2,
@@ -198,7 +198,7 @@ impl Assembly<'_, '_> {
         Ok(())
     }
 
-    /// The table of one fender: the keys of the row, those of the exceptions for it, and its place.
+    /// The table of one fender: the keys of the row, the keys of the exceptions for this fender, and the place.
     fn fender_of_row(&self, name: &str, row: &Table, stand: Stand) -> Checked<Table> {
         let placed = |key: &'static str, value: Value| {
             let of_row = row.item(key).map_or((row.span.clone(), row.span.clone()), |item| {
@@ -240,8 +240,8 @@ impl Assembly<'_, '_> {
         reader::with_defaults(self.sources, &FENDER, &row.path, &row.span, items)
     }
 
-    /// Which of two values of a key counts: the command line over the file, and there the later one; in the file the
-    /// exception over the row.
+    /// Rank of a value of a key: the command line precedes the file, and of two values on the command line the later
+    /// value counts; in the file, the exception precedes the row.
     fn rank(&self, is_exception: bool, item: &Item) -> Rank {
         let start = if item.is_default { 0 } else { item.span.start };
         let is_override = start > self.sources.text.len();

@@ -10,7 +10,7 @@ use fenderline_keys::checked::Table;
 use fenderline_keys::error::{NO_EFFECT, Notice};
 
 impl Assembly<'_, '_> {
-    /// Bodies that touch nothing, and materials that nothing uses; one notice where there is no pair at all.
+    /// Notes bodies that touch nothing, and materials that nothing uses; a single notice if there is no pair.
     pub(super) fn note_unused(
         &mut self,
         file: &Table,
@@ -50,7 +50,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Materials whose restitution does nothing: only fenders with an unloading law use them.
+    /// Notes materials whose restitution has no effect, because only fenders with an unloading law use the material.
     fn note_restitution(&mut self, file: &Table, pairs: &Pairs, fenders: &[FenderSetup]) {
         let method: Method = file.given("contact").table().given("method").choice();
         if method == Method::Paper {

@@ -47,7 +47,7 @@ impl Assembly<'_, '_> {
         Ok(Some(windage))
     }
 
-    /// Checks that the table has all particulars of its method and none of another method.
+    /// Checks that the table has all particulars of its method, and no particulars of another method.
     fn only_particulars_of(
         &self,
         of: &Table,

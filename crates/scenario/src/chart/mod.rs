@@ -1,5 +1,5 @@
-//! Charts from GeoJSON files: `geojson` reads the text, `feature` what each feature is, `projection` makes metres of
-//! longitude and latitude.
+//! Charts from GeoJSON files: `geojson` reads the text, `feature` interprets each feature, `projection` converts
+//! longitude and latitude to metres.
 
 mod feature;
 mod geojson;

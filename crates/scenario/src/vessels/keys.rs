@@ -45,8 +45,9 @@ static VESSEL: TableSpec = TableSpec {
             "coefficients_of",
             Kind::Text,
             Means("her own, or estimated"),
-            "Another vessel, of which this is a model or a sister: coefficients that are not given here are taken from \
-             it, and speed, revolutions and rudder rate are scaled by Froude's law.",
+            "Another vessel, of which this vessel is a model or a sister. Coefficients that are \
+             not given here are taken from the other vessel, and speed, revolutions and rudder \
+             rate are scaled by Froude's law.",
             &["\"kvlcc2\""],
         ),
         key(
@@ -60,7 +61,7 @@ static VESSEL: TableSpec = TableSpec {
             "length_overall",
             Kind::Quantity(LENGTH),
             Means("not known"),
-            "Length overall; the outline must have it.",
+            "Length overall; the outline must have this length.",
             &["\"298 m\""],
         ),
         key("beam", Kind::Quantity(LENGTH), Refused, "Beam.", &["\"46 m\""]),
@@ -110,9 +111,9 @@ static VESSEL: TableSpec = TableSpec {
         key(
             "resistance_of_model",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.1, high: 100.0 }),
-            Means("her resistance is that of the full-scale ship, or unknown"),
-            "Length of the model that the resistance was measured on. A model has more friction than a ship, so crash \
-             stops are also shown without the excess.",
+            Means("the resistance is for the full-scale ship, or unknown"),
+            "Length of the model on which the resistance was measured. A model has more friction \
+             than a ship, so crash stops are also shown without the excess friction.",
             &["\"7 m\""],
         ),
         key(
@@ -126,7 +127,7 @@ static VESSEL: TableSpec = TableSpec {
             "froude",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-3, high: 1.0 }),
             Means("`speed`, if it is known"),
-            "The same as a Froude number, with g = 9.81 m/s².",
+            "Speed at which standard manoeuvres begin, as a Froude number with g = 9.81 m/s².",
             &["0.26"],
         ),
         key("added_mass", Kind::Table(&ADDED_MASS), Means(ESTIMATED), "Added mass.", &[]),
@@ -158,7 +159,8 @@ static VESSEL: TableSpec = TableSpec {
             "azimuth",
             Kind::Named(&AZIMUTH),
             Is("{}"),
-            "Azimuth units, by name. A vessel without a propeller goes and steers with them.",
+            "Azimuth units, by name. A vessel without a propeller moves and steers by azimuth \
+             units.",
             &[],
         ),
         key("windage", Kind::Table(&WINDAGE), Means("no wind forces"), "Wind areas.", &[]),
@@ -173,21 +175,21 @@ static VESSEL: TableSpec = TableSpec {
             "outline",
             Kind::Table(&OUTLINE),
             Means("bodies give it"),
-            "Her outline in the horizontal plane.",
+            "Outline of the vessel in the horizontal plane.",
             &[],
         ),
         key(
             "chock",
             Kind::Named(&DECK_POINT),
             Is("{}"),
-            "Chocks and fairleads, by name: where lines leave her.",
+            "Chocks and fairleads, by name: the places where lines leave the vessel.",
             &[],
         ),
         key(
             "bitts",
             Kind::Named(&DECK_POINT),
             Is("{}"),
-            "Bitts, by name: where lines of others are made fast.",
+            "Bitts, by name: the places where lines of other vessels are made fast.",
             &[],
         ),
         key(
@@ -201,7 +203,7 @@ static VESSEL: TableSpec = TableSpec {
             "source",
             Kind::List(&SOURCE),
             Refused,
-            "Where the numbers come from: every number has one source.",
+            "Sources of the numbers: every number has one source.",
             &[],
         ),
     ],

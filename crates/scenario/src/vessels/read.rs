@@ -50,7 +50,7 @@ pub(super) fn file_vessel(
     })
 }
 
-/// A vessel of a scenario, with its own particulars or derived from one of the library.
+/// A vessel of a scenario, with particulars of its own, or derived from a vessel of the library.
 ///
 /// # Errors
 /// An unknown vessel in `from`, particulars beside `from`, missing or impossible particulars.
@@ -221,7 +221,7 @@ impl Reading<'_, '_> {
         Ok(())
     }
 
-    /// Refuses particulars beside `from`: they are those of the library's vessel.
+    /// Refuses particulars beside `from`, because they come from the library's vessel.
     fn refuse_other_particulars(&self) -> Read<()> {
         let table = self.table;
         const HERS: [&str; 6] =
@@ -229,9 +229,10 @@ impl Reading<'_, '_> {
         for name in HERS {
             if let Some(item) = table.item(name) {
                 let error = self.together(table, item, "from");
-                return Err(
-                    error.with_help("remove it: the vessel of `from` has its own particulars")
-                );
+                return Err(error.with_help(
+                    "remove this key: the particulars come from the vessel of \
+                        `from`",
+                ));
             }
         }
         for (part, name) in [("propeller", "diameter"), ("rudder", "area"), ("rudder", "span")] {
@@ -239,7 +240,7 @@ impl Reading<'_, '_> {
             if let Some(item) = inner.item(name) {
                 let error = self.together(inner, item, "from");
                 return Err(error.with_help(
-                    "remove it: the vessel of `from` has its own propeller and rudder",
+                    "remove this key: propeller and rudder come from the vessel of `from`",
                 ));
             }
         }

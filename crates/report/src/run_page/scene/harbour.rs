@@ -285,7 +285,7 @@ pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) ->
             .chain(line_names)
             .chain(chart_labels(&setup.world.chart.features, frame))
             .collect(),
-        note: "At each line its peak tension as a share of its break load.".to_owned(),
+        note: "Each line is marked with its peak tension as a share of its break load.".to_owned(),
     }
     .render()
 }

@@ -46,7 +46,7 @@ pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     scene(outcome, recorder, None)
 }
 
-/// Around floating bodies and fenders at the largest force; `None` where the whole scene is not much larger.
+/// Around floating bodies and fenders at the largest force; `None` if the whole scene is not much larger.
 fn berth_frame(outcome: &Outcome<'_>, recorder: &Recorder) -> Option<Frame> {
     let peak = recorder.peak.as_ref()?;
     let setup = outcome.setup;
@@ -127,7 +127,7 @@ fn scene(outcome: &Outcome<'_>, recorder: &Recorder, berth: Option<Frame>) -> Ma
     let note = if setup.bodies.len() > drawn.len() {
         format!("{} of {} bodies are drawn.", drawn.len(), setup.bodies.len())
     } else if berth.is_some() {
-        "The whole scene is among the plan views.".to_owned()
+        "One of the plan views shows the whole scene.".to_owned()
     } else {
         String::new()
     };
@@ -227,7 +227,7 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
     let bodies = pair.bodies.map(|i| &setup.bodies[i]);
     let stage = |body: &BodySetup| if body.mass.is_none() { Stage::Fixed } else { Stage::Peak };
     let [style_1, style_2] = pair.bodies.map(|i| styles[i]);
-    // Colours repeat after a few bodies; those of this pair must differ.
+    // Colours repeat after a few bodies; the colours of this pair must differ.
     let pair_styles =
         if style_1 % STYLES == style_2 % STYLES { [0, 1] } else { [style_1, style_2] };
     let outlines =
@@ -276,8 +276,8 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
         arrows: vec![arrow],
         labels: names(outcome, shown).into_iter().chain(labels).collect(),
         note: format!(
-            "N is the force on {}{}: a mean over the time step. The {} is that at the start of the step. \
-             The tables have the peaks within steps.",
+            "N is the force on {}{}: a mean over the time step. The {} is the value at the start \
+             of the step. The tables have the peaks within steps.",
             bodies[1].name,
             // A fender of a dolphin often has the dolphin's name.
             by.filter(|name| *name != bodies[1].name)
