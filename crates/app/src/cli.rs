@@ -813,7 +813,7 @@ pub(crate) struct LimitArgs {
     /// Accuracy, in the unit of the values [default: a hundredth of the range]
     #[arg(long, value_name = "NUMBER")]
     pub(crate) within: Option<f64>,
-    /// Print the limit and all runs as JSON
+    /// Print the limit that was found and all runs as JSON
     #[arg(long)]
     pub(crate) json: bool,
     #[command(flatten)]

@@ -12,8 +12,8 @@
 //! - [`BodyState`]: position, heading and velocity of one body. [`Wrench`]: a force and a moment on a body.
 //! - [`Memory`]: what the engine remembers from one step to the next, as plain data. Copy the memory to branch a run;
 //!   save it as bytes and restore it.
-//! - [`Workspace`]: the results of the last step, and buffers, so that a warm step allocates nothing. Later steps do
-//!   not depend on the workspace.
+//! - [`Workspace`]: the results of the last step, and buffers, so that a warm step allocates nothing. No step
+//!   depends on what former steps left in the workspace.
 //!
 //! Units are SI. Positions are earth-fixed, north and east; headings and moments are clockwise, seen from
 //! above. Outlines are in the body's frame: *x* forward, *y* to starboard, origin at the centre of gravity.

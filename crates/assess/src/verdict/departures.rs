@@ -239,7 +239,7 @@ impl Departures {
         }
     }
 
-    /// Adds departures by series of wind, tide and long waves that have ended.
+    /// Adds a departure for each series of wind, tide or long waves that has ended: its last value is held.
     fn add_environment(&mut self, setup: &Setup, t_s: f64) {
         let Environment { wind, tide, long_waves, .. } = &setup.world.environment;
         for (law, is_held) in [

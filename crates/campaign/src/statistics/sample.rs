@@ -143,7 +143,7 @@ impl Sample {
         self.weights.as_ref().map(|weights| weights.each.as_slice())
     }
 
-    /// The sum of the weights; the number of values without weights.
+    /// The sum of the weights. A sample that has no weights gives the number of its values.
     pub(super) fn weight_sum(&self) -> f64 {
         self.weights.as_ref().map_or(self.count() as f64, |weights| weights.sum)
     }

@@ -110,7 +110,8 @@ impl Table {
     /// 0.
     ///
     /// # Errors
-    /// There is no such column, the file cannot be read, or a cell holds another text or a number that is not finite.
+    /// The table has no column `name`, the file cannot be read, or a cell holds a text that is no number, or a number that is not
+    /// finite.
     pub fn numbers(&self, name: &str) -> Result<Numbers, TableError> {
         let place = self.place(name)?;
         match self.form {

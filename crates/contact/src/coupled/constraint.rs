@@ -254,7 +254,7 @@ impl Constraint {
         Speeds { normal_mps, tangential_mps }
     }
 
-    /// Changes the two bodies' velocities by the impulse of these forces over h.
+    /// Changes the velocities of the constraint's two bodies by the impulse of the constraint's forces over the sub-step h.
     #[inline(always)]
     pub(crate) fn apply_impulse(
         &self,

@@ -22,7 +22,7 @@ pub(crate) struct Reach {
     pub(crate) near_m: f64,
 }
 
-/// Passes on the corners of a closed outline that lie in the strip before and behind the panel, and the points where
+/// Hands the caller the corners of a closed outline that lie in the strip before and behind the panel, and the points where
 /// the outline's edges enter the strip. `to_face` transforms into the face's frame.
 pub(crate) fn collect(
     edges: impl Iterator<Item = [Vec2; 2]>,

@@ -1,5 +1,5 @@
-//! Ships that pass vessels at rest: how near they pass, how fast, and what force the flow around them exerts. People
-//! read here why a moored ship surges and why her lines part.
+//! Ships that pass vessels at rest: how near and how fast each ship passes, and what force the flow around the passing
+//! ship exerts on the vessel. People read here why a moored ship surges and why her lines part.
 
 use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{Pose, Vec2};

@@ -4,8 +4,8 @@
 //! that is finite at bollard pull. The rest is our addition. Our addition is chosen for continuous forces, and not
 //! validated:
 //!
-//! - The speed of the propeller race relative to the surrounding water is ±(√(u_P² + 8|T|/(πρD²)) − |u_P|). This speed
-//!   has the sign of the thrust T.
+//! - The speed of the propeller race relative to the surrounding water is ±(√(u_P² + 8|T|/(πρD²)) − |u_P|). The
+//!   speed of the race has the sign of the thrust T.
 //! - If the race passes over the rudder, its speed is multiplied by κ, as in the method. If the rudder is on the intake
 //!   side, the factor is ½(1 − 1/√2) = 0.146: actuator-disc theory half a diameter upstream.
 //! - Drift enters as Uβ up to about 40° and as −v beyond, because β is discontinuous for motion straight astern.

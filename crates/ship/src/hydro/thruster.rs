@@ -113,8 +113,8 @@ const HALVINGS: u32 = 24;
 /// interval that the last halving leaves.
 const FINE: f64 = 1.0 / 134_217_728.0;
 
-/// The revolutions (1/s) from 0 to `max_rps` at which a surplus of thrust becomes positive, found by bisection. The
-/// surplus increases with the revolutions.
+/// The revolutions (1/s) from 0 to `max_rps` at which the thrust exceeds the wanted thrust, found by bisection. The
+/// surplus of thrust increases with the revolutions.
 ///
 /// The series of the propeller takes most of a tug's step. So the root is bracketed first, by the rule of false
 /// position in the square of the revolutions, to which thrust is nearly proportional. The surplus is then computed only

@@ -22,9 +22,8 @@ pub struct SlowPlace {
 }
 
 impl SlowPlace {
-    /// The place and heading of a ship at the start of a run.
-    #[must_use]
     /// The slow place of a ship at the start of a run.
+    #[must_use]
     pub fn new(state: &BodyState) -> SlowPlace {
         SlowPlace {
             position_m: state.position_m,

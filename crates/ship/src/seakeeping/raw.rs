@@ -7,8 +7,8 @@ use crate::environment::waves::Complex;
 /// starboard, pitch bow up, yaw to starboard.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RawHydrodynamics {
-    /// The reference point from the centre of gravity: forward, to starboard, up (m). Motions are of this point, moments about
-    /// it, and phases are to the crest at it.
+    /// The reference point from the centre of gravity: forward, to starboard, up (m). The motions are those of
+    /// the reference point, the moments are about the reference point, and phases are relative to the crest of the wave there.
     pub reference_m: [f64; 3],
     /// Rigid mass about the centre of gravity (kg, kg·m, kg·m²).
     pub mass: Matrix6,

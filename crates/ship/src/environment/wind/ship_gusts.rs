@@ -49,9 +49,8 @@ impl ShipGusts {
         ShipGusts(Arc::new(Tables { gusts: gusts.clone(), least, amplitudes }))
     }
 
-    /// Whether the tables were made from these gusts.
+    /// True if these gusts over a ship were made from the given gusts at a point.
     #[must_use]
-    /// True if this was made from these gusts.
     pub fn are_of(&self, gusts: &Gusts) -> bool {
         self.0.gusts == *gusts
     }
