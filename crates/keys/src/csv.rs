@@ -171,7 +171,7 @@ impl<'a> Csv<'a> {
     }
 
     /// Number of rows.
-    pub fn len(&self) -> usize {
+    pub fn row_count(&self) -> usize {
         self.rows.len()
     }
 
@@ -381,7 +381,7 @@ mod tests {
     fn lines_may_end_with_a_carriage_return_alone() {
         let csv =
             Csv::parse("# old\ra,b,c\r1,2,3\r4,5,6\r", "f.csv", "key", &["a", "b", "c"]).unwrap();
-        assert_eq!(csv.len(), 2);
+        assert_eq!(csv.row_count(), 2);
         assert_eq!(csv.number(1, 2, [0.0, 9.0]), Ok(6.0));
         let message = refused("a,b,c\r1,2,3\r4,x,6\r");
         assert!(message.contains("f.csv:3:3") && message.contains("4,x,6"), "{message}");

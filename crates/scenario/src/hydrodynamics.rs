@@ -88,7 +88,7 @@ pub(crate) fn read(text: &str, name: &str, key: &str) -> Read<HydrodynamicFile> 
     };
 
     for (csv, name) in [(&ship, "ship"), (&infinite, "infinite")] {
-        if csv.len() != 1 {
+        if csv.row_count() != 1 {
             return Err(csv.header_error(format!("the table `= {name}` must have one row")));
         }
     }

@@ -174,7 +174,7 @@ fn groups(csv: &Csv<'_>, scale: CatalogueScale) -> Read<Vec<Group>> {
     // compared by their bits: no cell is -0.
     let mut places: BTreeMap<(bool, Option<u64>, Option<u64>), usize> = BTreeMap::new();
     let mut seen: BTreeSet<(usize, u64)> = BTreeSet::new();
-    for row in 0..csv.len() {
+    for row in 0..csv.row_count() {
         let deflection_m =
             to_m * csv.number(row, deflection, [0.0, LARGEST_DEFLECTION_M / to_m])?;
         let reaction_n = to_n * csv.number(row, reaction, [0.0, LARGEST_REACTION_N / to_n])?;

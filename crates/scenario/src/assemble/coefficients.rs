@@ -194,8 +194,8 @@ impl Assembly<'_, '_> {
             None => vec![1.0],
         };
         let scales = scales(of, held);
-        let mut rows = Vec::with_capacity(csv.len());
-        for row in 0..csv.len() {
+        let mut rows = Vec::with_capacity(csv.row_count());
+        for row in 0..csv.row_count() {
             rows.push(own_row(&csv, &columns, row, (&convention, held, scales), of, ship)?);
         }
         let at = |row: usize, column: Option<usize>, axis: &[f64]| {
@@ -424,7 +424,7 @@ fn columns(csv: &Csv<'_>, held: Held) -> Checked<Columns> {
 fn check_unit_of_angles(csv: &Csv<'_>, columns: &Columns) -> Checked<()> {
     let is_rad = columns.degrees != 1.0;
     let (mut most, mut at) = (0.0, 0);
-    for row in 0..csv.len() {
+    for row in 0..csv.row_count() {
         let angle = csv.number(row, columns.angle, [-720.0, 720.0])?.abs();
         if angle > most {
             (most, at) = (angle, row);
@@ -432,7 +432,7 @@ fn check_unit_of_angles(csv: &Csv<'_>, columns: &Columns) -> Checked<()> {
     }
     let (found, other) = match (is_rad, most > 6.3) {
         (true, true) => ("degrees", "angle_deg"),
-        (false, false) if csv.len() > 2 && most > 0.0 => ("radians", "angle_rad"),
+        (false, false) if csv.row_count() > 2 && most > 0.0 => ("radians", "angle_rad"),
         _ => return Ok(()),
     };
     let message = format!("the largest angle is {most}: these are {found}");
@@ -442,7 +442,7 @@ fn check_unit_of_angles(csv: &Csv<'_>, columns: &Columns) -> Checked<()> {
 /// The values of a column, rising, each once.
 fn axis(csv: &Csv<'_>, column: usize, bounds: [f64; 2]) -> Checked<Vec<f64>> {
     let numbers: Checked<Vec<f64>> =
-        (0..csv.len()).map(|row| csv.number(row, column, bounds)).collect();
+        (0..csv.row_count()).map(|row| csv.number(row, column, bounds)).collect();
     let mut numbers = numbers?;
     numbers.sort_by(f64::total_cmp);
     numbers.dedup();

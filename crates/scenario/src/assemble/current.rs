@@ -65,7 +65,7 @@ impl Assembly<'_, '_> {
             true => [csv.column("speed_mps")?, csv.column("towards_deg")?],
             false => [csv.column("north_mps")?, csv.column("east_mps")?],
         };
-        for row in 0..csv.len() {
+        for row in 0..csv.row_count() {
             for column in &columns {
                 csv.number(row, *column, PLACES_OR_TIMES)?;
             }

@@ -116,7 +116,7 @@ impl Assembly<'_, '_> {
         let key = of.path_of("file");
         let columns = ["t_s", "level_m", "north_mps", "east_mps"];
         let (csv, [time, level, north, east]) = self.csv_of(file, &key, columns)?;
-        let rows = (0..csv.len()).map(|row| {
+        let rows = (0..csv.row_count()).map(|row| {
             let velocity = vec2(
                 csv.number(row, north, VELOCITIES_MPS)?,
                 csv.number(row, east, VELOCITIES_MPS)?,

@@ -62,7 +62,7 @@ impl Assembly<'_, '_> {
                 *columns = Some([csv.column(amplitude)?, csv.column(phase)?]);
             }
         }
-        for row in 0..csv.len() {
+        for row in 0..csv.row_count() {
             csv.number(row, omega, [1e-3, 100.0])?;
             // Waves from starboard are the mirror image of waves from port.
             csv.number(row, heading, [0.0, 180.0])?;
@@ -76,7 +76,7 @@ impl Assembly<'_, '_> {
             );
             return Err(csv.header_error(message));
         }
-        let mut operators = Vec::with_capacity(csv.len());
+        let mut operators = Vec::with_capacity(csv.row_count());
         for &row in &grid.rows {
             let mut six = [Complex::default(); 6];
             for (operator, (column, motion)) in six.iter_mut().zip(columns.iter().zip(&MOTIONS)) {

@@ -71,8 +71,8 @@ impl Assembly<'_, '_> {
             (false, true) => (csv.column("load_percent")?, 0.01),
             _ => (csv.column("load_kn")?, 1e3 / break_load_n),
         };
-        let mut points: Vec<[f64; 2]> = Vec::with_capacity(csv.len());
-        for row in 0..csv.len() {
+        let mut points: Vec<[f64; 2]> = Vec::with_capacity(csv.row_count());
+        for row in 0..csv.row_count() {
             let percent = csv.number(row, extension, [0.0, LONGEST_PERCENT])?;
             let share = unit * csv.number(row, load, [0.0, 1e7])?;
             if row == 0 && (percent, share) != (0.0, 0.0) {
@@ -106,7 +106,7 @@ impl Assembly<'_, '_> {
         let last = curve.last_share();
         if last < 1.0 {
             self.notices.push(Notice {
-                place: csv.place_of(Some((csv.len() - 1, load))),
+                place: csv.place_of(Some((csv.row_count() - 1, load))),
                 key,
                 message: format!(
                     "the curve ends at {} % of the break load: beyond the end the last slope goes \
