@@ -49,7 +49,7 @@ fn standard_input_that_is_no_scenario_is_refused() {
     for command in ["serve -", "campaign -", "replay -", "vessels --file -"] {
         let refused = place.shell(&format!("\"$FENDERLINE\" {command} < tug.toml"));
         assert_eq!(refused.code, 2, "{command}");
-        contains_all(&refused.stderr, &["reads no standard input"]);
+        contains_all(&refused.stderr, &["does not read standard input"]);
     }
     assert!(!place.exists("out"));
 }
@@ -58,7 +58,7 @@ fn standard_input_that_is_no_scenario_is_refused() {
 fn standard_output_is_no_place_for_files() {
     let place = Workplace::new("out_dash");
     for (command, words) in [
-        ("run tug.toml --out -", "takes a folder and not standard output"),
+        ("run tug.toml --out -", "needs a folder and not standard output"),
         ("campaign x.toml --out -", "takes a folder"),
         ("validate --out -", "takes a folder"),
         ("manoeuvre kcs --out -", "takes a folder"),

@@ -225,7 +225,7 @@ fn bad_weathers_are_refused() {
         (
             "[downtime]",
             "[limit.a]\noutput = \"energy\"\nvalue = \"3 kJ\"\n[downtime]",
-            &["those of the scenario"],
+            &["the limits of the scenario"],
         ),
         (
             "[downtime]",

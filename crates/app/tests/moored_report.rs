@@ -60,7 +60,7 @@ fn a_ship_without_hydrodynamic_data_says_so() {
         &page,
         &[
             "NO HYDRODYNAMIC DATA",
-            "Heave, roll and pitch of ship are oscillators beside the motion in the plane",
+            "Heave, roll and pitch of ship are oscillators",
             "Without hydrodynamic data (ship):",
         ],
     );

@@ -168,7 +168,7 @@ fn a_folder_that_cannot_be_made_durable_keeps_no_result() {
             library.display()
         ));
         assert_eq!(run.code, 1, "{name}: {}", run.stderr);
-        contains_all(&run.stderr, &["cannot write out/tug", "power cut, so none is left"]);
+        contains_all(&run.stderr, &["cannot write out/tug", "power cut, so all were removed"]);
         assert_eq!(place.files("out/tug"), Vec::<String>::new(), "{name}");
     }
 }

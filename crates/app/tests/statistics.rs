@@ -42,7 +42,16 @@ fn a_file_of_speeds_gives_a_design_value_with_its_band() {
         ],
     );
     let page = place.text("speeds/statistics.html");
-    contains_all(&page, &["<svg", "Design values", "Fits", "10⁻⁴", "nothing here states it"]);
+    contains_all(
+        &page,
+        &[
+            "<svg",
+            "Design values",
+            "Fits",
+            "10⁻⁴",
+            "the designer must judge whether they meet a guideline",
+        ],
+    );
     assert!(!page.contains("NaN"));
     let again = ["statistics", "speeds.csv", "--column", "speed [cm/s]", "--json"];
     let json: serde_json::Value = serde_json::from_str(&place.run(&again).stdout).unwrap();
@@ -100,7 +109,7 @@ fn laws_that_the_data_speak_against_are_named() {
         &run.stdout,
         &[
             "Before a design value is used",
-            "the data speak against",
+            "the data contradict",
             "mean nothing",
             "is rarer than 300 values can show",
         ],
@@ -138,7 +147,7 @@ fn bad_input_is_refused_with_its_place() {
     );
     refused(
         &["few.csv", "--column", "speed"],
-        &["few.csv: column `speed`: it has 1 of the 2 values"],
+        &["few.csv: column `speed`: at least 2 values are needed, but it has 1"],
     );
     refused(&["bare.csv", "--column", "speed"], &["bare.csv:1", "must name the columns"]);
     refused(&["none.csv"], &["cannot read none.csv"]);

@@ -53,7 +53,7 @@ impl fmt::Display for SampleError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             SampleError::TooFew { count, needed } => {
-                write!(f, "it has {count} values, but at least {needed} are needed")
+                write!(f, "at least {needed} values are needed, but it has {count}")
             }
             SampleError::NotFinite { place } => write!(f, "value {} is not finite", place + 1),
             SampleError::BadWeights { place } => {

@@ -43,7 +43,7 @@ impl fmt::Display for FitFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             FitFault::TooFew { count, needed } => {
-                write!(f, "there are {count} values, but at least {needed} are needed")
+                write!(f, "at least {needed} values are needed, but there are {count}")
             }
             FitFault::NotPositive { least, count } => {
                 write!(f, "the law has positive values only; {count} of the values are not \
