@@ -59,17 +59,17 @@ fn standard_output_is_no_place_for_files() {
     let place = Workplace::new("out_dash");
     for (command, words) in [
         ("run tug.toml --out -", "needs a folder and not standard output"),
-        ("campaign x.toml --out -", "takes a folder"),
-        ("validate --out -", "takes a folder"),
-        ("manoeuvre kcs --out -", "takes a folder"),
-        ("serve tug.toml --sessions -", "takes a folder"),
-        ("man --out -", "takes a folder"),
-        ("run tug.toml --pdf -", "not written to standard output"),
-        ("run tug.toml --xlsx -", "not written to standard output"),
-        ("report tug.toml --html -", "not written to standard output"),
-        ("fmu tug.toml --kind engine -o -", "not written to standard output"),
-        ("fender fit tug.toml -o - --height 1", "not written to standard output"),
-        ("init -o -", "not written to standard output"),
+        ("campaign x.toml --out -", "needs a folder"),
+        ("validate --out -", "needs a folder"),
+        ("manoeuvre kcs --out -", "needs a folder"),
+        ("serve tug.toml --sessions -", "needs a folder"),
+        ("man --out -", "needs a folder"),
+        ("run tug.toml --pdf -", "cannot be written to standard output"),
+        ("run tug.toml --xlsx -", "cannot be written to standard output"),
+        ("report tug.toml --html -", "cannot be written to standard output"),
+        ("fmu tug.toml --kind engine -o -", "cannot be written to standard output"),
+        ("fender fit tug.toml -o - --height 1", "cannot be written to standard output"),
+        ("init -o -", "cannot be written to standard output"),
     ] {
         let refused = place.run(&command.split(' ').collect::<Vec<_>>());
         assert_eq!(refused.code, 2, "{command}: {}", refused.stdout);

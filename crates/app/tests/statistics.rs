@@ -167,7 +167,7 @@ fn bad_input_is_refused_with_its_place() {
     refused(&with(&["--return-period", "50"]), &["--per-year"]);
     refused(&with(&["--confidence", "95"]), &["such as 0.95"]);
     refused(&with(&["--fit", "gpd"]), &["--fit gpd needs --threshold"]);
-    refused(&with(&["--fit", "weibull", "--threshold", "8"]), &["--threshold is of --fit gpd"]);
+    refused(&with(&["--fit", "weibull", "--threshold", "8"]), &["--threshold belongs to --fit gpd"]);
     refused(&with(&["--fit", "gpd", "--threshold", "1000"]), &["there are 0 of the 20 values"]);
     refused(&with(&["--fit", "gauss"]), &["`gauss` is no law; the laws are normal, lognormal"]);
     // A law that was not asked for by name is left out with its reason.

@@ -204,7 +204,7 @@ fn a_face_where_no_side_may_be() {
         key,
         "7.5 to 10.5 m above the water, and \"ship\" draws 9.5 m",
     );
-    noted(&["fender_row.a.above_water=9 m"], key, "give her `outlines`");
+    noted(&["fender_row.a.above_water=9 m"], key, "or give `outlines`");
     assert_eq!(with(&["fender_row.a.above_water=6 m"]).unwrap().notices, []);
     let with_tide = ["fender_row.a.above_water=9 m", "environment.tide={level = \"5 m\"}"];
     let notices = with(&with_tide).unwrap().notices;

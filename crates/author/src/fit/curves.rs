@@ -351,7 +351,7 @@ mod tests {
             (CatalogueScale { rated_reaction_n: None, ..scale }, "--rated-reaction"),
         ] {
             let error = FenderCurves::parse(text, "page.csv", scale).unwrap_err().to_string();
-            assert!(error.contains("per cent of a number that is not given"), "{error}");
+            assert!(error.contains("the number for 100 % is not given"), "{error}");
             assert!(error.contains(fragment) && error.contains("page.csv:1"), "{error}");
         }
     }

@@ -316,8 +316,8 @@ mod tests {
         assert!(fit(16e3, Some(0.2)).is_ok());
         let message = fit(16e3, None).unwrap_err();
         let expected = "at the end of the curve, 250 mm, the reaction is 156.3 % of the rated \
-            reaction; it must be 100 % at the rated deflection: the curve is last at 100 % at 200 \
-            mm, 40 % of the height";
+            reaction; it must be 100 % at the rated deflection: the curve is at 100 % for the \
+            last time at 200 mm, 40 % of the height";
         assert!(message.contains(expected), "{message}");
         assert!(message.contains("give --rated-deflection \"200 mm\""), "{message}");
         let message = fit(40e3, Some(0.2)).unwrap_err();

@@ -82,7 +82,7 @@ impl Assembly<'_, '_> {
         let path = table.path_of(item.name);
         let body = self.body_named(table, item, item.name(), names)?;
         if body == own {
-            let message = format!("`{path}`: a ship cannot be the berth of herself");
+            let message = format!("`{path}`: a ship cannot be her own berth");
             return Err(self.sources.error(&item.span, &path, message));
         }
         let berth = Berth::of(setup, own, |other| other == body);
