@@ -242,7 +242,7 @@ fn a_clearance_that_does_not_make_up_the_depth() {
     noted(
         &["berthing.under_keel_clearance=8 m"],
         key,
-        "8 m is given, but `environment.depth` with the tide, 12 m, less the draught of 9.5 m leaves 2.5 m",
+        "8 m is given, but `environment.depth` with the tide, 12 m, less the draught of 9.5 m is 2.5 m",
     );
     noted(&["environment.depth=16 m"], key, "with the tide, 16 m, less");
 }
