@@ -170,7 +170,7 @@ fn a_depth_of_water_is_shown_beside_deep_water() {
     }
     assert!(!run.stdout.contains("IMO asks"), "IMO's limits are for deep water");
     let run = place.run(&["manoeuvre", "kvlcc2", "turning", "--depth", "21"]);
-    assert!(run.stdout.contains("held below 1.1"), "{}", run.stdout);
+    assert!(run.stdout.contains("constant below 1.1"), "{}", run.stdout);
 }
 
 #[test]

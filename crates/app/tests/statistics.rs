@@ -153,7 +153,7 @@ fn bad_input_is_refused_with_its_place() {
     refused(&["none.csv"], &["cannot read none.csv"]);
     refused(
         &["zero.csv", "--column", "speed", "--fit", "lognormal"],
-        &["log-normal: it has positive values only; of these 1 are not"],
+        &["log-normal: the law has positive values only; 1 of the values are not positive"],
     );
     refused(
         &with(&["--per-year", "-3"]),
@@ -168,10 +168,10 @@ fn bad_input_is_refused_with_its_place() {
     refused(&with(&["--confidence", "95"]), &["such as 0.95"]);
     refused(&with(&["--fit", "gpd"]), &["--fit gpd needs --threshold"]);
     refused(&with(&["--fit", "weibull", "--threshold", "8"]), &["--threshold belongs to --fit gpd"]);
-    refused(&with(&["--fit", "gpd", "--threshold", "1000"]), &["there are 0 of the 20 values"]);
+    refused(&with(&["--fit", "gpd", "--threshold", "1000"]), &["at least 20 values are needed, but there are 0"]);
     refused(&with(&["--fit", "gauss"]), &["`gauss` is no law; the laws are normal, lognormal"]);
     // A law that was not asked for by name is left out with its reason.
     let run = place.run(&["statistics", "zero.csv", "--column", "speed"]);
     assert_eq!(run.code, 0, "{}", run.stderr);
-    contains_all(&run.stdout, &["no fit: log-normal: it has positive values only"]);
+    contains_all(&run.stdout, &["no fit: log-normal: the law has positive values only"]);
 }

@@ -325,7 +325,7 @@ mod tests {
             message.contains("at the rated deflection, 200 mm, the reaction is 40 %"),
             "{message}"
         );
-        assert!(message.contains("has the rated reaction nowhere"), "{message}");
+        assert!(message.contains("never reaches the rated reaction"), "{message}");
     }
 
     #[test]
