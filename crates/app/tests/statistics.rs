@@ -167,8 +167,14 @@ fn bad_input_is_refused_with_its_place() {
     refused(&with(&["--return-period", "50"]), &["--per-year"]);
     refused(&with(&["--confidence", "95"]), &["such as 0.95"]);
     refused(&with(&["--fit", "gpd"]), &["--fit gpd needs --threshold"]);
-    refused(&with(&["--fit", "weibull", "--threshold", "8"]), &["--threshold belongs to --fit gpd"]);
-    refused(&with(&["--fit", "gpd", "--threshold", "1000"]), &["at least 20 values are needed, but there are 0"]);
+    refused(
+        &with(&["--fit", "weibull", "--threshold", "8"]),
+        &["--threshold belongs to --fit gpd"],
+    );
+    refused(
+        &with(&["--fit", "gpd", "--threshold", "1000"]),
+        &["at least 20 values are needed, but there are 0"],
+    );
     refused(&with(&["--fit", "gauss"]), &["`gauss` is no law; the laws are normal, lognormal"]);
     // A law that was not asked for by name is left out with its reason.
     let run = place.run(&["statistics", "zero.csv", "--column", "speed"]);

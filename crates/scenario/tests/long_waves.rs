@@ -312,7 +312,12 @@ fn mistakes_are_refused_at_their_keys() {
     assert!(error.to_string().contains("needs a `depth` beside it"), "{error}");
     // Swell of 20 s has harmonics of up to 40 s.
     let both = "waves = { height = 1, period = 20, from = 0 }\nlong_waves = { height = 0.2, period = 70, towards = 0 }";
-    refused(both, &[], "environment.long_waves.period", &["35 s", "environment.waves", "counted twice"]);
+    refused(
+        both,
+        &[],
+        "environment.long_waves.period",
+        &["35 s", "environment.waves", "counted twice"],
+    );
     let both = "waves = { height = 1, period = 20, from = 0 }\nlong_waves = { height = 0.2, period = 70, towards = 0, shortest_period = 41 }";
     assert!(read(COASTER, both, &[]).is_ok());
     let still = "waves = { height = 0, period = 20, from = 0 }\nlong_waves = { height = 0.2, period = 70, towards = 0 }";
