@@ -1,7 +1,7 @@
 //! Every key of a scenario file: its kind, unit, bounds, default and meaning.
 //!
 //! The bounds are beyond anything that floats, and keep all computed numbers far from overflow. To add a key, add its
-//! row to this table, then use the key in [`crate::assemble`].
+//! row to this table, then use the key in `assemble` of the crate `fenderline-scenario`.
 
 pub mod anchor;
 mod approach;
