@@ -25,6 +25,13 @@ _COLOURS = ("#0b4f6c", "#b5452c", "#2b7a4b", "#8a5a00", "#5b3f8c", "#1c8a8a", "#
 _CUT, _REPAIR = "#c9ccd1", "#e0a100"
 
 
+def _as_svg(figure: Any) -> str:
+    """The figure as the text of an SVG file."""
+    text = io.StringIO()
+    figure.savefig(text, format="svg")
+    return text.getvalue()
+
+
 def draw(data: Hydrodynamics, path: str | Path | None) -> Any:
     """A figure: a row for each motion with added mass, damping and exciting force over frequency, and drift below."""
     try:
@@ -39,16 +46,11 @@ def draw(data: Hydrodynamics, path: str | Path | None) -> Any:
     with_drift = bool(data.drift)
     rows = 7 if with_drift else 6
 
-    class Picture(matplotlib.figure.Figure):
-        """A figure that belongs to no window: a notebook shows it once, as what the call gives back."""
-
-        def _repr_svg_(self) -> str:
-            text = io.StringIO()
-            self.savefig(text, format="svg")
-            return text.getvalue()
-
+    # A figure that belongs to no window: a notebook shows the figure once, as the result of the call. The class is made here,
+    # as only a call that draws may need Matplotlib.
+    picture: Any = type("Picture", (matplotlib.figure.Figure,), {"_repr_svg_": _as_svg})
     height = 1.75 * rows + 1.4
-    figure = Picture(figsize=(11.0, height))
+    figure = picture(figsize=(11.0, height))
     FigureCanvasAgg(figure)
     axes = figure.subplots(rows, 3, sharex=True)
     omegas = sorted(w for w in data.damping if math.isfinite(w))
