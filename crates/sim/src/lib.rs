@@ -137,7 +137,7 @@
 //! | subject | module or file |
 //! |---|---|
 //! | the time step, from top to bottom | `simulation.rs`, [`Simulation::step`] |
-//! | vessels, tugs and lines in a simulation, pilots and orders | `world/`, [`WorldSetup`] |
+//! | vessels, tugs and lines in a simulation, pilots and orders | [`WorldSetup`], the crate `fenderline-world` |
 //! | hull, propeller, rudder and thruster forces; standard manoeuvres | [`hydro`] |
 //! | wind, current, waves, tide and banks | [`environment`] |
 //! | mooring lines and winches | [`mooring`] |
@@ -153,16 +153,19 @@
 //! | exercises: goal, limits and score | [`exercise`] |
 //! | weather and faults that change during a run | [`change`] |
 //! | forces from other programs | [`external`] |
-//! | energies of a step and of a run | `record.rs`, [`ContactEnergy`], [`Energy`] |
+//! | energies of a step and of a run | [`StepRecord`], [`ContactEnergy`], [`Energy`] |
 //!
-//! One step of [`Simulation::step`]:
+//! The crate re-exports what its users need of `fenderline-ship` (physics of a ship), `fenderline-world` (set-up, state and
+//! records) and `fenderline-assess` (verdict, statistics).
 //!
-//! 1. `gather_loads`: loads of the set-up and of the host, then vessels, tugs, lines and environment (`world/state.rs`).
-//! 2. `turn_momentum`: Coriolis and centripetal terms over the step (`turning.rs`).
+//! One step of [`Simulation::step`]; files of `fenderline-world` are marked W:
+//!
+//! 1. `gather_loads`: loads of the set-up and of the host, then vessels, tugs, lines and environment (W `world/state.rs`).
+//! 2. `turn_momentum`: Coriolis and centripetal terms over the step (W `turning.rs`).
 //! 3. `advance_bodies`: contact forces (`fenderline_contact::advance_in_place`, or `step` for the paper's method)
 //!    and the new states (`integrate.rs`).
 //! 4. `update_world`: heel and trim of the vessels under all forces.
-//! 5. `account_energy`: work of each contact and load, and the energy ledger (`contact_totals.rs`, `ledger.rs`).
+//! 5. `account_energy`: work of each contact and load, and the energy ledger (W `contact_totals.rs`, W `ledger.rs`).
 //! 6. `record`: summaries and the [`StepRecord`].
 #![forbid(unsafe_code)]
 

@@ -6,7 +6,6 @@
 //! | `simulation/access.rs` | reading a run, and changing it between steps |
 //! | `simulation/motion.rs` | integrators, and the Coriolis terms over a step |
 //! | `simulation/accounts.rs` | works and energies of a step |
-//! | `simulation/model.rs` | set-up to inertias and contact model |
 //! | `simulation/check.rs` | checks of a set-up |
 //! | `simulation/buffers.rs` | arrays that are reused from step to step |
 //! | `simulation/changes.rs` | changes of weather and faults |

@@ -239,7 +239,8 @@ impl Departures {
         }
     }
 
-    /// Adds a departure for each series of wind, tide or long waves that has ended: its last value is held.
+    /// Adds a departure for each series of wind, tide or long waves if the time of the step is before the first or after the
+    /// last time of the series: the value of that end is held.
     fn add_environment(&mut self, setup: &Setup, t_s: f64) {
         let Environment { wind, tide, long_waves, .. } = &setup.world.environment;
         for (law, is_held) in [

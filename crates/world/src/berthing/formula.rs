@@ -14,7 +14,7 @@ pub enum AddedMassFormula {
 }
 
 impl AddedMassFormula {
-    /// All formulas, in the order of `BerthingOutcome` of the crate `fenderline-assess`.
+    /// All formulas, in the order of the added masses of `BerthingOutcome` in the crate `fenderline-assess`.
     pub const ALL: [AddedMassFormula; 4] = [
         AddedMassFormula::Pianc2002,
         AddedMassFormula::Ueda,
