@@ -201,7 +201,7 @@ impl Past {
     }
 }
 
-/// True if an entry lies on the way to a tick.
+/// True if an entry of the history belongs to the branch that leads to this tick, and is not later than the tick.
 fn is_of<T>(entry: &Entry<T>, tick: u64, branch_at: impl Fn(u64) -> usize) -> bool {
     entry.seen_tick <= tick && branch_at(entry.cause_tick) == entry.branch
 }

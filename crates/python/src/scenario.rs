@@ -297,7 +297,7 @@ impl Scenario {
 type Parts =
     (String, String, Option<String>, Vec<(String, String, String)>, BTreeMap<String, String>);
 
-/// A scenario of its parts, for `fenderline._pickling`.
+/// Makes a scenario again from its parts. `fenderline._pickling` calls this function.
 #[pyfunction]
 pub(crate) fn scenario_of_parts(
     py: Python<'_>,

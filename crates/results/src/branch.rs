@@ -8,9 +8,9 @@ use fenderline_sim::{Finding, Verdict};
 pub struct BranchOutcome {
     /// Its number.
     pub id: usize,
-    /// The branch from which this branch goes off; `None` for the first branch.
+    /// The branch from which this branch splits off; `None` for the first branch.
     pub parent: Option<usize>,
-    /// When the branch goes off (s).
+    /// Time at which the branch splits off (s).
     pub from_s: f64,
     /// End of the branch (s).
     pub ends_s: f64,

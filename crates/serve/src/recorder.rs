@@ -77,7 +77,7 @@ impl Recorder {
         Ok(())
     }
 
-    /// The recording so far, to be read on another thread. `end_line` becomes its last line.
+    /// The recording so far, to be read on another thread. `end_line` becomes the last line of the recording.
     pub(crate) fn so_far(&self, end_line: String) -> SoFar {
         SoFar { from: self.path.clone(), bytes: self.bytes, end_line }
     }

@@ -136,7 +136,7 @@ impl ChainSummary {
     }
 }
 
-/// Adds the loads of a panel's tension chains in a step.
+/// Adds the tensions of a panel's chains in one step to the summaries of the chains.
 pub fn add_tension(
     chains: &mut [ChainSummary],
     setups: &[ChainSetup],

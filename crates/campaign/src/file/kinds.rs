@@ -1,4 +1,4 @@
-//! Words of campaign files as values, and what all readers of a campaign file share.
+//! The words that a campaign file may use, as Rust values, and functions that several parsers of campaign files use.
 
 use fenderline_keys::error::ScenarioError;
 

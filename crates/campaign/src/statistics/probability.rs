@@ -22,8 +22,9 @@ pub fn binomial(hits: usize, runs: usize, confidence: Confidence) -> Estimate {
 }
 
 /// The probability of an event that happened in `hits` of `runs`, with Wilson's interval (Journal of the American Statistical Association
-/// 22, 1927): the probabilities from which the count is not farther than the normal law of its deviation allows. Its level is right on
-/// the average over probabilities, where that of [`binomial`] is never less than stated.
+/// 22, 1927). The interval holds each probability p for which the observed share of hits lies within z standard deviations, √(p(1 − p)/runs), of p.
+/// Here z is the quantile of the normal distribution for the confidence level. The level holds on the average over all p. The level of [`binomial`]
+/// holds for every p.
 ///
 /// # Panics
 /// No run, or more hits than runs.

@@ -16,7 +16,8 @@ pub(crate) struct Edge {
     /// x of the edge's start and end (m).
     from_m: f64,
     to_m: f64,
-    /// The sides of the trapezoid: x − from_m ≥ y · from_start, and to_m − x ≥ y · from_end.
+    /// How far the two slanted sides of the trapezoid lean inwards, for each metre of y above the edge (m/m). A point of the trapezoid has
+    /// x ≥ from_m + y · from_start and x ≤ to_m − y · from_end.
     from_start: f64,
     from_end: f64,
     /// Height of the trapezoid (m).

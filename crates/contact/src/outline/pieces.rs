@@ -40,7 +40,8 @@ pub(super) fn convex_pieces(vertices: &[Vec2]) -> Vec<Vec<usize>> {
     pieces
 }
 
-/// A ring that may need more cheap tests than this number (0.3 s) is triangulated at once.
+/// The search for few convex pieces tests pairs of vertices. A ring that may need more tests than this number (0.3 s of work) is cut into triangles
+/// instead.
 const MAX_WORK: u64 = 1_000_000_000;
 
 /// A cut would make a sliver if it passes a vertex nearer than this fraction of its length, or makes a smaller angle

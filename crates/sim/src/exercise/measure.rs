@@ -45,7 +45,7 @@ impl Subject {
     }
 }
 
-/// The worst present value for a limit, and its subject. `None` if there is no value, for example far from the berth.
+/// The worst present value that a limit watches, and the ship, line or fender that has this value. `None` if there is no value, for example far from the berth.
 pub(super) fn worst_now(
     limit: &Limit,
     exercise: &ExerciseSetup,
