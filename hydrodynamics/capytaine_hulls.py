@@ -102,7 +102,9 @@ def ship(length, beam, draught, block, waterplane, counts):
     for i in range(nx):
         for k in range(ng):
             p = [(x[a], y[a, b], z[a, b]) for a, b in ((i, k), (i + 1, k), (i + 1, k + 1), (i, k + 1))]
-            panels.append(p[::-1])
+            # Capytaine splits a panel between its first and third corner: alike on both sides, and fore and aft.
+            p = p if 2 * i < nx else p[1:] + p[:1]
+            panels.append(p)
             panels.append([(x, -y, z) for x, y, z in p])
     return panels
 
@@ -112,7 +114,7 @@ def mesh_of(panels, name):
     # Both hulls are convex: a normal points away from the middle.
     across = np.cross(panels[:, 2] - panels[:, 0], panels[:, 3] - panels[:, 1])
     inwards = np.einsum("ij,ij->i", across, panels.mean(axis=1) - [0, 0, panels[:, :, 2].min() / 2]) < 0
-    panels[inwards] = panels[inwards, ::-1]
+    panels[inwards] = panels[inwards][:, [0, 3, 2, 1]]  # the first and the third corner stay
     vertices, index = np.unique(panels.reshape(-1, 3), axis=0, return_inverse=True)
     return cpt.Mesh(vertices=vertices, faces=index.reshape(-1, 4), name=name)
 

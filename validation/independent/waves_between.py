@@ -4,8 +4,8 @@
 
 It needs what hydrodynamics/capytaine_hulls.py needs. For each file of hydrodynamics/ it draws five frequencies and five headings that are not
 in the file (seeded), runs Capytaine there, solves (−ω²(M + A) + iωB + C) ξ = F with 5 % of the critical damping in roll, and writes
-validation/independent/waves_between.csv: complex amplitudes over that of the wave. crates/scenario/tests/waves_between.rs moves the hulls by the shipped
-files in the same waves and compares.
+validation/independent/waves_between.csv: complex amplitudes over that of the wave, and in open water the mean drift over the square of it (N/m², and N/m
+in yaw). crates/scenario/tests/waves_between.rs moves the hulls by the shipped files in the same waves and compares.
 """
 
 import csv
@@ -18,6 +18,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 TABLE = Path(__file__).with_suffix(".csv")
 MOTIONS = ["surge", "sway", "heave", "roll", "pitch", "yaw"]
+DRIFT = ["drift_surge", "drift_sway", "drift_yaw"]
 SEED = 36
 # Beyond this kLΔμ the reader tells that the headings do not resolve a wave: in open water, and with headings all round.
 RESOLVED = (4.0, 3.0)
@@ -63,7 +64,7 @@ def motions(hulls, name):
 
     case = hulls.CASES[name]
     frequencies, headings = drawn(name, case)
-    data, *_, volume, _ = hulls.solve(name, [*frequencies, np.inf], np.radians([-heading for heading in headings]), drifts=False)
+    data, *_, volume, _ = hulls.solve(name, [*frequencies, np.inf], np.radians([-heading for heading in headings]))
     mass, size = hulls.WATER_KGPM3 * volume, case["size"]
     ship = hulls.converters().from_capytaine(
         data, gravity_above_water_m=0.0, gyradii_m=size["gyradii"], mass_kg=mass, fold=False, source=name
@@ -71,7 +72,7 @@ def motions(hulls, name):
     inertia = np.diag([mass] * 3 + [mass * gyradius**2 for gyradius in size["gyradii"]])
     restoring = np.zeros((6, 6))
     restoring[2:5, 2:5] = ship.restoring
-    # Couplings of the hull, as the file has them: others are noise of the mesh, whose lid is not quite alike to both sides.
+    # Couplings of the hull, as the file has them: others are rounding.
     matters = sys.modules["hydrodynamics"]._matters
     tables = [list(ship.added_mass.values()), [table for omega, table in ship.damping.items() if math.isfinite(omega)]]
     coupled = np.array([[any(matters(i, j, table) for table in tables) for j in range(6)] for i in range(6)])
@@ -83,7 +84,8 @@ def motions(hulls, name):
         damping[3, 3] += hulls.ROLL_DAMPING * critical
         left = -(omega**2) * (inertia + added) + 1j * omega * damping + restoring
         motion = np.linalg.solve(left, np.array(force))
-        yield [name, f"{omega:.3f}", f"{heading:.1f}", *(f"{part:.5g}" for z in motion for part in (z.real, z.imag))]
+        drift = [f"{part:.5g}" for part in ship.drift[omega, heading]] if ship.drift else [""] * 3
+        yield [name, f"{omega:.3f}", f"{heading:.1f}", *(f"{part:.5g}" for z in motion for part in (z.real, z.imag)), *drift]
 
 
 def panels(names):
@@ -97,7 +99,7 @@ def panels(names):
         rows[name] = list(motions(loaded, name))
         with TABLE.open("w", newline="", encoding="utf-8") as file:
             table = csv.writer(file, lineterminator="\n")
-            table.writerow(["data", "omega_radps", "heading_deg", *(f"{part}_{motion}" for motion in MOTIONS for part in ("re", "im"))])
+            table.writerow(["data", "omega_radps", "heading_deg", *(f"{part}_{motion}" for motion in MOTIONS for part in ("re", "im")), *DRIFT])
             table.writerows(row for case in loaded.CASES for row in rows.get(case, []))
         print(name, flush=True)
 

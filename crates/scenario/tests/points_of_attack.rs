@@ -247,3 +247,69 @@ force = ["0 kN", "-2500 kN"]
         load
     });
 }
+
+/// Fenders without friction 4 m above the water on both sides of the barge, each pressed in by 0.8 m: stiffness 400 kN/m.
+fn fenders(on: [&str; 2], y_m: f64, outwards: f64) -> String {
+    let mut held = String::new();
+    for (name, at_m) in [("starboard", 1.0), ("port", -1.0)] {
+        held += &format!(
+            "[body.{name}]\nfixed = true\noutline = [[-80, {a}], [80, {a}], [80, {b}], [-80, {b}]]\nposition = [0, 0]\n\n\
+             [[pair]]\nbodies = [\"barge\", \"{name}\"]\nmaterial = \"rubber\"\n\n",
+            a = 11.2 * at_m,
+            b = 31.2 * at_m,
+        );
+        for x_m in [-35, 35] {
+            let on = if at_m > 0.0 { on[0] } else { on[1] };
+            held += &format!(
+                "[fender.{name}_{}]\non = \"{on}\"\nposition = [{x_m}, {}]\nfacing = \"{} deg\"\nwidth = \"1 m\"\n\
+                 projection = \"2 m\"\nabove_water = \"4 m\"\nstiffness = \"400 kN/m\"\nreturned_energy = \"100 %\"\n\
+                 material = \"rubber\"\n\n",
+                if x_m < 0 { "aft" } else { "fore" },
+                y_m * at_m,
+                90.0 * at_m * outwards,
+            );
+        }
+    }
+    held + "[material.rubber]\nstiffness = \"1 MN/m^2\"\n"
+}
+
+const FENDERS: [(f64, f64); 4] = [(-35.0, 1.0), (35.0, 1.0), (-35.0, -1.0), (35.0, -1.0)];
+
+/// Each fender stays at its place of the quay, and presses square to her side where her side is at that place and height, as she has heaved, rolled,
+/// pitched and yawed.
+#[test]
+fn a_barge_pressed_on_fenders_of_quays_rolls_as_the_linear_solve_says() {
+    compare("fenders of quays", &fenders(["starboard", "port"], 11.2, -1.0), |motion| {
+        let mut load = [0.0; 6];
+        for (x_m, side) in FENDERS {
+            let mut own = [x_m, 10.0 * side, 4.0];
+            let mut place = moved(own, motion);
+            for _ in 0..8 {
+                own[0] -= place[0] - x_m;
+                own[2] -= -place[2] - 4.0;
+                place = moved(own, motion);
+            }
+            let still = moved([0.0; 3], motion);
+            let inwards = moved([0.0, -side, 0.0], motion);
+            let normal: [f64; 3] = std::array::from_fn(|k| inwards[k] - still[k]);
+            let push_n = 400e3 * (0.8 + side * place[1] - 10.0);
+            let flat = normal[0].hypot(normal[1]);
+            add(&mut load, place, normal.map(|part| push_n * part / flat), motion);
+        }
+        load
+    });
+}
+
+/// Fenders that she carries turn with her, and press square to the upright walls of the quays.
+#[test]
+fn a_barge_with_fenders_of_her_own_rolls_as_the_linear_solve_says() {
+    compare("her own fenders", &fenders(["barge", "barge"], 10.0, 1.0), |motion| {
+        let mut load = [0.0; 6];
+        for (x_m, side) in FENDERS {
+            let place = moved([x_m, 12.0 * side, 4.0], motion);
+            let push_n = 400e3 * (0.8 + side * place[1] - 12.0);
+            add(&mut load, place, [0.0, -side * push_n, 0.0], motion);
+        }
+        load
+    });
+}
