@@ -4,8 +4,8 @@
 use std::hint::black_box;
 use std::path::PathBuf;
 
+use fenderline_campaign::Campaign;
 use fenderline_campaign::{RunNumbers, Runner, Runs, make};
-use fenderline_scenario::Campaign;
 use fenderline_sim::Simulation;
 
 use crate::rounds::{Contender, least, median_ratio, nanoseconds_a_call};

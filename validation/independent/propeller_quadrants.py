@@ -5,7 +5,7 @@
 
 Prints K_T and K_Q of the Wageningen B4-70 propellers by the polynomials of Oosterveld & van Oossanen (1975) as Bernitsas,
 Ray & Kinley (1981) print them, taken from public programs that agree; and C_T* and C_Q* of the four-quadrant series in
-crates/sim/src/hydro/propeller_series.rs, term by term with cosines and sines: the engine sums by recurrences.
+crates/ship/src/hydro/propeller_series.rs, term by term with cosines and sines: the engine sums by recurrences.
 """
 
 import math
@@ -33,7 +33,7 @@ KQ = """
 3 0 2 0 .0196283  3 1 2 0 -.030055  3 2 0 2 .000112451  3 3 0 1 .00110903  3 3 2 2 .0000869243  3 6 0 2 -.0000297228
 """
 AREA_RATIO, BLADES = 0.7, 4
-SERIES = Path(__file__).parents[2] / "crates/sim/src/hydro/propeller_series.rs"
+SERIES = Path(__file__).parents[2] / "crates/ship/src/hydro/propeller_series.rs"
 
 
 def polynomial(table, advance, pitch):

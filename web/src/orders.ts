@@ -1,5 +1,5 @@
 /**
- * The orders of the table in `crates/sim/src/order/table.rs`: their arguments as types, and what the page does with each.
+ * The orders of the table in `crates/world/src/order/table.rs`: their arguments as types, and what the page does with each.
  * Limits, units and words come from the server, in `Hello.orders`. `crates/live/tests/protocol.rs` compares names and
  * fields with the program's table; an order that is missing below does not compile.
  */

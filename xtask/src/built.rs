@@ -12,8 +12,8 @@ use crate::virtual_environment::target_folder;
 /// to build.
 pub(crate) const TESTED: [&str; 5] =
     ["--workspace", "--exclude", "fenderline-bench", "--exclude", "xtask-bindgen"];
-/// What of them has tests.
-pub(crate) const TARGETS: [&str; 4] = ["--lib", "--bins", "--tests", "--examples"];
+/// What of them has tests. Examples have none: with `--examples` cargo would build each as a test, under another name.
+pub(crate) const TARGETS: [&str; 3] = ["--lib", "--bins", "--tests"];
 /// The packages that users build, and an example that steps.
 const USED: [&str; 10] = [
     "--package",
@@ -29,7 +29,7 @@ const USED: [&str; 10] = [
 ];
 
 /// A build of `target` (`--lib`, or `--bin` or `--example` with a name) by `profile`, `dev` or `release`. By `dev` it is the
-/// build of all tests, which contains all targets: a plain build would leave out the features that tests ask of
+/// build of all tests, which contains libraries and programs: a plain build would leave out the features that tests ask of
 /// dependencies.
 pub(crate) fn build(profile: &str, target: &[&str]) -> Command {
     if profile == "dev" {
@@ -71,7 +71,13 @@ pub(crate) fn program(profile: &str) -> Result<PathBuf, String> {
 /// # Errors
 /// A build that fails.
 pub(crate) fn example(profile: &str, name: &str) -> Result<PathBuf, String> {
-    run(&mut build(profile, &["--example", name]))?;
+    if profile == "dev" {
+        // An example may use what tests alone depend on, so that cargo asks the features of tests of all dependencies.
+        let mut build = cargo(["build", "--quiet", "--example", name]);
+        run(build.args(TESTED))?;
+    } else {
+        run(&mut build(profile, &["--example", name]))?;
+    }
     let program = format!("{name}{}", std::env::consts::EXE_SUFFIX);
     Ok(folder(profile).join("examples").join(program))
 }

@@ -15,8 +15,8 @@ use std::path::{Path, PathBuf};
 use std::thread;
 
 use fenderline_campaign::store::{Opened, Shard, Store, is_finished};
+use fenderline_campaign::{Campaign, Plan};
 use fenderline_campaign::{CampaignError, Row, Runs, StopRule, make};
-use fenderline_scenario::{Campaign, Plan};
 
 pub(crate) use self::check::check;
 pub(crate) use self::gathered::CaseTable;

@@ -1,7 +1,8 @@
 //! `fenderline check` and `fenderline schema`.
 
+use fenderline_campaign::Campaign;
 use fenderline_report::plot::counted;
-use fenderline_scenario::{Campaign, LoadError, printable_number};
+use fenderline_scenario::{LoadError, printable_number};
 use fenderline_sim::Simulation;
 use serde_json::{Value, json};
 
@@ -108,7 +109,7 @@ pub(crate) fn schema(of: SchemaOf) -> Result<(), Failure> {
     let schema = match of {
         SchemaOf::Scenario => fenderline_scenario::schema(),
         SchemaOf::Fenders => fenderline_scenario::fender_schema(),
-        SchemaOf::Campaign => fenderline_scenario::campaign_schema(),
+        SchemaOf::Campaign => fenderline_campaign::campaign_schema(),
         SchemaOf::Vessels => fenderline_scenario::vessel_schema(),
     };
     say_json(&format!("{schema:#}\n"))

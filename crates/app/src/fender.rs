@@ -2,11 +2,9 @@
 
 use core::fmt::Write as _;
 
+use fenderline_author::{CatalogueScale, FenderCurves, FitOptions, FittedFender, LoadingCurve};
 use fenderline_contact::number::greater;
-use fenderline_scenario::{
-    CatalogueScale, FenderCurves, FenderLibrary, FitOptions, FittedFender, LengthOrShare,
-    LoadingCurve, Standing, read_text,
-};
+use fenderline_scenario::{FenderLibrary, LengthOrShare, Standing, read_text};
 use maud::html;
 
 use crate::cli::{FenderCommand, FitArgs, FitStanding};

@@ -3,6 +3,7 @@
 pub mod downtime;
 mod draw;
 mod error;
+mod file;
 mod limit;
 pub mod report;
 mod row;
@@ -16,6 +17,12 @@ mod work;
 
 pub use draw::{Drawn, Draws, Formula};
 pub use error::CampaignError;
+pub use file::law::{Law, LawFamily};
+pub use file::schema::campaign_schema;
+pub use file::{
+    Campaign, Change, Choice, Correlation, Design, Downtime, Draw, MOST_CASES, Output, Plan,
+    Statistic, Stop, Target, TargetOrigins, Variable,
+};
 pub use limit::Limit;
 pub use row::{Cell, Head, Row};
 pub use run::{Runner, Runs, Seen};

@@ -1,6 +1,7 @@
 //! Limits of outputs: values that should seldom be exceeded.
 
-use fenderline_scenario::{Campaign, in_unit};
+use crate::file::Campaign;
+use fenderline_scenario::in_unit;
 
 use crate::error::CampaignError;
 use crate::row::Head;
@@ -23,7 +24,7 @@ impl Limit {
     /// An output that is no number of the campaign, or a value that is not in a unit of it.
     pub(crate) fn all(campaign: &Campaign, heads: &[Head]) -> Result<Vec<Limit>, CampaignError> {
         let numbers = || heads.iter().filter(|head| !head.is_text);
-        let one = |limit: &fenderline_scenario::Limit| {
+        let one = |limit: &crate::file::Limit| {
             let Some(head) = numbers().find(|head| head.name == limit.output) else {
                 let near = fenderline_scenario::nearest(
                     &limit.output,

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use fenderline_scenario::{Statistic, Stop};
+use crate::file::{Statistic, Stop};
 
 use crate::error::CampaignError;
 use crate::row::Row;

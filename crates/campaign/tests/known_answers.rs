@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use fenderline_campaign::store::{Opened, Shard, Store};
+use fenderline_campaign::{Campaign, Law};
 use fenderline_campaign::{Row, Runs, make};
-use fenderline_scenario::{Campaign, Law};
 
 /// A barge of 1000 t onto one fender of 2500 kN/m. Her speed becomes a reaction of v √(k m) and an energy of m v²/2. Steps of
 /// ω Δt = 0.032 find the peak of a cosine to (ω Δt)²/8 = 1.3e-4.

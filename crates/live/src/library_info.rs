@@ -2,7 +2,8 @@
 
 use std::sync::OnceLock;
 
-use fenderline_scenario::{FenderLibrary, VesselLibrary, can_be_ship, can_be_tug};
+use fenderline_author::{can_be_ship, can_be_tug};
+use fenderline_scenario::{FenderLibrary, VesselLibrary};
 
 use crate::message::{FamilyInfo, LibraryInfo, LibraryVessel, SizeInfo};
 

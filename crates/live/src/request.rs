@@ -1,6 +1,6 @@
 //! The requests of a page: a command to the simulation, or one to the session itself.
 
-use fenderline_scenario::NewExercise;
+use fenderline_author::NewExercise;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 

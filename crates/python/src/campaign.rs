@@ -41,7 +41,7 @@ impl Campaign {
     /// Reads a campaign's file, its scenario and the files that they name.
     #[new]
     fn new(py: Python<'_>, path: PathBuf) -> PyResult<Campaign> {
-        let read = scenario::Campaign::load(&path).map_err(CampaignError::from);
+        let read = fenderline_campaign::Campaign::load(&path).map_err(CampaignError::from);
         let runs = read.and_then(Runs::new).map_err(|error| exception(py, &error))?;
         Ok(Campaign { path, runs })
     }

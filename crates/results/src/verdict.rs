@@ -1,6 +1,6 @@
 //! The verdict of a run on a fender.
 
-use fenderline_sim::{FenderSetup, FenderSummary, Finding};
+use fenderline_sim::{FenderSetup, FenderSummary, Finding, fender_finding};
 
 /// The verdict on a touched fender, from best to worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -20,7 +20,7 @@ pub enum FenderVerdict {
 impl FenderVerdict {
     /// The verdict on a fender after a run.
     pub fn of(setup: &FenderSetup, summary: &FenderSummary) -> FenderVerdict {
-        match summary.finding(setup) {
+        match fender_finding(summary, setup) {
             Some(Finding::FenderFailed { .. }) => FenderVerdict::Failed,
             Some(Finding::FenderOverRated { .. }) => FenderVerdict::OverRated,
             Some(Finding::HullPressure { .. }) => FenderVerdict::HullPressure,

@@ -3,10 +3,10 @@
 
 use std::collections::BTreeMap;
 
-use crate::checked::{Item, Table, Value};
-use crate::error::ScenarioError;
-use crate::sources::Sources;
-use crate::spec::Kind;
+use fenderline_keys::checked::{Item, Table, Value};
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::sources::Sources;
+use fenderline_keys::spec::Kind;
 
 /// The text of each file, by its name in the scenario.
 #[derive(Debug, Default)]

@@ -9,10 +9,10 @@ use fenderline_sim::environment::waves::Complex;
 use fenderline_sim::seakeeping::matrix::{Matrix6, ZERO};
 use fenderline_sim::seakeeping::{Hydrodynamics, Part, RawHydrodynamics, SeakeepingError};
 
-use crate::csv::Csv;
-use crate::error::{Notice, ScenarioError};
-use crate::sources::{Sources, quoted};
-use crate::suggest::nearest;
+use fenderline_keys::csv::Csv;
+use fenderline_keys::error::{Notice, ScenarioError};
+use fenderline_keys::sources::{Sources, quoted};
+use fenderline_keys::suggest::nearest;
 
 type Read<T> = Result<T, ScenarioError>;
 

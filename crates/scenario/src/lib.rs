@@ -54,71 +54,38 @@
 //! ```
 
 mod assemble;
-mod bounded_file;
-mod campaign;
 mod chart;
-mod checked;
-mod choices;
-mod csv;
 mod data_files;
-mod error;
 mod files;
-mod fit;
 mod hydrodynamics;
-mod key_path;
-mod keys;
 mod library;
 mod load;
-mod nesting;
-mod new_exercise;
-mod option_value;
 mod order;
-mod origin;
-mod overrides;
-mod printable;
-mod rating;
-mod reader;
-mod rewrite;
-mod row_names;
 mod scenario;
 mod schema;
-mod sources;
-mod spec;
-mod suggest;
-mod syntax;
-mod units;
 mod variant;
 mod vessels;
 
-pub use bounded_file::{
+pub use fenderline_keys::bounded_file::{
     FileError, FileFault, irregular, open_regular, read_bytes, read_text_of, without_following,
 };
-pub use campaign::law::{Law, LawFamily};
-pub use campaign::{
-    Campaign, Change, Choice, Correlation, Design, Downtime, Draw, Limit, MOST_CASES, Output, Plan,
-    Statistic, Stop, Target, TargetOrigins, Variable,
+pub use fenderline_keys::error::{Notice, Place, ScenarioError};
+pub use fenderline_keys::option_value::{
+    LengthOrShare, force_n, in_unit, length_m, length_or_share, percent,
 };
-pub use error::{Notice, Place, ScenarioError};
+pub use fenderline_keys::origin::Origin;
+pub use fenderline_keys::overrides::{Override, set_keys};
+pub use fenderline_keys::printable::{
+    escaped_json, printable_line, printable_number, printable_text,
+};
+pub use fenderline_keys::suggest::nearest;
 pub use fenderline_sim::hydro::vessels::Standing;
-pub use fit::{
-    Branch, CatalogueScale, FenderCurves, FitError, FitOptions, FittedFender, LoadingCurve,
-};
 pub use library::{
     CatalogueFender, FactorTable, Family, FamilyUnloading, FenderLibrary, FenderSize,
-    HullPressureLimit, LookUpError, Tolerance,
+    HullPressureLimit, LookUpError, Tolerance, curve_integral, curve_value,
 };
 pub use load::{LoadError, read_stream, read_text};
-pub use new_exercise::{
-    BerthSource, BerthingSide, NewBerth, NewExercise, NewExerciseError, NewShip, NewTugs,
-    NewWeather, berth_words, can_be_ship, can_be_tug, fixed_berth,
-};
-pub use option_value::{LengthOrShare, force_n, in_unit, length_m, length_or_share, percent};
 pub use order::order;
-pub use origin::Origin;
-pub use overrides::{Override, set_keys};
-pub use printable::{escaped_json, printable_line, printable_number, printable_text};
-pub use rewrite::{Edit, rewritten};
 pub use scenario::Scenario;
-pub use schema::{campaign_schema, fender_schema, schema, vessel_schema};
-pub use suggest::nearest;
+pub use schema::{fender_schema, schema, vessel_schema};
 pub use vessels::{Belting, DeckPoint, Shaft, Stability, VesselData, VesselLibrary};

@@ -4,10 +4,10 @@ use core::fmt;
 use std::io::Read;
 use std::path::Path;
 
-use crate::bounded_file::{read_stream_of, read_text_of};
-use crate::error::ScenarioError;
-use crate::overrides::Override;
 use crate::scenario::Scenario;
+use fenderline_keys::bounded_file::{read_stream_of, read_text_of};
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::overrides::Override;
 
 /// Largest file that is read (bytes).
 const LARGEST_FILE: u64 = 16 << 20;

@@ -3,11 +3,11 @@
 use fenderline_sim::{Order, Setup};
 
 use crate::assemble;
-use crate::error::ScenarioError;
-use crate::keys::order::ORDER;
-use crate::reader;
-use crate::sources::Sources;
-use crate::syntax;
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::keys::order::ORDER;
+use fenderline_keys::reader;
+use fenderline_keys::sources::Sources;
+use fenderline_keys::syntax;
 
 /// Reads the keys of one `[[order]]`, without that line, as an order within a set-up. `name` is for messages.
 ///

@@ -7,16 +7,16 @@ use fenderline_sim::exercise::ExerciseSetup;
 use fenderline_sim::{OutputPlan, Setup};
 
 use crate::assemble::{self, Libraries};
-use crate::checked::Table;
-use crate::error::{Notice, ScenarioError};
 use crate::files::{FILE_HELP, Files};
-use crate::keys::{self, SCENARIO};
 use crate::library::FenderLibrary;
-use crate::overrides::{self, Override};
-use crate::reader;
-use crate::sources::Sources;
-use crate::syntax;
 use crate::vessels::VesselLibrary;
+use fenderline_keys::checked::Table;
+use fenderline_keys::error::{Notice, ScenarioError};
+use fenderline_keys::keys::{self, SCENARIO};
+use fenderline_keys::overrides::{self, Override};
+use fenderline_keys::reader;
+use fenderline_keys::sources::Sources;
+use fenderline_keys::syntax;
 
 /// A scenario file after all checks.
 #[derive(Clone, Debug, PartialEq)]

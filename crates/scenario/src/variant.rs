@@ -6,14 +6,14 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use crate::assemble::{read_current, read_velocity, read_wind};
-use crate::checked::{Item, Table, Value};
-use crate::keys::SCENARIO;
-use crate::overrides::Override;
-use crate::overrides::pattern::is_pattern;
-use crate::reader::{read_value, respan};
 use crate::scenario::Scenario;
-use crate::sources::{Sources, Span};
-use crate::spec::{KeySpec, Kind, TableSpec};
+use fenderline_keys::checked::{Item, Table, Value};
+use fenderline_keys::keys::SCENARIO;
+use fenderline_keys::overrides::Override;
+use fenderline_keys::overrides::pattern::is_pattern;
+use fenderline_keys::reader::{read_value, respan};
+use fenderline_keys::sources::{Sources, Span};
+use fenderline_keys::spec::{KeySpec, Kind, TableSpec};
 
 impl Scenario {
     /// Writes the start of this scenario with some keys replaced into `start`, if they change nothing else of its set-up: the

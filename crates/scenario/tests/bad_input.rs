@@ -2,7 +2,8 @@
 
 use std::time::{Duration, Instant};
 
-use fenderline_scenario::{Campaign, Scenario, ScenarioError};
+use fenderline_campaign::Campaign;
+use fenderline_scenario::{Scenario, ScenarioError};
 
 /// A scenario without a mistake; each case below replaces a part of it.
 const GOOD: &str = r#"title = "Tug against a quay"

@@ -1,9 +1,10 @@
 //! Exercises that are made from choices run, whatever is chosen of the library; choices that make none are refused.
 
-use fenderline_scenario::{
-    BerthSource, BerthingSide, FenderLibrary, NewBerth, NewExercise, NewShip, NewTugs, NewWeather,
-    Scenario, VesselLibrary, can_be_ship, can_be_tug,
+use fenderline_author::{
+    BerthSource, BerthingSide, NewBerth, NewExercise, NewShip, NewTugs, NewWeather, can_be_ship,
+    can_be_tug,
 };
+use fenderline_scenario::{FenderLibrary, Scenario, VesselLibrary};
 use fenderline_sim::Simulation;
 
 fn choices() -> NewExercise {
@@ -147,7 +148,7 @@ fn an_exercise_takes_the_berth_of_another_scenario() {
             assert_eq!(after.setup.world.chart, before.setup.world.chart, "{file}");
             assert_eq!(after.setup.world.bollards.len(), before.setup.world.bollards.len());
             let [berth, old] =
-                [&after, &before].map(|of| fenderline_scenario::fixed_berth(&of.setup).unwrap());
+                [&after, &before].map(|of| fenderline_author::fixed_berth(&of.setup).unwrap());
             assert_eq!(berth.length_m(), old.length_m(), "{file}");
             let ship = after.setup.bodies.iter().position(|body| body.name == "ship").unwrap();
             let mut simulation = Simulation::new(after.setup).expect("a good set-up");

@@ -4,7 +4,8 @@
 use std::path::{Path, PathBuf};
 
 use boon::{Compiler, SchemaIndex, Schemas};
-use fenderline_scenario::{Campaign, Scenario, campaign_schema, schema};
+use fenderline_campaign::{Campaign, campaign_schema};
+use fenderline_scenario::{Scenario, schema};
 use serde_json::{Map, Value as Json, json};
 use toml::de::{DeTable, DeValue};
 

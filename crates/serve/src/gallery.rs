@@ -4,9 +4,10 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::time::UNIX_EPOCH;
 
+use fenderline_author::berth_words;
 use fenderline_live::message::GalleryEntry;
 use fenderline_live::{INTO_A_SESSION, Outline, Session, Source};
-use fenderline_scenario::{berth_words, read_text};
+use fenderline_scenario::read_text;
 
 use super::kept_seats::{self, KeptSeats};
 use super::saved::{self, ENDING, Replayed, Watch};

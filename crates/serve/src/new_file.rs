@@ -5,8 +5,9 @@ use std::fs::{self, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use fenderline_author::{BerthSource, NewExercise};
 use fenderline_live::message::GalleryEntry;
-use fenderline_scenario::{BerthSource, NewExercise, read_text};
+use fenderline_scenario::read_text;
 
 use super::file_name;
 use super::gallery::{self, EXERCISE_ENDING};

@@ -3,7 +3,7 @@
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{BodyState, Outline, Rotation, Vec2, vec2};
 
-use crate::setup::Setup;
+use fenderline_world::setup::Setup;
 
 /// Fenders of one berth face the same direction to within this angle (rad).
 const SAME_WAY_RAD: f64 = 0.1;

@@ -3,7 +3,7 @@
 use fenderline_contact::Wrench;
 use fenderline_contact::number::{greater, lesser};
 
-use crate::setup::Load;
+use fenderline_world::setup::Load;
 
 /// Mean wrench of a load over the step `[t, t + step]`. A load that begins or ends within the step counts with the
 /// share of the step in which it acts, so its impulse does not depend on the time step. A load that acts throughout is

@@ -2,7 +2,7 @@
 
 use fenderline_contact::{BodyState, Vec2, Wrench};
 
-use crate::rigid_body::Inertia;
+use fenderline_world::rigid_body::Inertia;
 
 /// Rate of change of a body's state.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

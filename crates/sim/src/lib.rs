@@ -166,84 +166,67 @@
 //! 6. `record`: summaries and the [`StepRecord`].
 #![forbid(unsafe_code)]
 
-pub mod anchor;
-pub mod attitude;
 pub mod berth;
-pub mod berthing;
-pub mod constants;
-pub mod control;
-pub mod environment;
 pub mod exercise;
-pub mod external;
-pub mod hydro;
 
-mod approach;
-mod chain;
-pub mod change;
-pub mod chart;
-mod contact_totals;
-pub mod distance;
-mod dolphin;
-mod error;
-pub mod factors;
-mod fender;
-mod fixed_order;
-mod gain;
 mod gather;
-mod hull;
 mod integrate;
-mod ledger;
 mod load_work;
-mod mean_velocity;
-pub mod mooring;
-pub mod order;
 mod output_plan;
-mod panel;
-pub mod passing;
-mod random;
-mod range;
-mod record;
-mod rigid_body;
-pub mod seakeeping;
-mod setup;
 mod simulation;
-mod start;
-pub mod statistics;
-mod summary;
-pub mod track;
-pub mod tug;
-mod turning;
-mod verdict;
-mod world;
 
-pub use approach::{Approach, Side};
-pub use chain::size::{ChainGrade, ChainLink, ChainSize};
-pub use chain::{ChainKind, ChainSetup, ChainSummary, ChainTension};
-pub use change::{Change, ChangeError, PlannedChange};
-pub use dolphin::{DolphinMotion, DolphinSetup, DolphinSummary, SteelPiles};
-pub use error::{SetupError, SimError};
-pub use fender::{FenderSetup, FenderSource, FenderSummary, HullMet, HullPressure, Rated};
-pub use gain::EnergyGain;
-pub use hull::{HullByHeight, HullError, HullTouch, Level, SideMissed};
-pub use order::{
+/// Berthing energy by PIANC's formulas, and a simulated berthing beside them.
+pub mod berthing {
+    pub use fenderline_assess::berthing::{
+        AddedSway, BerthingOutcome, LaterHit, OtherShip, ShallowFactor,
+    };
+    pub use fenderline_world::berthing::*;
+}
+
+/// Statistics of motions and lines, and limits on them.
+pub mod statistics {
+    pub use fenderline_assess::statistics::*;
+    pub use fenderline_world::limit::*;
+}
+
+pub use fenderline_assess::gain::EnergyGain;
+pub use fenderline_assess::summary::PairSummary;
+pub use fenderline_assess::verdict::{
+    Departure, Finding, Gravity, Law, LawRow, Subject, Verdict, fender_finding,
+};
+pub use fenderline_ship::chain::{ChainGrade, ChainLink, ChainSize};
+pub use fenderline_ship::range::OutOfRange;
+pub use fenderline_ship::{
+    anchor, attitude, constants, control, distance, environment, hydro, mooring, passing,
+    seakeeping, track, tug,
+};
+pub use fenderline_world::approach::{Approach, Side};
+pub use fenderline_world::chain::{ChainKind, ChainSetup, ChainSummary, ChainTension};
+pub use fenderline_world::change::{Change, ChangeError, PlannedChange};
+pub use fenderline_world::dolphin::{DolphinMotion, DolphinSetup, DolphinSummary, SteelPiles};
+pub use fenderline_world::error::{SetupError, SimError};
+pub use fenderline_world::fender::{
+    FenderSetup, FenderSource, FenderSummary, HullMet, HullPressure, Rated,
+};
+pub use fenderline_world::hull::{HullByHeight, HullError, HullTouch, Level, SideMissed};
+pub use fenderline_world::named::called;
+pub use fenderline_world::order::{
     Action, AnchorAction, LineAction, Order, OrderError, OrderName, Station, VesselAction,
 };
-pub use output_plan::{OutputPlan, OutputTable};
-pub use panel::{ConeSummary, ConeUse, PanelSummary};
-pub use range::OutOfRange;
-pub use record::{ContactEnergy, Energy, LoadWork, StepRecord};
-pub use setup::{
+pub use fenderline_world::panel::{ConeSummary, ConeUse, PanelSummary};
+pub use fenderline_world::record::{ContactEnergy, Energy, LoadWork, StepRecord};
+pub use fenderline_world::setup::{
     BodySetup, BodyVelocity, Integrator, Load, MassProperties, Method, NamedMaterial, PairSetup,
     Setup,
 };
-pub use simulation::Simulation;
-pub use start::{BodyStart, Start};
-pub use summary::PairSummary;
-pub use verdict::{Departure, Finding, Gravity, Law, LawRow, Subject, Verdict, called};
-pub use world::{
+pub use fenderline_world::start::{BodyStart, Start};
+pub use fenderline_world::world::{
     AnchorAtWork, AnchorSetup, AnchorStart, Assist, AssistPilot, AzimuthOrder, AzimuthSetup,
     AzimuthState, BollardSetup, CurrentTable, Environment, Fault, Faults, Float, Job, LineEnd,
     LineHandling, Mooring, MooringSetup, NotAtTheSide, Pilots, ProviderSetup, PushJob, Sent,
     ThrusterSetup, Tripped, TugAtWork, TugSetup, VesselForces, VesselOrders, VesselSetup,
     VesselState, WorldEvent, WorldEventKind, WorldSetup, mass_matrix,
 };
+pub use fenderline_world::{change, chart, external, factors, order};
+pub use output_plan::{OutputPlan, OutputTable};
+pub use simulation::Simulation;

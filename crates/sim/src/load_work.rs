@@ -2,13 +2,15 @@
 
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
-use crate::dolphin::DolphinMotion;
-use crate::fixed_order::SumOrder;
-use crate::hydro::Force;
-use crate::mean_velocity::MeanVelocity;
-use crate::record::LoadWork;
-use crate::rigid_body::Inertia;
-use crate::world::{AnchorAtWork, Mooring, TugAtWork, VesselForces, WaterInertia, WorldSetup};
+use fenderline_ship::hydro::Force;
+use fenderline_world::dolphin::DolphinMotion;
+use fenderline_world::fixed_order::SumOrder;
+use fenderline_world::mean_velocity::MeanVelocity;
+use fenderline_world::record::LoadWork;
+use fenderline_world::rigid_body::Inertia;
+use fenderline_world::world::{
+    AnchorAtWork, Mooring, TugAtWork, VesselForces, WaterInertia, WorldSetup,
+};
 
 /// Forces and motion of one step.
 pub(crate) struct LoadedStep<'a> {

@@ -18,7 +18,6 @@ mod accounts;
 mod buffers;
 mod changes;
 mod check;
-mod model;
 mod motion;
 mod place;
 mod restart;
@@ -34,26 +33,26 @@ use self::changes::check_planned;
 use self::check::{
     berthing_study, check_anchors, check_flow, check_lines, check_load, count_steps,
 };
-use self::model::{Fenders, build_model, inertias};
-use crate::attitude::Attitude;
-use crate::berthing::{Study, StudyStep};
-use crate::change::Changes;
-use crate::contact_totals::ContactTotals;
-use crate::dolphin::Dolphins;
-use crate::error::{SetupError, SimError};
-use crate::fender::FenderSummaries;
-use crate::fixed_order::sort_loads;
 use crate::gather::{add_external, gather, gather_loads};
-use crate::hull::Sides;
 use crate::integrate::{euler, semi_implicit};
-use crate::ledger::{Bodies, Ledger};
-use crate::record::StepRecord;
-use crate::rigid_body::Inertia;
-use crate::setup::{Integrator, Load, Method, Setup};
-use crate::statistics::Statistics;
-use crate::summary::Summaries;
-use crate::verdict::{Watch, starts_inside};
-use crate::world::{VesselSetup, VesselState, World, motions};
+use fenderline_assess::berthing::{Study, StudyStep};
+use fenderline_assess::statistics::Statistics;
+use fenderline_assess::summary::Summaries;
+use fenderline_assess::verdict::{Watch, starts_inside};
+use fenderline_ship::attitude::Attitude;
+use fenderline_world::change::Changes;
+use fenderline_world::contact_totals::ContactTotals;
+use fenderline_world::dolphin::Dolphins;
+use fenderline_world::error::{SetupError, SimError};
+use fenderline_world::fender::FenderSummaries;
+use fenderline_world::fixed_order::sort_loads;
+use fenderline_world::hull::Sides;
+use fenderline_world::ledger::{Bodies, Ledger};
+use fenderline_world::model::{Fenders, build_model, inertias};
+use fenderline_world::record::StepRecord;
+use fenderline_world::rigid_body::Inertia;
+use fenderline_world::setup::{Integrator, Load, Method, Setup};
+use fenderline_world::world::{VesselSetup, VesselState, World, motions};
 
 /// A simulation run. A clone continues independently from the same state.
 #[derive(Clone, Debug)]

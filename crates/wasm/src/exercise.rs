@@ -1,7 +1,7 @@
 //! A new exercise from choices, for pages: what can be chosen, and the scenario's text that is made of it.
 
+use fenderline_author::{BerthSource, NewExercise, berth_words};
 use fenderline_live::library_info;
-use fenderline_scenario::{BerthSource, NewExercise, berth_words};
 
 use crate::problem::Problem;
 use crate::run::{Source, parse};

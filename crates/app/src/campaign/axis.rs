@@ -1,6 +1,6 @@
 //! Variables whose values are numbers of one unit.
 
-use fenderline_scenario::Variable;
+use fenderline_campaign::Variable;
 
 /// The values of a variable as numbers.
 #[derive(Clone, Debug, PartialEq)]

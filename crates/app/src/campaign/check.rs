@@ -4,10 +4,11 @@ use core::fmt::Write as _;
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use fenderline_campaign::Campaign;
 use fenderline_campaign::{CampaignError, Cell, Runs};
 use fenderline_contact::number::{greater, lesser};
 use fenderline_report::plot::{counted, plain};
-use fenderline_scenario::{Campaign, LoadError, printable_number};
+use fenderline_scenario::{LoadError, printable_number};
 use serde_json::{Value, json};
 
 use super::report;

@@ -1,8 +1,8 @@
 //! `fenderline campaign merge`: the shares of a campaign into one table.
 
+use fenderline_campaign::Campaign;
 use fenderline_campaign::Runs;
 use fenderline_campaign::store::{self, Shard};
-use fenderline_scenario::Campaign;
 
 use super::{default_folder, report};
 use crate::cli::CampaignMergeArgs;

@@ -1,10 +1,10 @@
 //! The figure of a campaign: a page of charts without outside resources. One variable is the horizontal axis, another makes
 //! the lines, and there is a chart for each combination of the others.
 
+use fenderline_campaign::Campaign;
 use fenderline_campaign::Cell;
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_report::plot::{Axis as ChartAxis, Chart, Point, Reference, Series, page, plain};
-use fenderline_scenario::Campaign;
 use maud::{Markup, html};
 
 use super::axis::Axis;

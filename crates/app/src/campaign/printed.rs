@@ -3,10 +3,10 @@
 use core::fmt::Write as _;
 use std::path::Path;
 
+use fenderline_campaign::Plan;
 use fenderline_campaign::store::{MOST_CSV_ROWS, Shard, TABLE_CSV, TABLE_PARQUET};
 use fenderline_campaign::{Cell, Runs};
 use fenderline_report::plot::{counted, fixed};
-use fenderline_scenario::Plan;
 
 use super::FIGURE;
 use super::gathered::Gathered;

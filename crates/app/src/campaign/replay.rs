@@ -3,8 +3,8 @@
 use core::fmt::Write as _;
 
 use clap::Parser as _;
+use fenderline_campaign::Campaign;
 use fenderline_campaign::Runs;
-use fenderline_scenario::Campaign;
 
 use crate::cli::{CampaignReplayArgs, Cli, Command};
 use crate::failure::Failure;

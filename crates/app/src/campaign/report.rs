@@ -9,8 +9,8 @@ use fenderline_campaign::statistics::fit::Law;
 use fenderline_campaign::statistics::return_value::Traffic;
 use fenderline_campaign::store::{self, Shard, TABLE_PARQUET};
 use fenderline_campaign::table::Table;
+use fenderline_campaign::{Campaign, Draw, Plan, Variable};
 use fenderline_campaign::{Formula, Head, Runner, Runs, Seen};
-use fenderline_scenario::{Campaign, Draw, Plan, Variable};
 
 use super::{default_folder, downtime};
 use crate::cli::CampaignReportArgs;

@@ -1,8 +1,7 @@
 //! The runs of a downtime: each state, and some hours as they are.
 
-use fenderline_scenario::{
-    Campaign, Downtime, Draw, Plan, Scenario, Target, TargetOrigins, Variable,
-};
+use crate::file::{Campaign, Downtime, Draw, Plan, Target, TargetOrigins, Variable};
+use fenderline_scenario::Scenario;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
 

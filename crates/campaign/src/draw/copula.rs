@@ -1,7 +1,8 @@
 //! Correlated draws by a Gaussian copula.
 
+use crate::file::Correlation;
+use crate::file::law::Law;
 use fenderline_contact::number::bounded;
-use fenderline_scenario::{Correlation, Law};
 
 /// Probabilities with correlations: their normal scores are correlated, each alone stays uniform.
 pub(super) struct Copula {
@@ -81,7 +82,7 @@ mod tests {
     fn normal_scores_have_the_correlation_and_stay_uniform() {
         let copula = Copula::new(&[pair([0, 2], 0.6)]).expect("a copula");
         let plan = super::super::plan::Probabilities::new(
-            &fenderline_scenario::Plan::MonteCarlo { number: 1 },
+            &crate::file::Plan::MonteCarlo { number: 1 },
             3,
             5,
         );

@@ -1,7 +1,7 @@
 //! Plans of probabilities: for each run and variable a number between 0 and 1, both excluded.
 
+use crate::file::Plan;
 use fenderline_contact::number::bounded;
-use fenderline_scenario::Plan;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
 

@@ -1,9 +1,8 @@
 //! The draws of a campaign.
 
+use crate::file::{Campaign, Change, Draw, Plan, Target, Variable};
 use fenderline_contact::hash::Fnv1a;
-use fenderline_scenario::{
-    Campaign, Change, Draw, Override, Plan, ScenarioError, Target, Variable,
-};
+use fenderline_scenario::{Override, ScenarioError};
 
 use super::copula::Copula;
 use super::formula::Formula;

@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use fenderline_scenario::{Choice, Draw, Law, Origin, Target, Variable};
+use crate::file::law::Law;
+use crate::file::{Choice, Draw, Target, Variable};
+use fenderline_scenario::Origin;
 
 use crate::downtime::Given;
 use crate::error::CampaignError;

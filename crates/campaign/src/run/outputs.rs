@@ -1,7 +1,8 @@
 //! The columns of a campaign's results, and their cells for a run.
 
+use crate::file::{Campaign, Plan};
 use fenderline_results::WorldTotals;
-use fenderline_scenario::{Campaign, Plan, nearest};
+use fenderline_scenario::nearest;
 use fenderline_sim::{Setup, Simulation};
 
 use super::columns;

@@ -3,12 +3,10 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use crate::file::{Campaign, Change, Draw, Plan, TargetOrigins};
 use fenderline_contact::hash::Fnv1a;
 use fenderline_results::WorldTotals;
-use fenderline_scenario::{
-    Campaign, Change, Draw, LoadError, Notice, Override, Place, Plan, Scenario, ScenarioError,
-    TargetOrigins, read_text,
-};
+use fenderline_scenario::{LoadError, Notice, Override, Place, Scenario, ScenarioError, read_text};
 use fenderline_sim::{Simulation, Start};
 
 use super::motion::Excursion;

@@ -17,7 +17,7 @@ use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
 pub(crate) fn table(runs: usize) -> String {
     let mut random = ChaCha8Rng::seed_from_u64(22);
     let mut uniform = || ((random.next_u64() >> 12) as f64 + 0.5) / (1_u64 << 52) as f64;
-    let speed_law = fenderline_scenario::Law::lognormal(7.1, 4.47).expect("a law");
+    let speed_law = fenderline_campaign::Law::lognormal(7.1, 4.47).expect("a law");
     let angle_law = Distribution::Normal { mean: 0.0, deviation: 2.0 };
     let wind_law = Distribution::Weibull { shape: 2.0, scale: 8.0 };
     let ships = [("feeder", 12.0), ("panamax", 60.0), ("post_panamax", 120.0)];

@@ -1,6 +1,6 @@
 //! Anchors: home, or on the bottom with their chain. One that hangs is veered to its chain anew.
 
-use fenderline_scenario::Edit;
+use fenderline_author::Edit;
 use fenderline_sim::anchor::{AnchorFaults, AnchorPosition, WindlassOrder};
 use fenderline_sim::{Action, AnchorAction, AnchorAtWork, Simulation};
 

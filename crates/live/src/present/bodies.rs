@@ -1,7 +1,7 @@
 //! Places and speeds of the bodies.
 
+use fenderline_author::Edit;
 use fenderline_contact::Rotation;
-use fenderline_scenario::Edit;
 use fenderline_sim::Simulation;
 
 use super::{degrees, place, rounded};

@@ -1,6 +1,6 @@
 //! Lines: on board, fast with their present tension, or made fast later.
 
-use fenderline_scenario::Edit;
+use fenderline_author::Edit;
 use fenderline_sim::{LineEnd, Mooring, MooringSetup, Simulation};
 
 use super::{place, quoted, rounded};

@@ -8,7 +8,8 @@ mod orders;
 mod timed;
 mod weather;
 
-use fenderline_scenario::{Edit, Override, Scenario, rewritten};
+use fenderline_author::{Edit, rewritten};
+use fenderline_scenario::{Override, Scenario};
 
 use crate::refusal::Refusal;
 use crate::session::Session;

@@ -1,7 +1,7 @@
 //! What has a time: loads, passing ships, events. Times count from the present.
 
+use fenderline_author::Edit;
 use fenderline_contact::number::greater;
-use fenderline_scenario::Edit;
 use fenderline_sim::order::Word;
 use fenderline_sim::{Change, Fault, Setup, Simulation};
 

@@ -1,7 +1,7 @@
 //! Weather: the present mean wind with its gusts, the present current, visibility and water level.
 
+use fenderline_author::Edit;
 use fenderline_contact::Vec2;
-use fenderline_scenario::Edit;
 use fenderline_sim::environment::Tide;
 use fenderline_sim::environment::current::Current;
 use fenderline_sim::{Setup, Simulation};

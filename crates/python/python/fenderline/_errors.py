@@ -15,9 +15,11 @@ class ArgumentError(Error, ValueError):
 
     >>> import fenderline
     >>> simulation = fenderline.Simulation(fenderline.example("tug_4kn"))
-    >>> simulation.step(-1)
-    Traceback (most recent call last):
-    fenderline._errors.ArgumentError: steps must be from 0 to 1000000000, but is -1
+    >>> try:
+    ...     simulation.step(-1)
+    ... except fenderline.ArgumentError as error:
+    ...     print(error)
+    steps must be from 0 to 1000000000, but is -1
     """
 
 

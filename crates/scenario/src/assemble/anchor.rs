@@ -9,8 +9,8 @@ use fenderline_sim::{
 
 use super::orders::places;
 use super::{Assembly, Checked, Names};
-use crate::checked::{Item, Table};
-use crate::keys::anchor::BowSide;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::keys::anchor::BowSide;
 
 /// Place of a hawse pipe over length and beam, from midship: our assumption.
 const HAWSE: (f64, f64) = (0.45, 0.1);

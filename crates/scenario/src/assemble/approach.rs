@@ -11,11 +11,11 @@ use super::pairs::Pairs;
 use super::rows::rounded;
 use super::unused::listed;
 use super::{Assembly, Checked, Names};
-use crate::checked::{Item, Table, Value};
-use crate::error::ScenarioError;
-use crate::row_names::number_in_row;
-use crate::sources::quoted;
-use crate::suggest::nearest;
+use fenderline_keys::checked::{Item, Table, Value};
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::row_names::number_in_row;
+use fenderline_keys::sources::quoted;
+use fenderline_keys::suggest::nearest;
 
 /// A fender met this much before the intended one is worth a notice (m).
 const EARLIER_M: f64 = 0.01;

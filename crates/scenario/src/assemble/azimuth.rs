@@ -3,7 +3,7 @@
 use fenderline_sim::AzimuthSetup;
 use fenderline_sim::hydro::{AzimuthThruster, Propeller, Series};
 
-use crate::checked::Table;
+use fenderline_keys::checked::Table;
 
 /// The units of a kind of vessel.
 pub(crate) fn azimuths(tables: &[(String, Table)]) -> Vec<AzimuthSetup> {

@@ -5,8 +5,8 @@ use fenderline_sim::{Approach, BodySetup, BodyVelocity, Environment, FenderSetup
 
 use super::particulars::Taken;
 use crate::assemble::{Assembly, Checked, Names};
-use crate::checked::Table;
-use crate::error::NO_EFFECT;
+use fenderline_keys::checked::Table;
+use fenderline_keys::error::NO_EFFECT;
 
 impl Assembly<'_, '_> {
     pub(super) fn berthing(

@@ -6,9 +6,9 @@ use fenderline_sim::{BodySetup, BodyVelocity, HullByHeight, MassProperties};
 
 use super::vessel;
 use super::{Assembly, Checked};
-use crate::checked::{Item, Table};
-use crate::error::Notice;
-use crate::sources::Span;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::Notice;
+use fenderline_keys::sources::Span;
 
 impl Assembly<'_, '_> {
     pub(super) fn bodies(

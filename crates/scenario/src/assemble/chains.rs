@@ -4,8 +4,8 @@ use fenderline_contact::Panel;
 use fenderline_sim::{ChainGrade, ChainKind, ChainLink, ChainSetup, ChainSize};
 
 use super::{Assembly, Checked};
-use crate::checked::{Item, Table};
 use crate::vessels::Belting;
+use fenderline_keys::checked::{Item, Table};
 
 impl Assembly<'_, '_> {
     /// The chains of a fender, and the mass that its weight chains carry (kg).

@@ -6,10 +6,10 @@ use fenderline_sim::chart::{Chart, ChartShape, GeographicPlace};
 use super::{Assembly, Checked};
 use crate::chart::projection::Projected;
 use crate::chart::{Budget, Placing, read};
-use crate::checked::{Item, Table};
-use crate::keys::chart::Coordinates;
-use crate::sources::quoted;
-use crate::suggest::nearest;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::keys::chart::Coordinates;
+use fenderline_keys::sources::quoted;
+use fenderline_keys::suggest::nearest;
 
 impl Assembly<'_, '_> {
     /// The chart; empty without its table.

@@ -13,10 +13,10 @@ use fenderline_sim::{CurrentTable, Environment};
 
 use self::angles::{Angles, angles};
 use super::{Assembly, Checked};
-use crate::checked::{Item, Table};
-use crate::csv::{Csv, Layout};
-use crate::error::Notice;
-use crate::keys::coefficients::{Convention, Held, OF_FORCES, OF_OWN};
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::csv::{Csv, Layout};
+use fenderline_keys::error::Notice;
+use fenderline_keys::keys::coefficients::{Convention, Held, OF_FORCES, OF_OWN};
 
 /// Bounds of coefficients: beyond anything that a ship has.
 const COEFFICIENT: [f64; 2] = [-20.0, 20.0];

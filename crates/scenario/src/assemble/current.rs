@@ -5,8 +5,8 @@ use fenderline_sim::environment::current::{Current, CurrentGrid, CurrentProfile}
 
 use super::environment::{DIRECTIONS_DEG, TIMES_S, along};
 use super::{Assembly, Checked};
-use crate::checked::{Item, Table};
-use crate::csv::Csv;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::csv::Csv;
 
 /// Columns of a file of currents.
 const COLUMNS: [&str; 7] =

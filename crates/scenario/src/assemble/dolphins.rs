@@ -1,12 +1,12 @@
 //! Dolphins of rows of fenders: bodies that are fixed or on piles, and pairs with them.
 
 use super::rows::keys::check_placing;
-use crate::checked::{Item, Table, Value};
-use crate::error::ScenarioError;
-use crate::keys::BODY;
-use crate::reader;
-use crate::row_names::name_in_row;
-use crate::sources::{Sources, quoted};
+use fenderline_keys::checked::{Item, Table, Value};
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::keys::BODY;
+use fenderline_keys::reader;
+use fenderline_keys::row_names::name_in_row;
+use fenderline_keys::sources::{Sources, quoted};
 
 /// Adds a body for each dolphin to the bodies of the file. A pair that names a row becomes a pair with each of its
 /// dolphins.

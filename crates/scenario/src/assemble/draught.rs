@@ -5,8 +5,8 @@ use fenderline_sim::{BodySetup, FenderSetup, Setup};
 use super::Assembly;
 use super::plausible::FAR_FROM_WATER_M;
 use super::rows::rounded;
-use crate::checked::Table;
-use crate::sources::quoted;
+use fenderline_keys::checked::Table;
+use fenderline_keys::sources::quoted;
 
 /// A fender whose lower edge is no higher above the water than this meets most ships (m). Our choice.
 const LOW_M: f64 = 3.0;

@@ -14,9 +14,9 @@ use fenderline_sim::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
 
 use super::vessel::Kinds;
 use super::{Assembly, Checked};
-use crate::checked::{Item, Table};
-use crate::csv::Csv;
-use crate::error::{Notice, ScenarioError};
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::csv::Csv;
+use fenderline_keys::error::{Notice, ScenarioError};
 
 /// Number of harmonics of a sea or a gusty wind.
 const HARMONICS: usize = 200;

@@ -6,8 +6,8 @@ use fenderline_sim::{Change, Fault, PlannedChange, Setup, VesselSetup};
 
 use super::orders::places;
 use super::{Assembly, Checked, Names};
-use crate::checked::{Item, Table};
-use crate::keys::event::{CAN_END, OF_VESSEL, WHAT};
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::keys::event::{CAN_END, OF_VESSEL, WHAT};
 
 impl Assembly<'_, '_> {
     pub(super) fn events(

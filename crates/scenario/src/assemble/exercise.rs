@@ -7,10 +7,10 @@ use fenderline_sim::exercise::{AnchorPlace, Condition, ExerciseSetup, Limit, Mea
 
 use super::unused::listed;
 use super::{Assembly, Checked, Names};
-use crate::checked::{Item, Table};
-use crate::keys::exercise::GoalWord;
-use crate::sources::quoted;
-use crate::suggest::nearest;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::keys::exercise::GoalWord;
+use fenderline_keys::sources::quoted;
+use fenderline_keys::suggest::nearest;
 
 /// Farthest from the fenders of a ship that is alongside, unless the scenario says otherwise (m); our choice.
 const ALONGSIDE_M: f64 = 0.5;

@@ -3,7 +3,7 @@
 use fenderline_sim::factors::PartialFactors;
 
 use super::{Assembly, Checked};
-use crate::checked::{Item, Table};
+use fenderline_keys::checked::{Item, Table};
 
 impl Assembly<'_, '_> {
     /// The factors of a scenario; none without its table.
@@ -63,7 +63,7 @@ impl Assembly<'_, '_> {
     }
 
     fn note_item(&mut self, table: &Table, item: &Item, message: &str) {
-        self.notices.push(crate::error::Notice {
+        self.notices.push(fenderline_keys::error::Notice {
             place: self.sources.place(&item.span),
             key: table.path_of(item.name),
             message: message.to_owned(),

@@ -5,8 +5,8 @@ use fenderline_sim::FenderSetup;
 
 use super::rows::rounded;
 use super::{Assembly, FenderLibrary};
-use crate::checked::{Item, Table};
-use crate::rating::odd_reaction;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::rating::odd_reaction;
 
 /// Fenders are commonly less high than this (m): the largest pneumatic ones of ISO 17357 have 4.5 m.
 const HIGH_M: f64 = 6.0;

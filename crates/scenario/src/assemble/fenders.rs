@@ -8,11 +8,11 @@ use super::performance::Performance;
 use super::rows::rounded;
 use super::vessel::Kind;
 use super::{Assembly, Checked, FenderParts, Names};
-use crate::checked::{Item, Table};
-use crate::error::ScenarioError;
 use crate::library::FenderLibrary;
-use crate::sources::quoted;
 use crate::vessels::Belting;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::sources::quoted;
 
 impl Assembly<'_, '_> {
     pub(super) fn fenders(

@@ -4,7 +4,7 @@ use fenderline_sim::{DolphinSetup, SteelPiles};
 
 use super::plausible::figures;
 use super::{Assembly, Checked};
-use crate::checked::Table;
+use fenderline_keys::checked::Table;
 
 /// Keys of piles of steel, and keys that they give.
 const OF_PILES: [&str; 7] =

@@ -4,9 +4,9 @@ use fenderline_contact::Outline;
 use fenderline_sim::{BodySetup, FenderSetup, HullByHeight, HullError, Level, Setup};
 
 use super::{Assembly, Checked, vessel};
-use crate::checked::{Item, Table};
-use crate::error::{Notice, ScenarioError};
-use crate::sources::quoted;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::{Notice, ScenarioError};
+use fenderline_keys::sources::quoted;
 
 /// How far above the water the sides of a vessel with one outline reach (m): higher than any fender.
 const HIGH_M: f64 = 60.0;

@@ -5,12 +5,12 @@ use std::collections::BTreeSet;
 
 use fenderline_contact::FenderLaw;
 use fenderline_sim::statistics::Limited;
-use fenderline_sim::{ChainKind, FenderSetup, Setup};
+use fenderline_sim::{ChainKind, Change, FenderSetup, Setup};
 
 use super::Assembly;
-use crate::checked::{Item, Table};
-use crate::error::NO_EFFECT;
-use crate::keys::anchor::BowSide;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::NO_EFFECT;
+use fenderline_keys::keys::anchor::BowSide;
 
 impl Assembly<'_, '_> {
     /// Notices of all keys that the set-up does not use.
@@ -91,6 +91,9 @@ impl Assembly<'_, '_> {
         } else if vessels.iter().all(|vessel| vessel.windage.is_none()) {
             let why = "no vessel has wind areas (`windage`)";
             self.note_idle(environment, "wind", why);
+            self.note_idle(environment, "air_density", why);
+        } else if setup.world.environment.wind.is_none() && !has_wind_event(setup) {
+            let why = "there is no wind, and no event that lets it blow";
             self.note_idle(environment, "air_density", why);
         }
         if let Some(wind) = environment.item("wind").map(Item::table)
@@ -241,4 +244,9 @@ impl Assembly<'_, '_> {
             self.note_idle_table(table, why);
         }
     }
+}
+
+/// Whether an event of the scenario lets the wind blow.
+fn has_wind_event(setup: &Setup) -> bool {
+    setup.world.planned.iter().any(|planned| matches!(planned.change, Change::Wind { .. }))
 }

@@ -4,8 +4,8 @@ use fenderline_sim::VesselSetup;
 use fenderline_sim::statistics::{LimitSetup, Limited, StatisticsSetup};
 
 use super::{Assembly, Checked, Names};
-use crate::checked::{Item, Table};
-use crate::keys::limit::Subject;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::keys::limit::Subject;
 
 impl Assembly<'_, '_> {
     pub(super) fn statistics(

@@ -4,7 +4,7 @@ use fenderline_contact::Vec2;
 use fenderline_sim::{BodySetup, Load};
 
 use super::{Assembly, Checked, Names};
-use crate::checked::Table;
+use fenderline_keys::checked::Table;
 
 impl Assembly<'_, '_> {
     pub(super) fn loads(

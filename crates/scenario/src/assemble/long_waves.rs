@@ -9,8 +9,8 @@ use fenderline_sim::environment::{LongWaveSite, LongWaveSpectrum, LongWaves};
 use super::environment::TIMES_S;
 use super::vessel::Kinds;
 use super::{Assembly, Checked};
-use crate::checked::{Item, Table};
-use crate::printable::printable_number;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::printable::printable_number;
 
 /// Harmonics of a spectrum of long waves.
 const HARMONICS: usize = 40;

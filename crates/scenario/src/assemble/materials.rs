@@ -4,8 +4,8 @@ use fenderline_contact::Material;
 use fenderline_sim::NamedMaterial;
 
 use super::{Assembly, Checked};
-use crate::checked::{Item, Table};
-use crate::error::Notice;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::Notice;
 
 /// Larger coefficients of friction get a notice. Rubber on dry steel or concrete has about 1, polyethylene facings
 /// about 0.2 (from memory, no source read); the margin is for rough surfaces.

@@ -10,10 +10,10 @@ use fenderline_sim::{BodySetup, BollardSetup, LineEnd, LineHandling, MooringSetu
 
 use super::vessel::Decks;
 use super::{Assembly, Checked, Names};
-use crate::checked::{Item, Table};
-use crate::error::ScenarioError;
-use crate::keys::mooring::AT_THE_FAR_END;
-use crate::sources::quoted;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::keys::mooring::AT_THE_FAR_END;
+use fenderline_keys::sources::quoted;
 
 /// Where a line is made fast by itself, and how long it then is.
 struct FarEnd {

@@ -8,9 +8,9 @@ use fenderline_sim::order::{ArgumentKind, Arguments, Named, OrderName, TargetKin
 use fenderline_sim::{Order, OrderError, Setup};
 
 use super::{Assembly, Checked, Names};
-use crate::checked::{Item, Table};
-use crate::error::ScenarioError;
-use crate::keys::order::{DIRECTION, Form, TELEGRAPH, form, words};
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::keys::order::{DIRECTION, Form, TELEGRAPH, form, words};
 
 /// The names that orders refer to.
 pub(super) struct OrderNames<'w> {
@@ -219,7 +219,7 @@ impl Assembly<'_, '_> {
     /// The simulation's error about an order, at the key that it is about.
     fn refused_order(&self, table: &Table, what: &Item, error: &OrderError) -> ScenarioError {
         let tables = match &what.value {
-            crate::checked::Value::Table(own) => [own, table],
+            fenderline_keys::checked::Value::Table(own) => [own, table],
             _ => [table, table],
         };
         let about = error.argument().and_then(|name| {

@@ -1,9 +1,9 @@
 //! What a run writes.
 
 use crate::assemble::{Assembly, Checked};
-use crate::checked::{Item, Table};
-use crate::sources::quoted;
-use crate::suggest::nearest;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::sources::quoted;
+use fenderline_keys::suggest::nearest;
 use fenderline_sim::{OutputPlan, OutputTable};
 
 /// Difference of the interval from a whole number of steps, as a share of it, that rounding may make.

@@ -5,9 +5,9 @@ use std::collections::BTreeSet;
 use fenderline_sim::{BodySetup, PairSetup};
 
 use super::{Assembly, Checked, Names};
-use crate::checked::{Item, Table};
-use crate::error::ScenarioError;
-use crate::sources::quoted;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::sources::quoted;
 
 pub(super) struct Pairs {
     pub(super) named: Vec<PairSetup>,

@@ -6,8 +6,8 @@ use fenderline_sim::Rated;
 
 use super::performance::Performance;
 use super::{Assembly, Checked};
-use crate::checked::Table;
 use crate::vessels::Belting;
+use fenderline_keys::checked::Table;
 
 /// A panel, and the height of its reaction above the middle of its face (m).
 pub(super) struct PanelParts {

@@ -6,8 +6,8 @@ use fenderline_sim::{BodySetup, Environment, VesselSetup};
 
 use super::{Assembly, Checked};
 use crate::assemble::plausible::figures;
-use crate::checked::Table;
-use crate::sources::quoted;
+use fenderline_keys::checked::Table;
+use fenderline_keys::sources::quoted;
 
 /// Length, beam, draught and block coefficient in the table over those of the vessel: beyond this they are not the same ship.
 const SAME_SHIP: f64 = 0.03;

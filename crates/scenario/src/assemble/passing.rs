@@ -13,10 +13,10 @@ use fenderline_sim::{BodySetup, Environment, Setup, VesselSetup};
 use super::rows::rounded;
 use super::vessel::Kinds;
 use super::{Assembly, Checked};
-use crate::checked::Table;
-use crate::keys::passing::SectionsBy;
-use crate::sources::quoted;
 use crate::vessels::{VesselData, VesselLibrary};
+use fenderline_keys::checked::Table;
+use fenderline_keys::keys::passing::SectionsBy;
+use fenderline_keys::sources::quoted;
 
 /// Clear distance at the start over the mean length within which the force begins suddenly; our choice.
 const SUDDEN: f64 = 1.0;

@@ -7,10 +7,10 @@ use fenderline_sim::hydro::vessels::Standing;
 use fenderline_sim::{FenderSource, HullPressure, Rated};
 
 use crate::assemble::{Assembly, Checked};
-use crate::checked::{Item, Table};
-use crate::error::ScenarioError;
 use crate::library::{CatalogueFender, FenderLibrary, LookUpError, unloading_curve};
-use crate::sources::quoted;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::sources::quoted;
 
 /// Stiffness of a stop over the mean stiffness of the fender up to the stop.
 const STOP_OVER_MEAN: f64 = 50.0;

@@ -8,8 +8,8 @@ use fenderline_sim::{BodySetup, Environment, FenderSetup};
 
 use super::rows::rounded;
 use super::{Assembly, Checked};
-use crate::checked::Table;
-use crate::sources::quoted;
+use fenderline_keys::checked::Table;
+use fenderline_keys::sources::quoted;
 
 /// A face whose middle is further than this from the water is unusual where no depth is given (m): our choice, beyond the
 /// greatest tides.

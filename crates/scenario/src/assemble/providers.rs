@@ -3,7 +3,7 @@
 use fenderline_sim::{BodySetup, ProviderSetup};
 
 use super::{Assembly, Checked, Names};
-use crate::checked::Table;
+use fenderline_keys::checked::Table;
 
 impl Assembly<'_, '_> {
     pub(super) fn providers(

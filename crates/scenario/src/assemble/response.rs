@@ -5,9 +5,9 @@ use fenderline_sim::environment::waves::{BoxShip, Complex, MotionResponse, RaoTa
 use fenderline_sim::hydro::Particulars;
 
 use super::{Assembly, Checked};
-use crate::checked::Table;
-use crate::csv::Csv;
-use crate::error::Notice;
+use fenderline_keys::checked::Table;
+use fenderline_keys::csv::Csv;
+use fenderline_keys::error::Notice;
 
 /// A motion of a response table.
 struct Motion {

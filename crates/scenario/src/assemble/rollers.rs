@@ -3,7 +3,7 @@
 use fenderline_sim::{FenderSetup, NamedMaterial};
 
 use super::{Assembly, Checked};
-use crate::checked::Table;
+use fenderline_keys::checked::Table;
 
 impl Assembly<'_, '_> {
     /// Gives each roller fender a material of its own: that of its table, with the rolling resistance for its friction.

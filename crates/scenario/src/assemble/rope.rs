@@ -3,11 +3,11 @@
 use fenderline_sim::mooring::{Rope, RopeCurve};
 
 use super::{Assembly, Checked};
-use crate::checked::Table;
-use crate::csv::Csv;
-use crate::error::Notice;
-use crate::keys::mooring::BuiltIn;
-use crate::printable::printable_number;
+use fenderline_keys::checked::Table;
+use fenderline_keys::csv::Csv;
+use fenderline_keys::error::Notice;
+use fenderline_keys::keys::mooring::BuiltIn;
+use fenderline_keys::printable::printable_number;
 
 /// The largest extension of a rope (%).
 const LONGEST_PERCENT: f64 = 1000.0;

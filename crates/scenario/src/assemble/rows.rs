@@ -12,13 +12,13 @@ use fenderline_sim::BodySetup;
 use self::places::Line;
 use super::edge::{direction_rad, edges_with, facing_rad};
 use super::{Assembly, Checked, Names};
-use crate::checked::{Item, Table, Value};
-use crate::error::ScenarioError;
-use crate::keys::FENDER;
-use crate::overrides::pattern::fits;
-use crate::reader;
-use crate::row_names::name_in_row;
-use crate::sources::{Span, quoted};
+use fenderline_keys::checked::{Item, Table, Value};
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::keys::FENDER;
+use fenderline_keys::overrides::pattern::fits;
+use fenderline_keys::reader;
+use fenderline_keys::row_names::name_in_row;
+use fenderline_keys::sources::{Span, quoted};
 
 /// Where one fender of a row stands.
 struct Stand {
@@ -248,7 +248,7 @@ impl Assembly<'_, '_> {
 
     pub(super) fn note_at(&mut self, span: &Span, key: String, message: String) {
         let place = self.sources.place(span);
-        self.notices.push(crate::error::Notice { place, key, message });
+        self.notices.push(fenderline_keys::error::Notice { place, key, message });
     }
 }
 

@@ -9,10 +9,10 @@ use fenderline_sim::{Environment, Float};
 
 use super::vessel::Kind;
 use super::{Assembly, Checked};
-use crate::checked::{Item, Table};
-use crate::error::Notice;
 use crate::hydrodynamics;
-use crate::printable::printable_number;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::Notice;
+use fenderline_keys::printable::printable_number;
 
 /// Viscous damping of roll where none is given; our assumption for a hull with bilge keels.
 const ROLL_DAMPING: f64 = 0.05;

@@ -6,9 +6,9 @@ use fenderline_sim::{BodySetup, FenderSetup, Method};
 
 use super::Assembly;
 use super::pairs::Pairs;
-use crate::checked::Table;
-use crate::error::{NO_EFFECT, Notice};
-use crate::sources::quoted;
+use fenderline_keys::checked::Table;
+use fenderline_keys::error::{NO_EFFECT, Notice};
+use fenderline_keys::sources::quoted;
 
 impl Assembly<'_, '_> {
     /// Bodies that touch nothing, and materials that nothing uses; one notice where there is no pair at all.

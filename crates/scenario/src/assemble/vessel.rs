@@ -11,10 +11,10 @@ use fenderline_sim::{Environment, Float, MassProperties, VesselSetup};
 
 use super::response::estimate;
 use super::{Assembly, Checked};
-use crate::checked::{Item, Table};
-use crate::error::{Notice, ScenarioError};
-use crate::sources::{Span, quoted};
 use crate::vessels::{Belting, DeckPoint, VesselData, VesselLibrary, hydrostatics, own_vessel};
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::{Notice, ScenarioError};
+use fenderline_keys::sources::{Span, quoted};
 
 /// A kind of vessel; several bodies may be of one kind.
 pub(super) struct Kind {

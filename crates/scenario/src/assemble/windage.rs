@@ -6,10 +6,10 @@ use fenderline_sim::environment::wind::{
 use fenderline_sim::hydro::Particulars;
 
 use super::{Assembly, Checked};
-use crate::checked::{Item, Table};
-use crate::keys::windage::{METHODS, WindageMethod};
-use crate::sources::quoted;
-use crate::suggest::nearest;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::keys::windage::{METHODS, WindageMethod};
+use fenderline_keys::sources::quoted;
+use fenderline_keys::suggest::nearest;
 
 impl Assembly<'_, '_> {
     pub(super) fn windage(

@@ -8,10 +8,10 @@ use fenderline_sim::{TugSetup, VesselSetup};
 
 use super::orders::places;
 use super::{Assembly, Checked, Names, listed};
-use crate::checked::{Item, Table};
-use crate::error::ScenarioError;
-use crate::sources::quoted;
-use crate::suggest::nearest;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::sources::quoted;
+use fenderline_keys::suggest::nearest;
 
 impl Assembly<'_, '_> {
     /// An error at a key's value.

@@ -5,8 +5,8 @@ use fenderline_sim::chart::{ChartFeature, ChartKind, ChartMark, ChartShape, Mark
 
 use super::geojson::{Coordinates, Properties, Raw};
 use super::{Budget, MOST_FEATURES, MOST_POINTS, Placing};
-use crate::sources::quoted;
-use crate::suggest::nearest;
+use fenderline_keys::sources::quoted;
+use fenderline_keys::suggest::nearest;
 
 /// Longest name (bytes), as that of a body.
 const LONGEST_NAME: usize = 200;

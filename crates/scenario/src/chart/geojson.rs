@@ -7,8 +7,8 @@ use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 use serde_json::value::RawValue;
 
 use super::{LARGEST_FILE, MOST_FEATURES};
-use crate::error::ScenarioError;
-use crate::sources::{Sources, quoted};
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::sources::{Sources, quoted};
 
 /// A file whose features are not read yet.
 pub(super) struct File<'a> {

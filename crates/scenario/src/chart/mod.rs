@@ -10,7 +10,7 @@ use fenderline_sim::chart::{ChartFeature, GeographicPlace};
 
 use self::feature::Reading;
 use self::projection::Projected;
-use crate::error::ScenarioError;
+use fenderline_keys::error::ScenarioError;
 
 /// Most features, and most points, of a chart: what a page draws without effort.
 const MOST_FEATURES: usize = 5_000;

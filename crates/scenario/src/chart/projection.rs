@@ -8,6 +8,7 @@
 
 use fenderline_contact::{Vec2, vec2};
 
+use fenderline_keys::keys::chart::Projection;
 use fenderline_sim::chart::GeographicPlace;
 
 /// Equatorial radius of WGS 84 (m), and its flattening.
@@ -16,15 +17,6 @@ const FLATTENING: f64 = 1.0 / 298.257_223_563;
 /// Scale of UTM at its central meridian, and half the width of a zone (rad).
 const UTM_SCALE: f64 = 0.9996;
 const HALF_ZONE_RAD: f64 = core::f64::consts::PI / 60.0;
-
-/// A kind of transverse Mercator projection.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Projection {
-    /// Central meridian through the origin, scale 1.
-    ThroughOrigin,
-    /// Central meridian of the origin's zone of 6 degrees, scale 0.9996.
-    Utm,
-}
 
 /// From places on WGS 84 to metres north and east of an origin.
 #[derive(Clone, Debug)]

@@ -3,7 +3,7 @@
 use fenderline_contact::number::lesser;
 
 /// The value at `x`; `None` outside the curve.
-pub(crate) fn value(points: &[(f64, f64)], x: f64) -> Option<f64> {
+pub fn value(points: &[(f64, f64)], x: f64) -> Option<f64> {
     let (first, last) = (points.first()?, points.last()?);
     if x < first.0 || x > last.0 {
         return None;
@@ -15,7 +15,7 @@ pub(crate) fn value(points: &[(f64, f64)], x: f64) -> Option<f64> {
 }
 
 /// The integral from the curve's start to `x`, which lies on the curve.
-pub(crate) fn integral(points: &[(f64, f64)], x: f64) -> f64 {
+pub fn integral(points: &[(f64, f64)], x: f64) -> f64 {
     let mut sum = 0.0;
     for piece in points.windows(2) {
         let ((x0, y0), (x1, y1)) = (piece[0], piece[1]);

@@ -1,14 +1,14 @@
-//! Every key of a fender file, in the form of [`crate::keys`].
+//! Every key of a fender file, in the form of [`fenderline_keys::keys`].
 
 use core::f64::consts::FRAC_PI_2;
 
-use fenderline_contact::Unloading;
 use serde_json::json;
 
-use crate::keys::STANDINGS;
-use crate::spec::Absent::{Is, Means, Refused, Unless};
-use crate::spec::{CurveSpec, KeySpec, Kind, Quantity, TableSpec, key};
-use crate::units::measures as unit;
+use fenderline_keys::keys::STANDINGS;
+use fenderline_keys::keys::quantities::RETURNED_ENERGY;
+use fenderline_keys::spec::Absent::{Is, Means, Refused, Unless};
+use fenderline_keys::spec::{CurveSpec, KeySpec, Kind, Quantity, TableSpec, key};
+use fenderline_keys::units::measures as unit;
 
 /// The whole file.
 pub(crate) static FENDER_FILE: TableSpec = TableSpec {
@@ -189,10 +189,6 @@ static UNLOADING: TableSpec = TableSpec {
         })
     }),
 };
-
-/// Energy returned over energy absorbed.
-pub(crate) const RETURNED_ENERGY: Quantity =
-    Quantity { measure: &unit::PLAIN_NUMBER, low: Unloading::MIN_RETURNED_SHARE, high: 1.0 };
 
 const HOLDS: KeySpec = key(
     "holds",

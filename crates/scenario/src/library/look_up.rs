@@ -2,9 +2,9 @@
 
 use core::fmt;
 
-use crate::printable::printable_number;
-use crate::sources::quoted;
-use crate::suggest::nearest;
+use fenderline_keys::printable::printable_number;
+use fenderline_keys::sources::quoted;
+use fenderline_keys::suggest::nearest;
 
 /// A name or rating that the library does not have. Displays in one line; [`LookUpError::help`] says what to write
 /// instead.

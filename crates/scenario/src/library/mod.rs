@@ -13,18 +13,18 @@ use std::sync::OnceLock;
 
 use fenderline_sim::hydro::vessels::Standing;
 
-pub(crate) use curve::{integral as curve_integral, value as curve_value};
+pub use curve::{integral as curve_integral, value as curve_value};
 pub use family::{FactorTable, Family, FamilyUnloading, FenderSize, HullPressureLimit, Tolerance};
 pub use fender::CatalogueFender;
-pub(crate) use keys::{FENDER_FILE, RETURNED_ENERGY};
+pub(crate) use keys::FENDER_FILE;
 pub use look_up::LookUpError;
 pub(crate) use read::unloading_curve;
 
 use crate::data_files::FENDER_FILES;
-use crate::error::ScenarioError;
-use crate::reader;
-use crate::sources::Sources;
-use crate::syntax;
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::reader;
+use fenderline_keys::sources::Sources;
+use fenderline_keys::syntax;
 
 /// Families of fenders and hull pressure limits.
 ///
@@ -69,7 +69,8 @@ impl FenderLibrary {
     }
 
     /// The same, shared.
-    pub(crate) fn of_program() -> &'static FenderLibrary {
+    #[must_use]
+    pub fn of_program() -> &'static FenderLibrary {
         // Read once: a batch checks thousands of scenarios.
         static READ: OnceLock<FenderLibrary> = OnceLock::new();
         let read = || {

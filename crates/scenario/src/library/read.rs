@@ -3,10 +3,10 @@
 
 use std::collections::BTreeMap;
 
-use crate::checked::{Item, Table};
-use crate::error::ScenarioError;
-use crate::sources::{Sources, quoted};
-use crate::suggest::nearest;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::sources::{Sources, quoted};
+use fenderline_keys::suggest::nearest;
 
 use super::family::{
     FactorTable, Family, FamilyUnloading, FenderSize, HullPressureLimit, Tolerance,

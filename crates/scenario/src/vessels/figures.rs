@@ -4,11 +4,11 @@ use std::f64::consts::TAU;
 
 use fenderline_sim::hydro::vessels::Figure;
 
-use crate::checked::{Item, Table, Value};
-use crate::key_path;
-use crate::sources::Span;
-use crate::spec::{Kind, Quantity};
-use crate::units::measures as unit;
+use fenderline_keys::checked::{Item, Table, Value};
+use fenderline_keys::key_path;
+use fenderline_keys::sources::Span;
+use fenderline_keys::spec::{Kind, Quantity};
+use fenderline_keys::units::measures as unit;
 
 /// Keys of a vessel that do not hold numbers.
 const NO_FIGURES: [&str; 5] = ["title", "tank_model", "coefficients_of", "from", "source"];

@@ -1,4 +1,4 @@
-//! Every key of a vessel file, in the form of [`crate::keys`].
+//! Every key of a vessel file, in the form of [`fenderline_keys::keys`].
 
 mod deck;
 mod hull;
@@ -11,11 +11,11 @@ use self::deck::{BELTING, DECK_POINT, OUTLINE};
 use self::hull::{ADDED_MASS, DRIFT_POLYNOMIAL, LOW_SPEED, SWAY_POLYNOMIAL};
 use self::source::SOURCE;
 use self::stern::{PROPELLER, RUDDER};
-use crate::keys::quantities::{LENGTH, PLACE};
-use crate::keys::{AZIMUTH, STABILITY, THRUSTER, WINDAGE};
-use crate::spec::Absent::{Is, Means, Refused, Unless};
-use crate::spec::{Kind, Quantity, TableSpec, key};
-use crate::units::measures as unit;
+use fenderline_keys::keys::quantities::{LENGTH, PLACE};
+use fenderline_keys::keys::{AZIMUTH, STABILITY, THRUSTER, WINDAGE};
+use fenderline_keys::spec::Absent::{Is, Means, Refused, Unless};
+use fenderline_keys::spec::{Kind, Quantity, TableSpec, key};
+use fenderline_keys::units::measures as unit;
 
 const COEFFICIENT: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: -1e3, high: 1e3 };
 const POSITIVE: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-6, high: 1e3 };

@@ -16,11 +16,11 @@ pub(crate) use keys::VESSEL_FILE;
 pub(crate) use read::{hydrostatics, own_vessel};
 
 use crate::data_files::VESSEL_FILES;
-use crate::error::ScenarioError;
 use crate::library::LookUpError;
-use crate::reader;
-use crate::sources::{Sources, quoted};
-use crate::syntax;
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::reader;
+use fenderline_keys::sources::{Sources, quoted};
+use fenderline_keys::syntax;
 
 /// Vessels by name.
 ///
@@ -52,7 +52,8 @@ impl VesselLibrary {
     }
 
     /// The same, shared.
-    pub(crate) fn of_program() -> &'static VesselLibrary {
+    #[must_use]
+    pub fn of_program() -> &'static VesselLibrary {
         // Read once: a batch checks thousands of scenarios.
         static READ: OnceLock<VesselLibrary> = OnceLock::new();
         let read = || {

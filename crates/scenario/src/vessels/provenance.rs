@@ -4,9 +4,9 @@ use fenderline_sim::hydro::vessels::{Figure, Origin, Source, Standing};
 
 use super::data::VesselData;
 use super::figures::{Leaf, leaves};
-use crate::checked::{Item, Table};
-use crate::error::ScenarioError;
-use crate::sources::{Sources, quoted};
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::sources::{Sources, quoted};
 
 /// The keys that a vessel may take from the vessel of `coefficients_of`.
 const INHERITED: [&str; 20] = [

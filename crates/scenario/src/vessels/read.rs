@@ -16,10 +16,10 @@ use super::data::VesselData;
 use super::provenance;
 use super::shape::{self, Hull};
 use crate::assemble;
-use crate::checked::{Item, Table};
-use crate::error::ScenarioError;
 use crate::library::LookUpError;
-use crate::sources::Sources;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::sources::Sources;
 
 pub(crate) use self::stability::hydrostatics;
 use self::stability::oscillators;

@@ -5,9 +5,9 @@ use fenderline_contact::{Outline, Vec2, vec2};
 use fenderline_sim::hydro::Particulars;
 
 use super::data::{Belting, DeckPoint};
-use crate::checked::{Item, Table};
-use crate::error::ScenarioError;
-use crate::sources::Sources;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::sources::Sources;
 
 type Read<T> = Result<T, ScenarioError>;
 

@@ -3,9 +3,9 @@
 use fenderline_contact::Vec2;
 
 use super::words::metres;
-use crate::anchor::{AnchorPosition, SHACKLE_M, WindlassOrder};
-use crate::setup::Setup;
-use crate::world::AnchorAtWork;
+use fenderline_ship::anchor::{AnchorPosition, SHACKLE_M, WindlassOrder};
+use fenderline_world::setup::Setup;
+use fenderline_world::world::AnchorAtWork;
 
 /// Chain by which an anchor may miss what is asked for (m): an order in shackles and a condition in metres differ by rounding.
 const CHAIN_SLACK_M: f64 = 1e-3;

@@ -10,8 +10,8 @@ use super::measure::{Subject, worst_now};
 use super::words::seconds;
 use super::{ExerciseSetup, FULL_SCORE};
 use crate::berth::Lie;
-use crate::setup::Setup;
 use crate::simulation::Simulation;
+use fenderline_world::setup::Setup;
 
 /// Where an exercise stands.
 #[derive(Clone, Copy, Debug, PartialEq)]

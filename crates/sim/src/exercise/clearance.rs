@@ -2,7 +2,7 @@
 
 use fenderline_contact::{Outline, Pose, Vec2};
 
-use crate::distance::of_outlines_m;
+use fenderline_ship::distance::of_outlines_m;
 
 /// The least distance between two outlines in their places (m); 0 where they overlap. `nearer_m` is a distance that is known
 /// already: what is farther need not be found exactly.

@@ -7,7 +7,7 @@ use super::anchored::{AnchorPlace, Holding};
 use super::words::{force, metres, speed};
 use crate::berth::Lie;
 use crate::simulation::Simulation;
-use crate::world::Mooring;
+use fenderline_world::world::Mooring;
 
 /// A condition of a goal.
 #[derive(Clone, Debug, PartialEq)]

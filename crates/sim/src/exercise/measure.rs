@@ -6,9 +6,9 @@ use super::ExerciseSetup;
 use super::clearance::distance_m;
 use super::limit::{Limit, Measure};
 use crate::berth::Lie;
-use crate::setup::Setup;
 use crate::simulation::Simulation;
-use crate::world::{AnchorAtWork, LineEnd};
+use fenderline_world::setup::Setup;
+use fenderline_world::world::{AnchorAtWork, LineEnd};
 
 /// What a value belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,22 +4,23 @@ use fenderline_contact::{BodyState, Contact, Memory, Model, Wrench};
 
 use super::Simulation;
 use super::check::whole_steps;
-use crate::anchor::{AnchorFaults, AnchorState};
-use crate::berthing::{BerthingError, BerthingOutcome};
-use crate::dolphin::DolphinSummary;
-use crate::environment::current::Current;
-use crate::environment::wind::Wind;
-use crate::error::SetupError;
-use crate::fender::FenderSummary;
-use crate::gain::{EnergyGain, REPORTED_GAIN};
-use crate::ledger::Bodies;
-use crate::order::{Action, LineAction, Order, OrderError, VesselAction, check_order};
-use crate::record::Energy;
-use crate::setup::{Integrator, Method, Setup};
-use crate::statistics::Statistics;
-use crate::summary::PairSummary;
-use crate::verdict::{Finding, Verdict};
-use crate::world::{AnchorAtWork, Assist, Faults, Job, Mooring, TugAtWork, VesselState};
+use fenderline_assess::berthing::BerthingOutcome;
+use fenderline_assess::gain::{EnergyGain, REPORTED_GAIN};
+use fenderline_assess::statistics::Statistics;
+use fenderline_assess::summary::PairSummary;
+use fenderline_assess::verdict::{Finding, Verdict};
+use fenderline_ship::anchor::{AnchorFaults, AnchorState};
+use fenderline_ship::environment::current::Current;
+use fenderline_ship::environment::wind::Wind;
+use fenderline_world::berthing::BerthingError;
+use fenderline_world::dolphin::DolphinSummary;
+use fenderline_world::error::SetupError;
+use fenderline_world::fender::FenderSummary;
+use fenderline_world::ledger::Bodies;
+use fenderline_world::order::{Action, LineAction, Order, OrderError, VesselAction, check_order};
+use fenderline_world::record::Energy;
+use fenderline_world::setup::{Integrator, Method, Setup};
+use fenderline_world::world::{AnchorAtWork, Assist, Faults, Job, Mooring, TugAtWork, VesselState};
 
 impl Simulation {
     /// The set-up of the run.

@@ -1,11 +1,11 @@
 //! Works and energies of a step: what contacts and loads did to the bodies.
 
 use super::Simulation;
-use crate::contact_totals::WorkSource;
 use crate::load_work::{LoadedStep, plain_work_j};
-use crate::mean_velocity::MeanVelocity;
-use crate::record::LoadWork;
-use crate::setup::{Integrator, Method};
+use fenderline_world::contact_totals::WorkSource;
+use fenderline_world::mean_velocity::MeanVelocity;
+use fenderline_world::record::LoadWork;
+use fenderline_world::setup::{Integrator, Method};
 
 /// Weights of the four stages of classical Runge–Kutta.
 const RUNGE_KUTTA: [f64; 4] = [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0];

@@ -3,8 +3,8 @@
 use fenderline_contact::{BodyState, Contact, Memory, Model, Vec2, Workspace, Wrench};
 
 use crate::integrate::Rate;
-use crate::mean_velocity::MeanVelocity;
-use crate::world::WorldBackup;
+use fenderline_world::mean_velocity::MeanVelocity;
+use fenderline_world::world::WorldBackup;
 
 /// One entry per body, but for the last fields.
 #[derive(Clone, Debug)]

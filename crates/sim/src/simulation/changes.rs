@@ -3,12 +3,12 @@
 use fenderline_contact::{Vec2, vec2};
 
 use super::Simulation;
-use crate::change::{Change, ChangeError, Flow, Ramp, fog_m};
-use crate::environment::current::Current;
-use crate::environment::wind::{MeanWind, Wind, WindProfile};
-use crate::error::SetupError;
-use crate::setup::Setup;
-use crate::world::{Faults, WorldEvent, WorldEventKind};
+use fenderline_ship::environment::current::Current;
+use fenderline_ship::environment::wind::{MeanWind, Wind, WindProfile};
+use fenderline_world::change::{Change, ChangeError, Flow, Ramp, fog_m};
+use fenderline_world::error::SetupError;
+use fenderline_world::setup::Setup;
+use fenderline_world::world::{Faults, WorldEvent, WorldEventKind};
 
 /// Checks the planned changes of a set-up.
 pub(super) fn check_planned(setup: &Setup) -> Result<(), SetupError> {

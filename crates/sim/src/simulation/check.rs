@@ -1,10 +1,10 @@
 //! Checks of a set-up that concern several of its parts.
 
-use crate::berthing::{ShallowFactor, Study};
-use crate::environment::{Bank, BankMethod};
-use crate::error::SetupError;
-use crate::setup::{Load, Setup};
-use crate::world::LineEnd;
+use fenderline_assess::berthing::{ShallowFactor, Study};
+use fenderline_ship::environment::{Bank, BankMethod};
+use fenderline_world::error::SetupError;
+use fenderline_world::setup::{Load, Setup};
+use fenderline_world::world::LineEnd;
 
 /// A number of steps from a time over Δt: rounded up, except that a ratio within 1e-9 of a whole number is
 /// that number. So 20 s in steps of 0.1 s are 200 steps.

@@ -6,10 +6,10 @@ use super::Simulation;
 use super::buffers::Buffers;
 use crate::gather::gather;
 use crate::integrate::{Rate, euler};
-use crate::mean_velocity::MeanVelocity;
-use crate::rigid_body::Inertia;
-use crate::setup::{Integrator, Method};
-use crate::turning::{TurningStep, YawRateAt, turning_wrench};
+use fenderline_world::mean_velocity::MeanVelocity;
+use fenderline_world::rigid_body::Inertia;
+use fenderline_world::setup::{Integrator, Method};
+use fenderline_world::turning::{TurningStep, YawRateAt, turning_wrench};
 
 impl Simulation {
     /// The wrench that turns each body's momentum with it (Coriolis and centripetal terms): a mean over the

@@ -1,8 +1,8 @@
 //! Placing bodies before the first step.
 
 use super::Simulation;
-use crate::error::SetupError;
-use crate::start::BodyStart;
+use fenderline_world::error::SetupError;
+use fenderline_world::start::BodyStart;
 
 impl Simulation {
     /// Places floating bodies before the first step, each by its index. Orders, weather and faults that were given stay.

@@ -3,13 +3,13 @@
 use fenderline_contact::{BodyState, Wrench};
 
 use super::Simulation;
-use crate::change::Changes;
-use crate::error::SetupError;
-use crate::ledger::{Bodies, Ledger};
-use crate::rigid_body::initial_state;
-use crate::start::Start;
-use crate::statistics::Statistics;
-use crate::verdict::starts_inside;
+use fenderline_assess::statistics::Statistics;
+use fenderline_assess::verdict::starts_inside;
+use fenderline_world::change::Changes;
+use fenderline_world::error::SetupError;
+use fenderline_world::ledger::{Bodies, Ledger};
+use fenderline_world::rigid_body::initial_state;
+use fenderline_world::start::Start;
 
 impl Simulation {
     /// Starts the simulation again, with another start of its bodies, another wind and current. It is then the same, to

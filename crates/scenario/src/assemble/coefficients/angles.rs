@@ -5,7 +5,7 @@ use fenderline_sim::environment::Sides;
 
 use super::super::Checked;
 use super::Row;
-use crate::csv::Csv;
+use fenderline_keys::csv::Csv;
 
 /// How near two angles are one (deg), and how near an end is 0 or 180.
 const SAME_DEG: f64 = 0.01;
@@ -96,9 +96,9 @@ fn second(
     column: usize,
     (one, other): (&Row, &Row),
     at: &str,
-) -> crate::error::ScenarioError {
+) -> fenderline_keys::error::ScenarioError {
     let (first, later) = (one.row.min(other.row), one.row.max(other.row));
-    let given = |row: usize| crate::printable::printable_number(csv.plain(row, column));
+    let given = |row: usize| fenderline_keys::printable::printable_number(csv.plain(row, column));
     csv.cell_error(
         later,
         column,

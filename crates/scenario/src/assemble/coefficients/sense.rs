@@ -6,8 +6,8 @@ use fenderline_sim::environment::Sides;
 use super::super::Checked;
 use super::angles::Angles;
 use super::{Flow, Row};
-use crate::csv::Csv;
-use crate::keys::coefficients::Convention;
+use fenderline_keys::csv::Csv;
+use fenderline_keys::keys::coefficients::Convention;
 
 /// What a side force or moment may be in a flow from straight ahead or astern, over its maximum.
 const AT_THE_ENDS: f64 = 0.05;
@@ -33,7 +33,8 @@ pub(super) fn check(
         let row = angles.rows.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
         row.filter(|row| off(row) < 20.0)
     };
-    let given = |row: &Row| crate::printable::printable_number(csv.plain(row.row, column));
+    let given =
+        |row: &Row| fenderline_keys::printable::printable_number(csv.plain(row.row, column));
     // Our axes: from ahead it pushes aft, from port to starboard.
     for (degrees, part, pushes, from) in [
         (0.0, 0, -1.0, "ahead"),

@@ -1,8 +1,8 @@
 //! Which keys of a row go together.
 
-use crate::checked::{Item, Table};
-use crate::error::ScenarioError;
-use crate::sources::Sources;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::sources::Sources;
 
 const NOT_TOGETHER: [(&str, &[&str]); 2] = [
     ("dolphins", &["on", "wall", "from_corner", "last", "spacing", "number"]),

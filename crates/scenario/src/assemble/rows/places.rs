@@ -5,8 +5,8 @@ use fenderline_contact::{Outline, Rotation, Vec2, vec2};
 use super::{one_of_two, rounded, shown};
 use crate::assemble::edge::{Edge, edges_with};
 use crate::assemble::{Assembly, Checked};
-use crate::checked::{Item, Table};
-use crate::keys::fender_row::MOST_IN_ROW;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::keys::fender_row::MOST_IN_ROW;
 
 /// The places of a row.
 pub(super) struct Line {

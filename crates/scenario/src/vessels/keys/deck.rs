@@ -1,10 +1,10 @@
 //! Keys of the outline and of what is on deck: chocks, bitts and belting.
 
-use crate::choices::{Choice, Choices};
-use crate::keys::quantities::{LENGTH, PLACE};
-use crate::spec::Absent::Refused;
-use crate::spec::{Kind, TableSpec, key};
 use crate::vessels::shape::OutlineOrigin;
+use fenderline_keys::choices::{Choice, Choices};
+use fenderline_keys::keys::quantities::{LENGTH, PLACE};
+use fenderline_keys::spec::Absent::Refused;
+use fenderline_keys::spec::{Kind, TableSpec, key};
 
 pub(super) static OUTLINE: TableSpec = TableSpec {
     what: "an outline of a file",

@@ -3,9 +3,9 @@
 use serde_json::json;
 
 use super::{COEFFICIENT, POSITIVE, coefficients};
-use crate::spec::Absent::{Refused, Unless};
-use crate::spec::{Kind, Quantity, TableSpec, key};
-use crate::units::measures as unit;
+use fenderline_keys::spec::Absent::{Refused, Unless};
+use fenderline_keys::spec::{Kind, Quantity, TableSpec, key};
+use fenderline_keys::units::measures as unit;
 
 pub(super) static ADDED_MASS: TableSpec = TableSpec {
     what: "an added mass of a file",

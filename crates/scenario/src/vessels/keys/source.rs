@@ -1,8 +1,8 @@
 //! Keys of the sources of a vessel's numbers.
 
-use crate::keys::STANDINGS;
-use crate::spec::Absent::Refused;
-use crate::spec::{Kind, TableSpec, key};
+use fenderline_keys::keys::STANDINGS;
+use fenderline_keys::spec::Absent::Refused;
+use fenderline_keys::spec::{Kind, TableSpec, key};
 
 pub(super) static SOURCE: TableSpec = TableSpec {
     what: "a source",

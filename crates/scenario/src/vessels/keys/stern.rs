@@ -4,11 +4,11 @@ use fenderline_sim::hydro::Series;
 use serde_json::json;
 
 use super::{COEFFICIENT, ESTIMATED, POSITIVE, coefficients};
-use crate::choices::{Choice, Choices};
-use crate::keys::quantities::LENGTH;
-use crate::spec::Absent::{Means, Refused, Unless};
-use crate::spec::{Kind, Quantity, TableSpec, key};
-use crate::units::measures as unit;
+use fenderline_keys::choices::{Choice, Choices};
+use fenderline_keys::keys::quantities::LENGTH;
+use fenderline_keys::spec::Absent::{Means, Refused, Unless};
+use fenderline_keys::spec::{Kind, Quantity, TableSpec, key};
+use fenderline_keys::units::measures as unit;
 
 pub(super) static PROPELLER: TableSpec = TableSpec {
     what: "a propeller of a file",

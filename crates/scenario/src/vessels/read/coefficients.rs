@@ -6,10 +6,10 @@ use fenderline_sim::hydro::{
 };
 
 use super::Reading;
-use crate::checked::{Item, Table};
-use crate::error::ScenarioError;
 use crate::vessels::data::{AddedMassForm, Coefficients, VesselData};
 use crate::vessels::figures::digits;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::ScenarioError;
 
 type Read<T> = Result<T, ScenarioError>;
 

@@ -9,10 +9,10 @@ use fenderline_sim::{AzimuthSetup, ThrusterSetup};
 
 use super::{Reading, figure};
 use crate::assemble;
-use crate::checked::{Item, Table};
-use crate::error::ScenarioError;
 use crate::vessels::data::{Shaft, VesselData};
 use crate::vessels::figures::digits;
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::ScenarioError;
 
 type Read<T> = Result<T, ScenarioError>;
 

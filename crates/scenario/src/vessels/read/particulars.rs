@@ -5,8 +5,8 @@ use fenderline_sim::hydro::vessels::Figure;
 use fenderline_sim::hydro::{HydroError, Particulars};
 
 use super::{Reading, figure};
-use crate::error::ScenarioError;
 use crate::vessels::figures::digits;
+use fenderline_keys::error::ScenarioError;
 
 type Read<T> = Result<T, ScenarioError>;
 

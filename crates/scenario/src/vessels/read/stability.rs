@@ -6,9 +6,9 @@ use fenderline_sim::hydro::Particulars;
 use fenderline_sim::hydro::vessels::Source;
 
 use super::Reading;
-use crate::error::ScenarioError;
 use crate::vessels::data::Stability;
 use crate::vessels::figures::digits;
+use fenderline_keys::error::ScenarioError;
 
 type Read<T> = Result<T, ScenarioError>;
 

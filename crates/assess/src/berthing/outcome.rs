@@ -1,0 +1,207 @@
+//! A simulated berthing beside the berthing formulas.
+
+use fenderline_ship::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
+use fenderline_world::berthing::AddedMass;
+
+/// The first contact of the ship with fenders: energies by the formulas and as simulated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BerthingOutcome {
+    /// Start of the step of the first touch (s).
+    pub first_touch_s: f64,
+    /// The fenders that she meets at once, by their index in [`fenderline_world::setup::Setup::fenders`]: the first one that is touched, and those
+    /// that are before it is compressed by a tenth of its rated deflection (of its projection, where it has no rating).
+    pub fenders: Vec<usize>,
+    /// Speed of the ship's centre of gravity square to the fender's face, relative to what carries the fender (m/s). Where another ship
+    /// does, the closing speed of the two hulls at the contact.
+    pub speed_mps: f64,
+    /// Design speed square to the berth (m/s), [`fenderline_world::berthing::BerthingSetup::design_speed_mps`]: the speed of the formula, where there is one. Drag
+    /// slows the ship on her way from there to the first touch, wind or a tug may make her faster.
+    pub design_speed_mps: Option<f64>,
+    /// Berthing angle (rad): between the ship's centre line and the fender's face, positive with the bow towards it.
+    pub angle_rad: f64,
+    /// Point of contact along the hull from the centre of gravity, positive forward (m): the middle of the face; of several
+    /// fenders the point of their stretch that is nearest to the centre of gravity. Where they reach across it, it is 0, and a ship
+    /// that comes parallel leaves all her energy: Ce = 1. (A body that is stopped dead at several points, which can only push, ends
+    /// with the impulse of the nearest alone, or of those on both sides.)
+    pub along_m: f64,
+    /// M, displacement without added mass (kg); where another ship carries the fender, the reduced mass of the two
+    /// displacements, M₁M₂/(M₁ + M₂).
+    pub displacement_kg: f64,
+    /// The other ship, if one carries the fender.
+    pub other: Option<OtherShip>,
+    /// Cm by each formula, in the order of [`fenderline_world::berthing::AddedMassFormula::ALL`]; `None` where it does not apply to the ship.
+    pub added_mass: [Option<f64>; 4],
+    /// Where the Cm of `energy_j` comes from.
+    pub chosen: AddedMass,
+    /// That Cm.
+    pub chosen_added_mass: f64,
+    /// Mass normal to the face in the simulation, added mass included, over displacement.
+    pub added_mass_simulated: f64,
+    /// What that is made of.
+    pub added_sway: AddedSway,
+    /// K, radius of gyration by formula (m).
+    pub gyradius_m: f64,
+    /// K in the simulation, added mass included (m).
+    pub gyradius_simulated_m: f64,
+    /// Ce with the formula's K.
+    pub eccentricity: f64,
+    /// Ce with the simulation's K.
+    pub eccentricity_of_run: f64,
+    /// Cs.
+    pub softness: f64,
+    /// Cc.
+    pub configuration: f64,
+    /// ½ M V² Cm Ce Cs Cc with the chosen Cm, and the design speed where there is one (J).
+    pub energy_j: f64,
+    /// The same with the speed of the run at the first touch (J).
+    pub energy_at_touch_j: f64,
+    /// The same with the Cm of each formula (J).
+    pub energies_j: [Option<f64>; 4],
+    /// `energy_j` times the abnormal berthing factor (J).
+    pub abnormal_energy_j: Option<f64>,
+    /// Kinetic energy normal to the face at first touch in the simulation, ½ M Cm V² (J).
+    pub kinetic_j: f64,
+    /// Largest energy absorbed by the ship's fenders together during the first hit (J), hysteresis losses included. The hit lasts
+    /// from the first touch until the fenders store less than half of their maximum. Work of other loads during that
+    /// time is included.
+    pub fender_energy_j: f64,
+    /// Largest energy that bent the piles of the flexible dolphins that she touched during the first hit (J); 0 without such dolphins.
+    pub pile_energy_j: f64,
+    /// `fender_energy_j` and `pile_energy_j` over `kinetic_j`: Ce as simulated.
+    pub eccentricity_measured: f64,
+    /// End of the step in which the first hit was over (s); `None` while it lasts.
+    pub first_hit_until_s: Option<f64>,
+    /// The later hit in which the fenders absorbed the most: when she swings in, or the loads bring her back. `None` before one.
+    pub later: Option<LaterHit>,
+}
+
+/// Added mass in sway of the ship in the run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AddedSway {
+    /// Over her displacement; of a vessel that of deep water.
+    pub deep: f64,
+    /// The factor on it by the depth of water at the start; `None` for a body whose added mass is given as it is, and in deep water.
+    pub shallow: Option<ShallowFactor>,
+}
+
+/// The ship that carries the fender.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OtherShip {
+    /// Her displacement (kg).
+    pub displacement_kg: f64,
+    /// Her mass normal to the face in the simulation, added mass included, over her displacement.
+    pub added_mass: f64,
+}
+
+/// The factor of shallow water on added mass in sway.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShallowFactor {
+    /// The factor.
+    pub factor: f64,
+    /// Depth of the water over her draught.
+    pub depth_over_draught: f64,
+}
+
+/// A hit after the first one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LaterHit {
+    /// Its number: 2 for the second hit. Hits of less than a twentieth of the kinetic energy at the first touch are not counted.
+    pub number: u32,
+    /// Start of the step in which it began (s).
+    pub from_s: f64,
+    /// End of the step in which it was over (s); `None` while it lasts.
+    pub until_s: Option<f64>,
+    /// Largest energy that the ship's fenders together absorbed (J), as that of the first hit.
+    pub energy_j: f64,
+    /// Start of the step of that (s).
+    pub at_s: f64,
+}
+
+/// The energies of design speed and of the speed at the first touch are both shown where they differ by more than this share.
+const ENERGIES_DIFFER: f64 = 0.01;
+
+impl BerthingOutcome {
+    /// The speed in the formula of `energy_j` (m/s): the design speed, else that at the first touch.
+    #[must_use]
+    pub fn formula_speed_mps(&self) -> f64 {
+        self.design_speed_mps.unwrap_or(self.speed_mps.abs())
+    }
+
+    /// Whether the energy with the speed at the first touch is so far from that with the design speed that a reader must see both.
+    #[must_use]
+    pub fn energies_differ(&self) -> bool {
+        let difference_j = (self.energy_at_touch_j - self.energy_j).abs();
+        difference_j > ENERGIES_DIFFER * self.energy_j
+    }
+
+    /// Why the speed at the first touch is not the design speed, in words.
+    #[must_use]
+    pub fn why_speeds_differ(&self) -> &'static str {
+        if self.speed_mps.abs() < self.formula_speed_mps() {
+            "water and loads slowed her on her way to the fender"
+        } else {
+            "wind or other loads made her faster on her way to the fender"
+        }
+    }
+
+    /// What the Cm of the run is made of, in a sentence.
+    #[must_use]
+    pub fn mass_of_run(&self) -> String {
+        let AddedSway { deep, shallow } = self.added_sway;
+        let added = 1.0 + deep * shallow.map_or(1.0, |shallow| shallow.factor);
+        let mut text = format!("Cm {:.2} of the run: ", self.added_mass_simulated);
+        if let Some(other) = self.other {
+            text += &format!(
+                "reduced mass of the two ships with their added masses, over that of their displacements; that of the \
+                 other ship alone {:.2}; hers alone {added:.2}, ",
+                other.added_mass
+            );
+        }
+        text += &match shallow {
+            Some(ShallowFactor { factor, depth_over_draught }) => format!(
+                "1 + {deep:.2} × {factor:.2}, her added mass in sway in deep water over her displacement, times the factor for \
+                 water of {depth_over_draught:.2} draughts{}",
+                if depth_over_draught < SHALLOWEST_RATIO {
+                    " (that of 1.1 draughts: no formula covers less, and from 1.2 to 1.1 it is our extrapolation; published \
+                     tests end at 1.2)"
+                } else if depth_over_draught < PUBLISHED_RATIO {
+                    " (our extrapolation: published tests end at 1.2 draughts)"
+                } else {
+                    ""
+                }
+            ),
+            None => format!("1 + {deep:.2}, her added mass in sway over her displacement"),
+        };
+        let is_less = self.added_mass_simulated < added - 0.005;
+        if self.other.is_none() && is_less {
+            let angle_deg = self.angle_rad.to_degrees().abs();
+            text += &format!(
+                "; at {angle_deg:.1}° to the face a little less, because she also moves along it"
+            );
+        }
+        text
+    }
+
+    /// Why the Cm of the run differs from that of the formula, in a sentence.
+    #[must_use]
+    pub fn why_masses_differ(&self) -> &'static str {
+        if self.added_sway.shallow.is_some() {
+            "the run moves the water beside and under her, and that mass grows as the clearance shrinks: a tanker model had 2.9 times \
+             her deep-water value at 1.2 draughts; PIANC's Cm is a design value between 1.5 and 1.8"
+        } else {
+            "the run has the added mass of the ship in the scenario, whatever the clearance; the Cm of the formula is a design value \
+             from draught, beam and clearance"
+        }
+    }
+
+    /// The number of the hit in which a time lies (s): 1 for the first. `None` outside the first hit and the largest later one.
+    #[must_use]
+    pub fn hit_at(&self, t_s: f64) -> Option<u32> {
+        let is_before = |until_s: Option<f64>| until_s.is_none_or(|until_s| t_s < until_s);
+        if t_s >= self.first_touch_s && is_before(self.first_hit_until_s) {
+            return Some(1);
+        }
+        let later = self.later.filter(|later| t_s >= later.from_s && is_before(later.until_s));
+        later.map(|later| later.number)
+    }
+}

@@ -1,0 +1,16 @@
+//! What a run means: totals that are read from the record of each step. Nothing here changes a run.
+//!
+//! | subject | module |
+//! |---|---|
+//! | the verdict on a run, and the laws that a run can leave | [`verdict`] |
+//! | statistics of motions and lines | [`statistics`] |
+//! | a simulated berthing beside the formulas | [`berthing`] |
+//! | totals of each pair of bodies | [`summary`] |
+//! | energy that contacts created | [`gain`] |
+#![forbid(unsafe_code)]
+
+pub mod berthing;
+pub mod gain;
+pub mod statistics;
+pub mod summary;
+pub mod verdict;

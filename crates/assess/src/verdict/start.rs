@@ -1,0 +1,56 @@
+//! Bodies that start inside each other.
+
+use fenderline_contact::{self as contact, BodyState, Memory, Model, Workspace};
+
+use super::finding::Finding;
+use fenderline_world::setup::Setup;
+
+/// Penetration of structure from which a start is reported (m); our choice: what an engineer's drawing leaves open.
+const PENETRATION_M: f64 = 0.001;
+
+/// The pairs of bodies that overlap at the start in a way that no berthing brings about: a hull inside a structure that
+/// fenders protect, or a fender compressed beyond its rated deflection (beyond half its projection without a rating). A
+/// moored ship that starts on compressed fenders is none of them.
+///
+/// `memory` is that of bodies that have never touched; it is used, and `work` too.
+///
+/// Empty too where the engine refuses the states; the first step then says why.
+pub fn starts_inside(
+    setup: &Setup,
+    model: &Model,
+    states: &[BodyState],
+    (memory, work): (&mut Memory, &mut Workspace),
+    is_protected: impl Fn([usize; 2]) -> bool,
+) -> Vec<Finding> {
+    // Any Δt serves: only depths are used, which are those of the given states.
+    if contact::step(model, memory, work, states, setup.step_s).is_err() {
+        return Vec::new();
+    }
+    let mut found: Vec<Finding> = Vec::new();
+    for contact in work.contacts() {
+        let bodies = [contact.body_1.0 as usize, contact.body_2.0 as usize];
+        let fender = contact.fender.map(|id| id.0 as usize);
+        let limit_m = match fender.map(|index| &setup.fenders[index]) {
+            None if is_protected(bodies) => PENETRATION_M,
+            None => continue,
+            Some(fender) => fender.rated.map_or(0.5 * fender.projection_m, |r| r.deflection_m),
+        };
+        if contact.depth_m > limit_m {
+            let depth_m = contact.depth_m;
+            // Several patches of a pair: the deepest.
+            let same = found.iter_mut().find_map(|other| match other {
+                Finding::StartInside { bodies: b, fender: f, depth_m }
+                    if (*b, *f) == (bodies, fender) =>
+                {
+                    Some(depth_m)
+                }
+                _ => None,
+            });
+            match same {
+                Some(deepest_m) => *deepest_m = contact::number::greater(*deepest_m, depth_m),
+                None => found.push(Finding::StartInside { bodies, fender, depth_m }),
+            }
+        }
+    }
+    found
+}

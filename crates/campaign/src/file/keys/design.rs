@@ -1,0 +1,142 @@
+//! Keys of correlations, outputs, limits, stop rule and design.
+
+use super::super::Statistic;
+use super::MOST_RUNS;
+use fenderline_keys::choices::{Choice, Choices};
+use fenderline_keys::spec::Absent::{Is, Means, Refused, Unless};
+use fenderline_keys::spec::{Kind, Quantity, TableSpec, key};
+use fenderline_keys::units::measures as unit;
+
+const PROBABILITY: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1.0 };
+
+pub(super) static CORRELATION: TableSpec = TableSpec {
+    what: "a correlation",
+    doc: "Of two variables with a distribution, by a Gaussian copula: the coefficient is that of their normal scores, which for normal \
+          variables is the correlation itself.",
+    keys: &[
+        key("variables", Kind::Texts, Refused, "The two variables.", &["[\"speed\", \"angle\"]"]),
+        key(
+            "coefficient",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -1.0, high: 1.0 }),
+            Refused,
+            "Correlation of the normal scores.",
+            &["0.3"],
+        ),
+    ],
+    rules: None,
+};
+
+pub(super) static OUTPUT: TableSpec = TableSpec {
+    what: "an output",
+    doc: "A number of your own for each run.",
+    keys: &[
+        key(
+            "expression",
+            Kind::Text,
+            Refused,
+            "A formula of the run's numbers by the names of their columns, in the units of the columns, and of the variables; names with \
+             points stand in braces. Functions as in a variable's `expression`.",
+            &["\"reaction / 930\"", "\"{fender.fender_3.reaction} - {fender.fender_4.reaction}\""],
+        ),
+        key("unit", Kind::Text, Means("it has none"), "Its unit, for the table.", &["\"kN\""]),
+    ],
+    rules: None,
+};
+
+pub(super) static LIMIT: TableSpec = TableSpec {
+    what: "a limit",
+    doc: "A value of an output that should seldom be exceeded. The report draws it, and says how often the runs exceed it.",
+    keys: &[
+        key("output", Kind::Text, Refused, "Name of the output's column.", &["\"reaction\""]),
+        key(
+            "value",
+            Kind::AnyNumber,
+            Refused,
+            "The limit, with a unit where the output has one.",
+            &["\"930 kN\"", "\"95 t\""],
+        ),
+    ],
+    rules: None,
+};
+
+static STATISTICS: Choices<Statistic> = Choices(&[
+    Choice { word: "mean", value: Statistic::Mean, doc: "the mean of the output" },
+    Choice {
+        word: "quantile",
+        value: Statistic::Quantile,
+        doc: "the value of the output that is not exceeded with `probability`",
+    },
+]);
+
+pub(super) static STOP: TableSpec = TableSpec {
+    what: "a stop rule",
+    doc: "The campaign ends at the first multiple of `every` runs at which half of the confidence interval is at most `half_width`.",
+    keys: &[
+        key("output", Kind::Text, Refused, "Name of the output's column.", &["\"reaction\""]),
+        key(
+            "statistic",
+            Kind::Choice(&STATISTICS),
+            Is("\"mean\""),
+            "What is estimated.",
+            &["\"quantile\""],
+        ),
+        key(
+            "probability",
+            Kind::Quantity(PROBABILITY),
+            Unless("the statistic is \"mean\""),
+            "Probability of the quantile.",
+            &["0.95"],
+        ),
+        key(
+            "half_width",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-12, high: 1e12 }),
+            Refused,
+            "Half the width of the confidence interval, as a part of the estimate.",
+            &["0.02"],
+        ),
+        key(
+            "confidence",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.5, high: 0.999_999 }),
+            Is("0.95"),
+            "Probability of the confidence interval.",
+            &["0.9"],
+        ),
+        key(
+            "every",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 10.0, high: MOST_RUNS }),
+            Is("100"),
+            "Number of runs between two looks. The result does not depend on the number of threads.",
+            &["1000"],
+        ),
+    ],
+    rules: None,
+};
+
+pub(super) static DESIGN: TableSpec = TableSpec {
+    what: "a design",
+    doc: "How often the runs' event happens, and how rare a design value is. Both are yours to choose: guidelines differ.",
+    keys: &[
+        key(
+            "berthings_per_year",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-6, high: 1e9 }),
+            Refused,
+            "Number of such events in a year.",
+            &["300"],
+        ),
+        key(
+            "return_periods",
+            Kind::Values,
+            Is("[50, 100, 475, 1000]"),
+            "Return periods (years): the design value is exceeded in a year with probability 1/T.",
+            &["[50, 500]"],
+        ),
+        key(
+            "life",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-3, high: 1e6 }),
+            Is("50"),
+            "Life of the structure (years), for the law of the largest value in it.",
+            &["50"],
+        ),
+    ],
+    rules: None,
+};

@@ -1,0 +1,43 @@
+//! Keys of the hours that a berth loses to the weather.
+
+use fenderline_keys::spec::Absent::{Is, Refused};
+use fenderline_keys::spec::{Kind, Quantity, TableSpec, key};
+use fenderline_keys::units::measures as unit;
+
+/// Most states, and most hours of the sample: far more than a year of hours.
+const MOST: f64 = 1e6;
+
+pub(super) static DOWNTIME: TableSpec = TableSpec {
+    what: "a downtime",
+    doc: "Hours that a berth loses to the weather: the hours of a series of waves, wind and current are put together to states, each state \
+          is a run of the scenario, and an hour is lost where its state exceeds a limit. The limits are those of the scenario, \
+          [limit.NAME]; a fender over its rating, a line over its working load and what breaks count too.",
+    keys: &[
+        key(
+            "file",
+            Kind::Text,
+            Refused,
+            "The weather, CSV or Parquet, relative to this file. Columns: hs_m, tp_s and wave_from_deg; wind_speed_mps and wind_from_deg; \
+             current_speed_mps and current_towards_deg; level_m of the water above datum; waves, wind or current at least. A series has \
+             `time` too, as 2025-01-31T23:00, or t_s, at even steps without gaps. A scatter diagram has `hours` in a year or `share` \
+             of it instead.",
+            &["\"hindcast.csv\""],
+        ),
+        key(
+            "states",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: MOST }),
+            Is("300"),
+            "Most states that the hours of a series are put together to. Each row of a scatter diagram is a state.",
+            &["150"],
+        ),
+        key(
+            "sample",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: MOST }),
+            Is("60"),
+            "Number of hours of a series that are run as they are too, drawn at random by `seed`: they show the error of the states. \
+             A scatter diagram has none.",
+            &["200"],
+        ),
+    ],
+    rules: None,
+};

@@ -1,0 +1,186 @@
+//! Every key of a campaign file, in the form of [`fenderline_keys::keys`].
+
+mod design;
+mod downtime;
+mod variable;
+
+use self::design::{CORRELATION, DESIGN, LIMIT, OUTPUT, STOP};
+use self::downtime::DOWNTIME;
+use self::variable::VARIABLE;
+use super::PlanKind;
+use fenderline_keys::choices::{Choice, Choices};
+use fenderline_keys::spec::Absent::{Is, Means, Refused, Unless};
+use fenderline_keys::spec::{Kind, Quantity, TableSpec, key};
+use fenderline_keys::units::measures as unit;
+use serde_json::{Value as Json, json};
+
+/// Most runs of a campaign. Their table is below the largest file that a report reads, and a column of it takes 0.8 GB.
+pub(super) const MOST_RUNS: f64 = 1e8;
+/// Most time steps of one run that a file can allow.
+const MOST_STEPS: f64 = 1e15;
+
+pub(crate) static PLANS: Choices<PlanKind> = Choices(&[
+    Choice {
+        word: "full factorial",
+        value: PlanKind::FullFactorial,
+        doc: "every combination of the values, in the order of the file, the last variable fastest",
+    },
+    Choice { word: "Monte Carlo", value: PlanKind::MonteCarlo, doc: "independent draws" },
+    Choice {
+        word: "Latin hypercube",
+        value: PlanKind::LatinHypercube,
+        doc: "each variable has one draw in each of `number` parts of equal probability, in random order",
+    },
+    Choice {
+        word: "Sobol",
+        value: PlanKind::Sobol,
+        doc: "a Sobol sequence with Owen's scrambling, at most 65,536 runs",
+    },
+    Choice {
+        word: "table",
+        value: PlanKind::Table,
+        doc: "a row of the file `table` is a run; its columns are the variables",
+    },
+]);
+
+/// The whole file.
+pub(crate) static CAMPAIGN_FILE: TableSpec = TableSpec {
+    what: "a campaign",
+    doc: "Many runs of one scenario. `plan` says how the values of the variables are chosen.",
+    keys: &[
+        key(
+            "title",
+            Kind::Text,
+            Means("the name of the file"),
+            "Title of the page.",
+            &["\"Fender spacing at berth 4\""],
+        ),
+        key(
+            "scenario",
+            Kind::Text,
+            Refused,
+            "File of the scenario, relative to this one.",
+            &["\"quay.toml\""],
+        ),
+        key(
+            "set",
+            Kind::Texts,
+            Is("[]"),
+            "Keys of the scenario that all runs change, as KEY=VALUE, the form of `--set`.",
+            &["[\"time.duration=3 min\", \"fender.*.temperature=30 degC\"]"],
+        ),
+        key(
+            "plan",
+            Kind::Choice(&PLANS),
+            Means("\"Monte Carlo\" if a variable has a `distribution`, else \"full factorial\""),
+            "How the values are chosen.",
+            &["\"Latin hypercube\""],
+        ),
+        key(
+            "number",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: MOST_RUNS }),
+            Unless("the plan is \"full factorial\" or \"table\", or [downtime] is given"),
+            "Number of runs.",
+            &["10000"],
+        ),
+        key(
+            "seed",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 9e15 }),
+            Is("1"),
+            "Seed of the random numbers. A run's draw depends on the seed and the number of the run alone; of a \
+             \"Latin hypercube\" also on the number of runs.",
+            &["7"],
+        ),
+        key(
+            "table",
+            Kind::Text,
+            Unless("the plan is another than \"table\""),
+            "File of the plan \"table\", CSV or Parquet, relative to this one: a column for each variable, a row for each run.",
+            &["\"runs.csv\""],
+        ),
+        key(
+            "variable",
+            Kind::Named(&VARIABLE),
+            Unless("[downtime] is given"),
+            "Variables, by name.",
+            &[],
+        ),
+        key(
+            "downtime",
+            Kind::Table(&DOWNTIME),
+            Means("the campaign has variables and a plan"),
+            "Hours of a year that a berth loses to the weather, in place of variables and a plan.",
+            &[],
+        ),
+        key(
+            "correlation",
+            Kind::List(&CORRELATION),
+            Is("[]"),
+            "Correlations between variables that have a distribution.",
+            &[],
+        ),
+        key(
+            "outputs",
+            Kind::Texts,
+            Is("[]"),
+            "Further numbers of each run: a quantity of one fender, as `fender.NAME.reaction`, of one line, as `line.NAME.tension`, of \
+             one body, as `body.NAME.largest_sway`, or of one tug, as `tug.NAME.largest_push`.",
+            &["[\"fender.fender_3.reaction\"]"],
+        ),
+        key("output", Kind::Named(&OUTPUT), Is("{}"), "Outputs of your own, by name.", &[]),
+        key(
+            "success",
+            Kind::Text,
+            Means("a run succeeds where its verdict is \"all well\" or a note"),
+            "Output that is 1 where a run succeeds and 0 where not, for the operability in the report.",
+            &["\"berthed\""],
+        ),
+        key(
+            "limit",
+            Kind::Named(&LIMIT),
+            Is("{}"),
+            "Limits of outputs, by name, as `limit.\"rated reaction\"`.",
+            &[],
+        ),
+        key(
+            "stop",
+            Kind::Table(&STOP),
+            Means("all runs are made"),
+            "Ends the campaign early, when an estimate is good enough.",
+            &[],
+        ),
+        key(
+            "design",
+            Kind::Table(&DESIGN),
+            Means("there are no return periods in the report"),
+            "What design values are for.",
+            &[],
+        ),
+        key(
+            "most_steps",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: MOST_STEPS }),
+            Is("100000000"),
+            "A run with more time steps is not made; its row says so.",
+            &["20000"],
+        ),
+    ],
+    rules: Some(|| {
+        let others = [
+            "variable",
+            "plan",
+            "number",
+            "table",
+            "correlation",
+            "success",
+            "stop",
+            "design",
+            "limit",
+        ];
+        let none: serde_json::Map<String, Json> =
+            others.iter().map(|key| ((*key).to_owned(), Json::Bool(false))).collect();
+        json!({ "oneOf": [
+            { "required": ["variable"], "properties": { "downtime": false } },
+            { "required": ["downtime"], "properties": none }
+        ] })
+    }),
+};

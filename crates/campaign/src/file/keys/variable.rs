@@ -1,0 +1,239 @@
+//! Keys of a variable and its choices.
+
+use super::super::FamilyKind;
+use super::super::law::LawFamily;
+use fenderline_keys::choices::{Choice, Choices};
+use fenderline_keys::spec::Absent::{Is, Means, Refused, Unless};
+use fenderline_keys::spec::{Absent, KeySpec, Kind, Quantity, TableSpec, key};
+use fenderline_keys::units::measures as unit;
+
+static FAMILIES: Choices<FamilyKind> = Choices(&[
+    Choice {
+        word: "normal",
+        value: FamilyKind::Law(LawFamily::Normal),
+        doc: "by `mean` and `standard_deviation`, or two `quantiles`",
+    },
+    Choice {
+        word: "lognormal",
+        value: FamilyKind::Law(LawFamily::Lognormal),
+        doc: "by `mean` and `standard_deviation` of the variable, by `log_mean` and `log_standard_deviation` of its natural \
+              logarithm, or two `quantiles`",
+    },
+    Choice {
+        word: "Weibull",
+        value: FamilyKind::Law(LawFamily::Weibull),
+        doc: "F = 1 - exp(-(x/scale)^shape): by `scale` and `shape`, `mean` and `standard_deviation`, or two `quantiles`",
+    },
+    Choice {
+        word: "Gumbel",
+        value: FamilyKind::Law(LawFamily::Gumbel),
+        doc: "of maxima, F = exp(-exp(-(x - location)/scale)): by `location` and `scale`, `mean` and `standard_deviation`, or two \
+              `quantiles`",
+    },
+    Choice {
+        word: "uniform",
+        value: FamilyKind::Law(LawFamily::Uniform),
+        doc: "by `lower` and `upper`, `mean` and `standard_deviation`, or two `quantiles`",
+    },
+    Choice {
+        word: "triangular",
+        value: FamilyKind::Law(LawFamily::Triangular),
+        doc: "by `lower`, `mode` and `upper`",
+    },
+    Choice {
+        word: "empirical",
+        value: FamilyKind::Empirical,
+        doc: "each of the measured values of a column of `file` with the same probability",
+    },
+]);
+
+const OTHER: Absent = Means("the distribution is given by other keys");
+
+const fn parameter(
+    name: &'static str,
+    doc: &'static str,
+    examples: &'static [&'static str],
+) -> KeySpec {
+    key(name, Kind::AnyNumber, OTHER, doc, examples)
+}
+
+pub(crate) static VARIABLE: TableSpec = TableSpec {
+    what: "a variable",
+    doc: "What differs from run to run: keys of the scenario with `values`, a `distribution` or an `expression`; or a `choice` that sets \
+          several keys at once, such as a ship with her draught, mass and under-keel clearance.",
+    keys: &[
+        key(
+            "key",
+            Kind::Text,
+            Unless("`keys` or `choice` is given"),
+            "Key of the scenario, as in `--set`.",
+            &["\"body.ship.approach.speed_normal\""],
+        ),
+        key(
+            "keys",
+            Kind::Texts,
+            Is("[]"),
+            "Several keys of the scenario that get the same value.",
+            &["[\"fender.a.temperature\", \"fender.b.temperature\"]"],
+        ),
+        key(
+            "values",
+            Kind::Values,
+            Means("the variable has a `choice`, a `distribution` or an `expression`"),
+            "Its values: numbers in SI units, or texts with their units.",
+            &["[\"0.08 m/s\", \"0.12 m/s\", \"0.15 m/s\"]"],
+        ),
+        key(
+            "weights",
+            Kind::Values,
+            Means("all values have the same probability"),
+            "Weights of the values in a random plan; any positive numbers.",
+            &["[5, 3, 1]"],
+        ),
+        key(
+            "choice",
+            Kind::Named(&CHOICE),
+            Is("{}"),
+            "Choices, by name, in place of `key` and `values`. Names that are numbers with the same unit, such as \"9 m\", make an axis.",
+            &[],
+        ),
+        key(
+            "distribution",
+            Kind::Choice(&FAMILIES),
+            Means("the variable has `values`, a `choice` or an `expression`"),
+            "The law that its values are drawn from.",
+            &["\"lognormal\""],
+        ),
+        key(
+            "unit",
+            Kind::Text,
+            Means("the unit of the distribution's parameters, else SI"),
+            "Unit of the variable's numbers.",
+            &["\"cm/s\""],
+        ),
+        parameter("mean", "Mean.", &["\"7.1 cm/s\""]),
+        parameter("standard_deviation", "Standard deviation.", &["\"4.47 cm/s\""]),
+        parameter("log_mean", "Mean of the natural logarithm of the number in its unit.", &["1.8"]),
+        parameter(
+            "log_standard_deviation",
+            "Standard deviation of the natural logarithm.",
+            &["0.5"],
+        ),
+        parameter(
+            "location",
+            "Location of a Gumbel law: its most frequent value.",
+            &["\"5 cm/s\""],
+        ),
+        parameter("scale", "Scale of a Weibull or Gumbel law.", &["\"8 cm/s\""]),
+        parameter("shape", "Shape of a Weibull law.", &["1.6"]),
+        parameter("lower", "Lower end of a uniform or triangular law.", &["\"-2 deg\""]),
+        parameter("mode", "Most frequent value of a triangular law.", &["\"0 deg\""]),
+        parameter("upper", "Upper end of a uniform or triangular law.", &["\"5 deg\""]),
+        key(
+            "quantiles",
+            Kind::List(&QUANTILE),
+            Is("[]"),
+            "Two values with their probabilities, in place of the parameters.",
+            &[],
+        ),
+        key(
+            "at_least",
+            Kind::AnyNumber,
+            Means("the law is not cut below"),
+            "Least value: the law is cut there, and what is left has the whole probability.",
+            &["\"1 cm/s\""],
+        ),
+        key(
+            "at_most",
+            Kind::AnyNumber,
+            Means("the law is not cut above"),
+            "Greatest value, as `at_least`.",
+            &["\"40 cm/s\""],
+        ),
+        key(
+            "file",
+            Kind::Text,
+            Means("the distribution is not \"empirical\""),
+            "File of measured values, CSV or Parquet, relative to this one.",
+            &["\"speeds.csv\""],
+        ),
+        key(
+            "column",
+            Kind::Text,
+            Means("the name of the variable"),
+            "Column of `file`, or of the campaign's `table`.",
+            &["\"speed\""],
+        ),
+        key(
+            "expression",
+            Kind::Text,
+            Means("the variable has `values`, a `choice` or a `distribution`"),
+            "A formula of the numbers of other variables, each in its unit, with the result in `unit`. It may use + - * / ^, \
+             < <= > >= (1 where it holds, else 0), sqrt, abs, floor, exp, ln, log10, sin, cos, tan, atan (of radians), min(a, b), max(a, b) and PI. A \
+             sign counts before ^: -2^2 is 4.",
+            &["\"0.6 * speed + 0.02\""],
+        ),
+        key(
+            "source",
+            Kind::Text,
+            Means("the report says that no source is given"),
+            "Where the values come from, for the report.",
+            &["\"measurements at berth 4, 2019 to 2024\""],
+        ),
+    ],
+    rules: Some(variable_rules),
+};
+
+static CHOICE: TableSpec = TableSpec {
+    what: "a choice",
+    doc: "A value of a variable that sets several keys.",
+    keys: &[
+        key(
+            "set",
+            Kind::Texts,
+            Refused,
+            "Keys of the scenario and their values, as KEY=VALUE, the form of `--set`.",
+            &["[\"body.ship.mass=39000 t\", \"berthing.draught=9.5 m\"]"],
+        ),
+        key(
+            "weight",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1e12 }),
+            Is("1"),
+            "Its weight in a random plan: its probability is its share of the sum.",
+            &["0.3"],
+        ),
+    ],
+    rules: None,
+};
+
+static QUANTILE: TableSpec = TableSpec {
+    what: "a quantile",
+    doc: "A value that is not exceeded with a probability.",
+    keys: &[
+        key(
+            "probability",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1.0 }),
+            Refused,
+            "Probability.",
+            &["0.98"],
+        ),
+        key("value", Kind::AnyNumber, Refused, "Value.", &["\"20 cm/s\""]),
+    ],
+    rules: None,
+};
+
+/// Choices set keys of their own.
+fn variable_rules() -> serde_json::Value {
+    serde_json::json!({
+        "oneOf": [
+            {
+                "anyOf": [{ "required": ["key"] }, { "required": ["keys"] }],
+                "properties": { "choice": { "maxProperties": 0 } },
+            },
+            {
+                "required": ["choice"],
+                "properties": { "key": false, "keys": false, "values": false, "distribution": false, "expression": false },
+            },
+        ]
+    })
+}

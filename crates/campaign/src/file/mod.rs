@@ -1,0 +1,231 @@
+//! Campaigns: many runs of one scenario, from a file that says what differs from run to run and how it is chosen.
+
+mod downtime;
+mod keys;
+pub(crate) mod law;
+mod number;
+mod plan;
+pub(crate) mod schema;
+mod variable;
+
+use std::path::{Path, PathBuf};
+
+pub use self::downtime::Downtime;
+pub(crate) use self::keys::CAMPAIGN_FILE;
+use self::law::LawFamily;
+pub(crate) use self::plan::Limit;
+pub use self::plan::{Correlation, Design, Output, Plan, Statistic, Stop};
+use self::variable::changes;
+pub use self::variable::{Change, Choice, Draw, Target, TargetOrigins, Variable};
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::error::ScenarioError;
+use fenderline_keys::reader;
+use fenderline_keys::sources::Sources;
+use fenderline_keys::syntax;
+use fenderline_scenario::{LoadError, read_text};
+
+type Read<T> = Result<T, ScenarioError>;
+
+/// Most cases of a full factorial.
+pub const MOST_CASES: usize = 1_000_000;
+
+/// The word of the key `plan`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PlanKind {
+    FullFactorial,
+    MonteCarlo,
+    LatinHypercube,
+    Sobol,
+    Table,
+}
+
+/// The word of the key `distribution`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum FamilyKind {
+    Law(LawFamily),
+    Empirical,
+}
+
+/// Many runs of one scenario.
+///
+/// ```
+/// use fenderline_campaign::{Campaign, Plan};
+///
+/// let campaign = Campaign::parse(
+///     r#"
+///     scenario = "quay.toml"
+///     [variable.speed]
+///     key = "body.ship.velocity.sway"
+///     values = ["0.1 m/s", "0.2 m/s"]
+///     [variable.temperature]
+///     key = "fender.*.temperature"
+///     values = [10, 20, 30]
+///     "#,
+///     "campaign.toml",
+/// )?;
+/// assert_eq!(campaign.plan, Plan::FullFactorial);
+/// assert_eq!(campaign.cases(), 6);
+/// assert_eq!(campaign.labels(4), ["0.2 m/s", "20"]);
+///
+/// let random = Campaign::parse(
+///     r#"
+///     scenario = "quay.toml"
+///     number = 1000
+///     [variable.speed]
+///     key = "body.ship.velocity.sway"
+///     distribution = "lognormal"
+///     mean = "7.1 cm/s"
+///     standard_deviation = "4.47 cm/s"
+///     "#,
+///     "campaign.toml",
+/// )?;
+/// assert_eq!(random.plan, Plan::MonteCarlo { number: 1000 });
+/// # Ok::<(), fenderline_scenario::ScenarioError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Campaign {
+    /// Title of its page.
+    pub title: String,
+    /// The scenario's file, as the campaign's file names it.
+    pub scenario: PathBuf,
+    /// Changes of the scenario in all runs.
+    pub changes: Vec<Change>,
+    /// How the values are chosen.
+    pub plan: Plan,
+    /// Seed of the random numbers.
+    pub seed: u64,
+    /// What differs from run to run; in a full factorial the last one changes fastest. None of a downtime until its weather is read.
+    pub variables: Vec<Variable>,
+    /// Correlations of variables with a distribution.
+    pub correlations: Vec<Correlation>,
+    /// Further numbers of each run, as the file names them.
+    pub outputs: Vec<String>,
+    /// Outputs by expressions.
+    pub expressions: Vec<Output>,
+    /// Output that is 1 where a run succeeds.
+    pub success: Option<String>,
+    /// Limits that the report compares outputs with.
+    pub limits: Vec<Limit>,
+    /// When it may end early.
+    pub stop: Option<Stop>,
+    /// What design values are for.
+    pub design: Option<Design>,
+    /// Most time steps of a run.
+    pub most_steps: u64,
+}
+
+impl Campaign {
+    /// Reads a campaign's file. The files that it names lie beside it.
+    ///
+    /// # Errors
+    /// [`LoadError`].
+    pub fn load(path: &Path) -> Result<Campaign, LoadError> {
+        let text = read_text(path).map_err(LoadError::Unreadable)?;
+        let campaign = Campaign::parse(&text, &path.display().to_string());
+        let mut campaign = campaign.map_err(LoadError::Refused)?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        campaign.scenario = folder.join(&campaign.scenario);
+        match &mut campaign.plan {
+            Plan::Table { file } | Plan::Downtime(Downtime { file, .. }) => {
+                *file = folder.join(&*file);
+            }
+            _ => {}
+        }
+        for variable in &mut campaign.variables {
+            if let Draw::Measured { file, .. } = &mut variable.draw {
+                *file = folder.join(&*file);
+            }
+        }
+        Ok(campaign)
+    }
+
+    /// Whether a text is that of a campaign rather than of a scenario, by its keys; not for a text that is not TOML.
+    #[must_use]
+    pub fn is_one(text: &str) -> bool {
+        let document = syntax::parse(&Sources::new("", text, &[]));
+        document.is_ok_and(|keys| keys.contains_key("scenario") || keys.contains_key("variable"))
+    }
+
+    /// Reads the text of a campaign's file; `name` is for messages.
+    ///
+    /// # Errors
+    /// The first mistake: text that is not TOML, unknown keys and bad values, a variable without values or with two kinds
+    /// of them, a law without its parameters or without probability, two equal values, changes that are not KEY=VALUE, more than
+    /// [`MOST_CASES`] cases of a full factorial, a plan that does not go with the variables, correlations that do not go
+    /// together.
+    pub fn parse(text: &str, name: &str) -> Read<Campaign> {
+        let sources = Sources::new(name, text, &[]);
+        let document = syntax::parse(&sources)?;
+        let end = text.trim_end().len();
+        let file = reader::table(&sources, &CAMPAIGN_FILE, "", end..end, &document)?;
+        let downtime = downtime::read(&sources, &file)?;
+        let item = file.item("variable");
+        let tables = item.map_or(&[][..], Item::named);
+        if tables.is_empty() && downtime.is_none() {
+            let span = item.map_or(&file.span, |item| &item.span);
+            let error = sources.error(span, "variable", "there is no variable".to_owned());
+            return Err(error.with_help(
+                "write [variable.NAME] with `key` and `values` below, or [downtime] with the `file` of a weather",
+            ));
+        }
+        let kind = plan::kind(&file);
+        let read = |(name, table): &(String, Table)| variable::read(&sources, name, table, kind);
+        let variables: Vec<Variable> = tables.iter().map(read).collect::<Read<_>>()?;
+        let stem = Path::new(name).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        Ok(Campaign {
+            title: file.item("title").map_or(stem, |item| item.text().to_owned()),
+            scenario: PathBuf::from(file.given("scenario").text()),
+            changes: changes(&sources, "set", file.given("set"))?,
+            plan: match downtime {
+                Some(downtime) => Plan::Downtime(downtime),
+                None => plan::read(&sources, &file, kind, &variables)?,
+            },
+            seed: *file.given("seed").number() as u64,
+            correlations: plan::correlations(&sources, &file, &variables)?,
+            outputs: file.given("outputs").texts().to_vec(),
+            expressions: plan::outputs(&sources, &file, &variables)?,
+            success: file.item("success").map(|item| item.text().to_owned()),
+            limits: plan::limits(&file),
+            stop: plan::stop(&sources, &file)?,
+            design: plan::design(&sources, &file)?,
+            most_steps: *file.given("most_steps").number() as u64,
+            variables,
+        })
+    }
+
+    /// The number of cases of a full factorial: the product of the numbers of values.
+    #[must_use]
+    pub fn cases(&self) -> usize {
+        self.variables.iter().map(|variable| variable.choices().len().max(1)).product()
+    }
+
+    /// The index of each variable's choice in a case of a full factorial; 0 for an expression.
+    #[must_use]
+    pub fn choices(&self, case: usize) -> Vec<usize> {
+        let mut left = case;
+        let mut chosen: Vec<usize> = self
+            .variables
+            .iter()
+            .rev()
+            .map(|variable| {
+                let count = variable.choices().len().max(1);
+                let own = left % count;
+                left /= count;
+                own
+            })
+            .collect();
+        chosen.reverse();
+        chosen
+    }
+
+    /// The value of each variable in a case of a full factorial, as the file has it; empty for an expression.
+    #[must_use]
+    pub fn labels(&self, case: usize) -> Vec<&str> {
+        let choices = self.choices(case).into_iter();
+        let mut labels = Vec::new();
+        for (variable, own) in self.variables.iter().zip(choices) {
+            labels.push(variable.choices().get(own).map_or("", |choice| choice.label.as_str()));
+        }
+        labels
+    }
+}

@@ -1,0 +1,373 @@
+//! How a campaign chooses its values, when it ends, what else it reports, and what design values are for.
+
+use std::path::PathBuf;
+
+use super::downtime::Downtime;
+use super::keys::PLANS;
+use super::variable::{Draw, Variable};
+use super::{MOST_CASES, PlanKind, Read};
+use fenderline_keys::checked::{Item, Table};
+use fenderline_keys::choices::AnyChoices as _;
+use fenderline_keys::sources::{Sources, quoted};
+use fenderline_keys::suggest::nearest;
+
+/// How the values are chosen.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Plan {
+    /// Every combination.
+    FullFactorial,
+    /// Independent draws.
+    MonteCarlo {
+        /// Number of runs.
+        number: u64,
+    },
+    /// One draw of each variable in each of `number` parts of equal probability.
+    LatinHypercube {
+        /// Number of runs.
+        number: u64,
+    },
+    /// A scrambled Sobol sequence.
+    Sobol {
+        /// Number of runs.
+        number: u64,
+    },
+    /// The rows of a file.
+    Table {
+        /// The file, CSV or Parquet.
+        file: PathBuf,
+    },
+    /// The states of a weather, and some of its hours.
+    Downtime(Downtime),
+}
+
+impl Plan {
+    /// Its word in files.
+    #[must_use]
+    pub fn word(&self) -> &'static str {
+        let kind = match self {
+            Plan::FullFactorial => PlanKind::FullFactorial,
+            Plan::MonteCarlo { .. } => PlanKind::MonteCarlo,
+            Plan::LatinHypercube { .. } => PlanKind::LatinHypercube,
+            Plan::Sobol { .. } => PlanKind::Sobol,
+            Plan::Table { .. } => PlanKind::Table,
+            Plan::Downtime(_) => return "downtime",
+        };
+        let words = PLANS.words();
+        words.iter().find(|word| word.value::<PlanKind>() == kind).map_or("", |word| word.word)
+    }
+}
+
+/// The most runs of a Sobol sequence: the length that the library's numbers have.
+const MOST_OF_SOBOL: u64 = 1 << 16;
+
+/// The most runs times variables of a Latin hypercube: the order of each variable's parts is held, in 0.4 GB at most.
+const MOST_OF_HYPERCUBE: u64 = 100_000_000;
+
+/// A correlation of two variables.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Correlation {
+    /// The indices of the variables, the lower first.
+    pub variables: [usize; 2],
+    /// Correlation of their normal scores.
+    pub coefficient: f64,
+}
+
+/// An output by an expression.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Output {
+    /// Its name.
+    pub name: String,
+    /// The formula.
+    pub expression: String,
+    /// Its unit; empty for none.
+    pub unit: String,
+}
+
+/// A value of an output that should seldom be exceeded.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Limit {
+    /// Its name.
+    pub name: String,
+    /// Column of the output.
+    pub output: String,
+    /// Number and unit, as the file has them.
+    pub text: String,
+}
+
+/// What a stop rule estimates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Statistic {
+    /// The mean.
+    Mean,
+    /// A quantile.
+    Quantile,
+}
+
+/// When a campaign may end early.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stop {
+    /// Column of the output.
+    pub output: String,
+    /// What is estimated.
+    pub statistic: Statistic,
+    /// Probability of the quantile; 1/2 for the mean, which has none.
+    pub probability: f64,
+    /// Half the width of the confidence interval over the estimate.
+    pub half_width: f64,
+    /// Probability of the confidence interval.
+    pub confidence: f64,
+    /// Runs between two looks.
+    pub every: u64,
+}
+
+/// What design values are for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Design {
+    /// Number of events in a year.
+    pub per_year: f64,
+    /// Return periods (years).
+    pub return_periods_years: Vec<f64>,
+    /// Life of the structure (years).
+    pub life_years: f64,
+}
+
+/// The kind of plan that the file names or means.
+pub(super) fn kind(file: &Table) -> PlanKind {
+    match file.item("plan") {
+        Some(item) => item.choice(),
+        None if file
+            .item("variable")
+            .map_or(&[][..], Item::named)
+            .iter()
+            .any(|(_, own)| own.item("distribution").is_some()) =>
+        {
+            PlanKind::MonteCarlo
+        }
+        None => PlanKind::FullFactorial,
+    }
+}
+
+/// The plan, with what goes along with it.
+pub(super) fn read(
+    sources: &Sources<'_>,
+    file: &Table,
+    kind: PlanKind,
+    variables: &[Variable],
+) -> Read<Plan> {
+    let refused = |key: &str, message: String| {
+        let item = file.given(key);
+        Err(sources.error(&item.span, key, format!("`{key}` {message}")))
+    };
+    if kind != PlanKind::Table && file.item("table").is_some() {
+        return refused("table", "goes with `plan = \"table\"` alone".to_owned());
+    }
+    let number = || match file.item("number") {
+        Some(item) if *item.number() == libm::trunc(*item.number()) => Ok(*item.number() as u64),
+        Some(item) => {
+            Err(sources.error(&item.span, "number", "`number` must be a whole number".to_owned()))
+        }
+        None => {
+            let span = file.item("plan").map_or(&file.span, |item| &item.span);
+            let error = sources.error(
+                span,
+                "number",
+                "`number` is missing: how many runs are to be made".to_owned(),
+            );
+            Err(error.with_help("write number = 1000 above the first table"))
+        }
+    };
+    if matches!(kind, PlanKind::FullFactorial | PlanKind::Table) && file.item("number").is_some() {
+        return refused(
+            "number",
+            "goes with a random plan: here the values themselves say how many runs there are"
+                .to_owned(),
+        );
+    }
+    match kind {
+        PlanKind::FullFactorial => {
+            let counts = variables.iter().map(|variable| variable.choices().len().max(1));
+            let cases =
+                counts.clone().try_fold(1_usize, |product, count| product.checked_mul(count));
+            if cases.is_none_or(|cases| cases > MOST_CASES) {
+                let factors = counts.map(|count| count.to_string()).collect::<Vec<_>>().join(" × ");
+                let message = format!("{factors} are more than {MOST_CASES} cases");
+                return Err(sources.error(&file.given("variable").span, "variable", message));
+            }
+            Ok(Plan::FullFactorial)
+        }
+        PlanKind::MonteCarlo => Ok(Plan::MonteCarlo { number: number()? }),
+        PlanKind::LatinHypercube => {
+            let number = number()?;
+            let count = variables.len().max(1) as u64;
+            if number > MOST_OF_HYPERCUBE / count {
+                let most = MOST_OF_HYPERCUBE / count;
+                let message = format!(
+                    "of a Latin hypercube of {count} variables is at most {most}, as the order of their parts is held in memory, but is {number}; \
+                     a \"Monte Carlo\" plan has no such bound"
+                );
+                return refused("number", message);
+            }
+            Ok(Plan::LatinHypercube { number })
+        }
+        PlanKind::Sobol => {
+            let number = number()?;
+            if number > MOST_OF_SOBOL {
+                return refused(
+                    "number",
+                    format!("of a Sobol sequence is at most {MOST_OF_SOBOL}"),
+                );
+            }
+            Ok(Plan::Sobol { number })
+        }
+        PlanKind::Table => match file.item("table") {
+            Some(item) => Ok(Plan::Table { file: PathBuf::from(item.text()) }),
+            None => {
+                let span = file.item("plan").map_or(&file.span, |item| &item.span);
+                Err(sources.error(
+                    span,
+                    "table",
+                    "`table` is missing: the file with a row for each run".to_owned(),
+                ))
+            }
+        },
+    }
+}
+
+/// The correlations: of two variables each, once for each pair, of variables with a law or measured values.
+pub(super) fn correlations(
+    sources: &Sources<'_>,
+    file: &Table,
+    variables: &[Variable],
+) -> Read<Vec<Correlation>> {
+    let mut all: Vec<Correlation> = Vec::new();
+    for table in file.given("correlation").list() {
+        let item = table.given("variables");
+        let path = table.path_of("variables");
+        let refused =
+            |message: String| Err(sources.error(&item.span, &path, format!("`{path}` {message}")));
+        let [one, other] = item.texts() else {
+            return refused("must be two names of variables".to_owned());
+        };
+        let mut found = [0; 2];
+        for (place, name) in found.iter_mut().zip([one, other]) {
+            let Some(index) = variables.iter().position(|variable| variable.name == *name) else {
+                let names = variables.iter().map(|variable| variable.name.as_str());
+                let near = nearest(name, names)
+                    .map_or(String::new(), |near| format!(": did you mean {}?", quoted(near)));
+                return refused(format!("has {}, which is not a variable{near}", quoted(name)));
+            };
+            if !matches!(variables[index].draw, Draw::Law(..) | Draw::Measured { .. }) {
+                return refused(format!("has {}, which has no distribution", quoted(name)));
+            }
+            *place = index;
+        }
+        found.sort_unstable();
+        if found[0] == found[1] {
+            return refused("has one variable twice".to_owned());
+        }
+        if all.iter().any(|known| known.variables == found) {
+            return refused("has a correlation already".to_owned());
+        }
+        all.push(Correlation {
+            variables: found,
+            coefficient: *table.given("coefficient").number(),
+        });
+    }
+    Ok(all)
+}
+
+/// Outputs by expressions. Their names are not those of variables.
+pub(super) fn outputs(
+    sources: &Sources<'_>,
+    file: &Table,
+    variables: &[Variable],
+) -> Read<Vec<Output>> {
+    let one = |(name, table): &(String, Table)| {
+        if variables.iter().any(|variable| variable.name == *name) {
+            let message = format!("{} is the name of a variable", quoted(name));
+            return Err(sources.error(&table.span, &table.path, message));
+        }
+        Ok(Output {
+            name: name.clone(),
+            expression: table.given("expression").text().to_owned(),
+            unit: table.item("unit").map_or(String::new(), |item| item.text().to_owned()),
+        })
+    };
+    file.given("output").named().iter().map(one).collect()
+}
+
+/// Limits of outputs.
+pub(super) fn limits(file: &Table) -> Vec<Limit> {
+    let one = |(name, table): &(String, Table)| Limit {
+        name: name.clone(),
+        output: table.given("output").text().to_owned(),
+        text: table.given("value").text().to_owned(),
+    };
+    file.given("limit").named().iter().map(one).collect()
+}
+
+/// The stop rule.
+pub(super) fn stop(sources: &Sources<'_>, file: &Table) -> Read<Option<Stop>> {
+    let Some(item) = file.item("stop") else { return Ok(None) };
+    let table = item.table();
+    let statistic: Statistic = table.given("statistic").choice();
+    let inside = |name: &str| {
+        let item = table.given(name);
+        let path = table.path_of(name);
+        match *item.number() {
+            value if 0.0 < value && value < 1.0 => Ok(value),
+            value => Err(sources.error(
+                &item.span,
+                &path,
+                format!("`{path}` must be between 0 and 1, but is {value}"),
+            )),
+        }
+    };
+    let probability = match (statistic, table.item("probability")) {
+        (Statistic::Quantile, Some(_)) => inside("probability")?,
+        (Statistic::Mean, None) => 0.5,
+        (Statistic::Mean, Some(own)) => {
+            return Err(sources.error(
+                &own.span,
+                "stop.probability",
+                "`stop.probability` goes with a quantile alone".to_owned(),
+            ));
+        }
+        (Statistic::Quantile, None) => {
+            return Err(sources.error(
+                &item.span,
+                "stop.probability",
+                "`stop.probability` is missing".to_owned(),
+            ));
+        }
+    };
+    Ok(Some(Stop {
+        output: table.given("output").text().to_owned(),
+        statistic,
+        probability,
+        half_width: *table.given("half_width").number(),
+        confidence: inside("confidence")?,
+        every: *table.given("every").number() as u64,
+    }))
+}
+
+/// What design values are for.
+pub(super) fn design(sources: &Sources<'_>, file: &Table) -> Read<Option<Design>> {
+    let Some(item) = file.item("design") else { return Ok(None) };
+    let table = item.table();
+    let periods = table.given("return_periods");
+    let one = |text: &String| match text.parse::<f64>() {
+        Ok(years) if years > 1.0 && years.is_finite() => Ok(years),
+        _ => {
+            let path = table.path_of("return_periods");
+            let message =
+                format!("`{path}` has {}, which is not a number of years above 1", quoted(text));
+            Err(sources.error(&periods.span, &path, message))
+        }
+    };
+    Ok(Some(Design {
+        per_year: *table.given("berthings_per_year").number(),
+        return_periods_years: periods.texts().iter().map(one).collect::<Read<_>>()?,
+        life_years: *table.given("life").number(),
+    }))
+}

@@ -1,0 +1,37 @@
+//! Dotted key paths, as messages show them.
+
+use crate::sources::first;
+
+/// `parent.name`, the name in quotes where TOML needs them; cut where it is very long.
+pub fn join(parent: &str, name: &str) -> String {
+    let (shown, is_cut) = first(name, 60);
+    let bare = !shown.is_empty()
+        && shown.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_' || b == b'-');
+    let shown = match (bare, is_cut) {
+        (true, false) => shown,
+        (true, true) => format!("{shown}…"),
+        (false, _) => {
+            format!("\"{}{}\"", shown.replace('"', "\\\""), if is_cut { "…" } else { "" })
+        }
+    };
+    if parent.is_empty() { shown } else { format!("{parent}.{shown}") }
+}
+
+/// `parent[index]`, with the index as given.
+pub fn item(parent: &str, index: usize) -> String {
+    format!("{parent}[{index}]")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::join;
+
+    #[test]
+    fn names_are_quoted_where_toml_needs_it() {
+        assert_eq!(join("", "time"), "time");
+        assert_eq!(join("body", "tug-1"), "body.tug-1");
+        assert_eq!(join("body", "my \"ship\""), "body.\"my \\\"ship\\\"\"");
+        assert_eq!(join("body", ""), "body.\"\"");
+        assert_eq!(join("", &"k".repeat(99)), format!("{}…", "k".repeat(60)));
+    }
+}

@@ -1,0 +1,155 @@
+//! Keys of anchors.
+
+use fenderline_sim::ChainGrade;
+use fenderline_sim::anchor::AnchorType;
+use serde_json::json;
+
+use super::quantities::{LENGTH, POSITION};
+use crate::choices::{Choice, Choices};
+use crate::spec::Absent::{Is, Means, Refused};
+use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::units::measures as unit;
+
+/// The side of the bow at which an anchor hangs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BowSide {
+    /// Port.
+    Port,
+    /// Starboard.
+    Starboard,
+}
+
+pub(super) static ANCHOR: TableSpec = TableSpec {
+    what: "an anchor",
+    doc: "An anchor of a vessel with its chain and windlass. Orders let it go, hold it, veer, heave and slip it. What it \
+          holds is by the formula of docs/design/anchors.md.",
+    keys: &[
+        key(
+            "on",
+            Kind::BodyName,
+            Refused,
+            "The body of the vessel that carries it.",
+            &["\"ship\""],
+        ),
+        key("side", Kind::Choice(&SIDES), Refused, "The side of the bow.", &["\"port\""]),
+        key(
+            "hawse",
+            Kind::Point(POSITION),
+            Means(
+                "0.45 of the ship's length ahead of midship, and 0.1 of her beam to that side: our assumption",
+            ),
+            "Hawse pipe, forward and starboard of the body's origin.",
+            &["[85, -4]"],
+        ),
+        key(
+            "hawse_height",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 100.0 }),
+            Refused,
+            "Height of the hawse pipe above the still water.",
+            &["\"8 m\""],
+        ),
+        key(
+            "mass",
+            Kind::Quantity(Quantity { measure: &unit::MASS, low: 10.0, high: 1e5 }),
+            Refused,
+            "Mass of the anchor.",
+            &["\"8.3 t\""],
+        ),
+        key(
+            "type",
+            Kind::Choice(&TYPES),
+            Is("\"stockless\""),
+            "Its type, which says how much it holds.",
+            &["\"high_holding_power\""],
+        ),
+        key(
+            "chain_diameter",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.01, high: 0.25 }),
+            Refused,
+            "Diameter of the bar of the chain's links. It gives the chain's weight, break load and stiffness, and the pull of \
+             the windlass.",
+            &["\"76 mm\""],
+        ),
+        key("grade", Kind::Choice(&GRADES), Is("\"u2\""), "Grade of the chain.", &["\"u3\""]),
+        key(
+            "chain_length",
+            Kind::Quantity(LENGTH),
+            Refused,
+            "Length of its chain.",
+            &["\"11 shackles\""],
+        ),
+        key(
+            "holding_factor",
+            Kind::Quantity(FACTOR),
+            Means("3 for a stockless anchor, 6 for one of high holding power"),
+            "Holding power over the anchor's weight in air, with the chain along the bottom. Tables have 3 in mud and 7 in sand \
+             for stockless anchors.",
+            &["3.5"],
+        ),
+        key(
+            "dragging_factor",
+            Kind::Quantity(FACTOR),
+            Means("1.5, from memory and not from a source; the holding factor if that is less"),
+            "The same while it drags.",
+            &["1.5"],
+        ),
+        key(
+            "chain_friction",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 5.0 }),
+            Is("0.75"),
+            "Friction of the chain on the bottom, over its weight in water.",
+            &["0.6"],
+        ),
+        key(
+            "brake",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e8 }),
+            Means("45 % of the chain's break load"),
+            "Tension at which the brake of the windlass renders.",
+            &["\"2 MN\""],
+        ),
+        key(
+            "placed",
+            Kind::Vector(POSITION),
+            Means("home in the hawse pipe"),
+            "Where it lies on the bottom at the start.",
+            &["[600, 20]"],
+        ),
+        key(
+            "chain_out",
+            Kind::Quantity(LENGTH),
+            Means("it is home in the hawse pipe"),
+            "Chain out at the start, of an anchor that is `placed`.",
+            &["\"5 shackles\""],
+        ),
+    ],
+    rules: Some(
+        || json!({ "dependentRequired": { "placed": ["chain_out"], "chain_out": ["placed"] } }),
+    ),
+};
+
+/// A pull over a weight.
+const FACTOR: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 100.0 };
+
+static SIDES: Choices<BowSide> = Choices(&[
+    Choice { word: "port", value: BowSide::Port, doc: "port" },
+    Choice { word: "starboard", value: BowSide::Starboard, doc: "starboard" },
+]);
+
+static TYPES: Choices<AnchorType> = Choices(&[
+    Choice {
+        word: "stockless",
+        value: AnchorType::Stockless,
+        doc: "ordinary stockless anchor, as Hall or Spek",
+    },
+    Choice {
+        word: "high_holding_power",
+        value: AnchorType::HighHoldingPower,
+        doc: "anchor of high holding power, as AC-14: at least twice that of a stockless anchor",
+    },
+]);
+
+static GRADES: Choices<ChainGrade> = Choices(&[
+    Choice { word: "u1", value: ChainGrade::U1, doc: "anchor chain of grade 1" },
+    Choice { word: "u2", value: ChainGrade::U2, doc: "anchor chain of grade 2" },
+    Choice { word: "u3", value: ChainGrade::U3, doc: "anchor chain of grade 3" },
+]);

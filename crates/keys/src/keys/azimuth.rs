@@ -1,0 +1,65 @@
+//! Keys of azimuth units.
+
+use super::quantities::PLACE;
+use crate::spec::Absent::{Is, Means, Refused};
+use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::units::measures as unit;
+
+/// An azimuth unit.
+pub static AZIMUTH: TableSpec = TableSpec {
+    what: "an azimuth unit",
+    doc: "A propeller that turns about the vertical. Its thrust falls with speed like that of an open Wageningen \
+          B4-70 of pitch ratio 1.0; a ducted propeller loses more.",
+    keys: &[
+        key(
+            "along",
+            Kind::Quantity(PLACE),
+            Refused,
+            "Its place forward of midship.",
+            &["\"-12 m\""],
+        ),
+        key(
+            "across",
+            Kind::Quantity(PLACE),
+            Is("0"),
+            "Its place to starboard of the centre line.",
+            &["\"2.6 m\""],
+        ),
+        key(
+            "force",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e8 }),
+            Refused,
+            "Thrust at zero speed and full power: its part of the bollard pull.",
+            &["\"30 tf\""],
+        ),
+        key(
+            "diameter",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.01, high: 50.0 }),
+            Refused,
+            "Diameter of the propeller; a smaller one loses less thrust with speed.",
+            &["\"2.4 m\""],
+        ),
+        key(
+            "rate",
+            Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-4, high: 10.0 }),
+            Is("\"12 deg/s\""),
+            "Rate of turning about the vertical.",
+            &["\"18 deg/s\""],
+        ),
+        key(
+            "lag",
+            Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 600.0 }),
+            Is("3"),
+            "Time constant of the thrust.",
+            &["\"4 s\""],
+        ),
+        key(
+            "stop",
+            Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.01, high: 3.1 }),
+            Means("it turns all the way round"),
+            "Largest angle to either side of ahead.",
+            &["\"120 deg\""],
+        ),
+    ],
+    rules: None,
+};

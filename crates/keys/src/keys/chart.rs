@@ -1,0 +1,128 @@
+//! Keys of the chart.
+
+use serde_json::json;
+
+use crate::choices::{Choice, Choices};
+use crate::spec::Absent::{Refused, Unless};
+use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::units::measures as unit;
+
+pub(super) static CHART: TableSpec = TableSpec {
+    what: "a chart",
+    doc: "A chart from GeoJSON files: drawn behind ships and quays. It exerts no force, apart from the bodies that take \
+          their outline from it (`chart_outline`). Each feature has the property `kind`: \"coast\", \"depth_area\", \
+          \"depth_contour\", \"quay\", \"buoy\", \"beacon\", \"leading_line\" or \"name\"; and may have `name`, \
+          `depth_m`, `colour` and `side`.",
+    keys: &[
+        key(
+            "files",
+            Kind::FileNames,
+            Refused,
+            "GeoJSON files, relative to this one.",
+            &["[\"harbour.geojson\"]"],
+        ),
+        key(
+            "coordinates",
+            Kind::Choice(&COORDINATES),
+            Refused,
+            "What the coordinates in the files are.",
+            &["\"longitude_latitude\""],
+        ),
+        key(
+            "projection",
+            Kind::Choice(&PROJECTIONS),
+            Unless("`coordinates` is \"metres\""),
+            "How longitude and latitude become metres.",
+            &["\"transverse_mercator\""],
+        ),
+        key(
+            "origin",
+            Kind::Table(&PLACE),
+            Unless("`coordinates` is \"metres\""),
+            "Where the scenario's origin lies.",
+            &["{ latitude = \"53.52 deg\", longitude = \"9.94 deg\" }"],
+        ),
+    ],
+    rules: Some(|| {
+        json!({
+            "allOf": [{ "properties": { "files": { "minItems": 1 } } }],
+            "if": { "properties": { "coordinates": { "const": "metres" } } },
+            "then": { "properties": { "projection": false, "origin": false } },
+            "else": { "required": ["projection", "origin"] }
+        })
+    }),
+};
+
+static PLACE: TableSpec = TableSpec {
+    what: "a place on the earth",
+    doc: "A place on the WGS 84 ellipsoid.",
+    keys: &[
+        key(
+            "latitude",
+            Kind::Quantity(Quantity { measure: &unit::ANGLE, low: -LATITUDE, high: LATITUDE }),
+            Refused,
+            "Latitude, north positive: at most 84 degrees.",
+            &["\"53.52 deg\""],
+        ),
+        key(
+            "longitude",
+            Kind::Quantity(Quantity { measure: &unit::ANGLE, low: -LONGITUDE, high: LONGITUDE }),
+            Refused,
+            "Longitude, east positive.",
+            &["\"9.94 deg\""],
+        ),
+    ],
+    rules: None,
+};
+
+/// The range of UTM, beyond which a plane with north up is of little use (rad): 84 degrees.
+const LATITUDE: f64 = 84.0 * core::f64::consts::PI / 180.0;
+/// Half a turn (rad).
+const LONGITUDE: f64 = core::f64::consts::PI;
+
+/// What the coordinates of a GeoJSON file are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Coordinates {
+    /// Metres east and north of the scenario's origin.
+    Metres,
+    /// Degrees on WGS 84.
+    LongitudeLatitude,
+}
+
+static COORDINATES: Choices<Coordinates> = Choices(&[
+    Choice {
+        word: "metres",
+        value: Coordinates::Metres,
+        doc: "East and north of the scenario's origin (m), in this order, as in every GeoJSON file.",
+    },
+    Choice {
+        word: "longitude_latitude",
+        value: Coordinates::LongitudeLatitude,
+        doc: "Longitude and latitude on WGS 84 (degrees), as the standard of GeoJSON says (RFC 7946).",
+    },
+]);
+
+/// A kind of transverse Mercator projection.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Projection {
+    /// Central meridian through the origin, scale 1.
+    ThroughOrigin,
+    /// Central meridian of the origin's zone of 6 degrees, scale 0.9996.
+    Utm,
+}
+
+static PROJECTIONS: Choices<Projection> = Choices(&[
+    Choice {
+        word: "transverse_mercator",
+        value: Projection::ThroughOrigin,
+        doc: "Transverse Mercator with its central meridian through the origin and scale 1 there: true north is up at \
+              the origin, and distances near it are true.",
+    },
+    Choice {
+        word: "utm",
+        value: Projection::Utm,
+        doc: "Universal transverse Mercator in the origin's zone of 6 degrees (without the exceptions for Norway and \
+              Svalbard): grid north is up, and distances are those of the grid, up to 0.1 % off. Differences of \
+              UTM coordinates of a survey are coordinates of the scenario.",
+    },
+]);

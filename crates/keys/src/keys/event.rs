@@ -1,0 +1,235 @@
+//! Keys of events: changes of the weather and faults at times of the run.
+
+use fenderline_sim::environment::current::Current;
+use fenderline_sim::environment::wind::MeanWind;
+use fenderline_sim::{Change, Fault};
+use serde_json::json;
+
+use super::quantities::{DIRECTION, TIME};
+use crate::choices::{Choice, Choices};
+use crate::spec::Absent::{Is, Means, Refused};
+use crate::spec::{KeySpec, Kind, Quantity, TableSpec, key};
+use crate::units::measures as unit;
+
+/// The keys of which an event has one.
+pub const WHAT: [&str; 7] =
+    ["wind", "current", "visibility", "fault", "thruster_out", "line_parts", "tug_out"];
+/// Those that can end.
+pub const CAN_END: [&str; 3] = ["fault", "thruster_out", "tug_out"];
+/// Those that are of a vessel.
+pub const OF_VESSEL: [&str; 2] = ["fault", "thruster_out"];
+
+pub(super) static EVENT: TableSpec = TableSpec {
+    what: "an event",
+    doc: "A change of the weather or a fault at a time; each [[event]] has one. In a live session the instructor sees them and can \
+          cancel them.",
+    keys: &[
+        key("at", Kind::Quantity(TIME), Is("0"), "When it happens.", &["\"12 min\""]),
+        key(
+            "wind",
+            Kind::Table(&WIND),
+            ANOTHER,
+            "The mean wind changes. Gusts go on in proportion to it; a wind from a file becomes steady.",
+            &["{ speed = \"14 m/s\", from = \"270 deg\", over = \"5 min\" }"],
+        ),
+        key(
+            "current",
+            Kind::Table(&CURRENT),
+            ANOTHER,
+            "A uniform current in place of the present one.",
+            &["{ speed = \"1 kn\", towards = \"180 deg\", over = \"5 min\" }"],
+        ),
+        key(
+            "visibility",
+            Kind::Table(&VISIBILITY),
+            ANOTHER,
+            "How far people see in a live session changes.",
+            &["{ distance = \"300 m\", over = \"5 min\" }"],
+        ),
+        key(
+            "vessel",
+            Kind::BodyName,
+            Means("the event is not of a vessel"),
+            "For `fault` and `thruster_out`: the body of the vessel.",
+            &["\"ship\""],
+        ),
+        key(
+            "fault",
+            Kind::Choice(&FAULTS),
+            ANOTHER,
+            "A fault of the vessel.",
+            &["\"engine_lost\""],
+        ),
+        key(
+            "thruster_out",
+            Kind::Text,
+            ANOTHER,
+            "A thruster or azimuth unit of the vessel, by its name: it trips.",
+            &["\"bow\""],
+        ),
+        key(
+            "line_parts",
+            Kind::Text,
+            ANOTHER,
+            "A line, by its name: it parts. A line that is not fast then stays as it is, which is reported.",
+            &["\"spring\""],
+        ),
+        key(
+            "tug_out",
+            Kind::Text,
+            ANOTHER,
+            "A vector tug, by its name: she drops out.",
+            &["\"one\""],
+        ),
+        key(
+            "ends",
+            Kind::Flag,
+            Is("false"),
+            "For `fault`, `thruster_out` and `tug_out`: it ends at this time.",
+            &["true"],
+        ),
+    ],
+    rules: Some(|| {
+        let one: Vec<_> = WHAT.iter().map(|key| json!({ "required": [key] })).collect();
+        let of = |keys: &[&str]| -> Vec<_> {
+            keys.iter().map(|key| json!({ "required": [key] })).collect()
+        };
+        json!({
+            "oneOf": one,
+            "allOf": [
+                {
+                    "if": { "anyOf": of(&OF_VESSEL) },
+                    "then": { "required": ["vessel"] },
+                    "else": { "properties": { "vessel": false } }
+                },
+                {
+                    "if": { "anyOf": of(&CAN_END) },
+                    "else": { "properties": { "ends": { "const": false } } }
+                }
+            ]
+        })
+    }),
+};
+
+const ANOTHER: crate::spec::Absent = Means("another event");
+const OVER: KeySpec = key(
+    "over",
+    Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: Change::LONGEST_S }),
+    Is("0"),
+    "Time over which it changes.",
+    &["\"5 min\""],
+);
+
+static WIND: TableSpec = TableSpec {
+    what: "a change of the wind",
+    doc: "The mean wind changes: the speed by a straight line, the direction by the shorter turn.",
+    keys: &[
+        key(
+            "speed",
+            Kind::Quantity(Quantity {
+                measure: &unit::SPEED,
+                low: 0.0,
+                high: MeanWind::FASTEST_MPS,
+            }),
+            Refused,
+            "Mean speed 10 m above the water.",
+            &["\"14 m/s\""],
+        ),
+        key(
+            "from",
+            Kind::Quantity(DIRECTION),
+            Refused,
+            "Where it comes from, clockwise from north.",
+            &["\"270 deg\""],
+        ),
+        OVER,
+    ],
+    rules: None,
+};
+
+static CURRENT: TableSpec = TableSpec {
+    what: "a change of the current",
+    doc: "A uniform current: the speed changes by a straight line, the direction by the shorter turn. A change over a time begins with \
+          the current at the origin.",
+    keys: &[
+        key(
+            "speed",
+            Kind::Quantity(Quantity {
+                measure: &unit::SPEED,
+                low: 0.0,
+                high: Current::FASTEST_MPS,
+            }),
+            Refused,
+            "Speed.",
+            &["\"1 kn\""],
+        ),
+        key(
+            "towards",
+            Kind::Quantity(DIRECTION),
+            Refused,
+            "Where it sets to, clockwise from north.",
+            &["\"180 deg\""],
+        ),
+        OVER,
+    ],
+    rules: None,
+};
+
+static VISIBILITY: TableSpec = TableSpec {
+    what: "a change of the visibility",
+    doc: "How far people see: it changes by equal ratios in equal times. Clear counts as 20 km then.",
+    keys: &[
+        key(
+            "distance",
+            Kind::Quantity(Quantity {
+                measure: &unit::LENGTH,
+                low: Change::VISIBILITY_M[0],
+                high: Change::VISIBILITY_M[1],
+            }),
+            Means("clear"),
+            "The distance.",
+            &["\"300 m\""],
+        ),
+        OVER,
+    ],
+    rules: None,
+};
+
+static FAULTS: Choices<Fault> = Choices(&[
+    Choice {
+        word: "rudder_stuck",
+        value: Fault::RudderStuck,
+        doc: "the rudder stays where it is; azimuth units do not turn",
+    },
+    Choice {
+        word: "follow_up_lost",
+        value: Fault::FollowUpLost,
+        doc: "the rudder runs to its stop on the side of the order",
+    },
+    Choice {
+        word: "engine_lost",
+        value: Fault::EngineLost,
+        doc: "the shaft runs down; azimuth units give no thrust",
+    },
+    Choice {
+        word: "thrusters_lost",
+        value: Fault::ThrustersLost,
+        doc: "tunnel thrusters give no thrust",
+    },
+    Choice { word: "blackout", value: Fault::Blackout, doc: "no power at all" },
+    Choice {
+        word: "heading_frozen",
+        value: Fault::HeadingFrozen,
+        doc: "the heading that her pilot's page shows stays as it is",
+    },
+    Choice {
+        word: "speed_frozen",
+        value: Fault::SpeedFrozen,
+        doc: "the speeds that her pilot's page shows stay as they are",
+    },
+    Choice {
+        word: "position_frozen",
+        value: Fault::PositionFrozen,
+        doc: "the position that her pilot's page shows stays as it is",
+    },
+]);

@@ -1,0 +1,338 @@
+//! Keys of fenders.
+
+use serde_json::json;
+
+use super::quantities::{DIRECTION, FENDER_HEIGHT, FENDER_SIZE, POSITION};
+use crate::keys::quantities::RETURNED_ENERGY;
+use crate::spec::Absent::{Is, Means, Refused, Unless};
+use crate::spec::{CurveSpec, Kind, Quantity, TableSpec, key};
+use crate::units::measures as unit;
+
+const STIFFNESS: Quantity = Quantity { measure: &unit::STIFFNESS, low: 0.0, high: 1e15 };
+
+/// A fender.
+pub static FENDER: TableSpec = TableSpec {
+    what: "a fender",
+    doc: "A fender on a quay, on a tug's bow or along a ship's belting. It touches the outlines of all \
+          bodies that its own body makes a pair with; the pair's material is the solid structure \
+          behind it. Its law is that of a `type` of the fender data, a `stiffness`, a `curve` or, with \
+          none of the three, the paper's: reaction by overlap area with the material's stiffness.",
+    keys: &[
+        key("on", Kind::BodyName, Refused, "The body that carries the fender.", &["\"quay\""]),
+        key(
+            "position",
+            Kind::Point(POSITION),
+            Unless("`belting` is given"),
+            "Middle of the line where it is mounted: forward, starboard of its body's origin.",
+            &["[-60, 0]"],
+        ),
+        key(
+            "facing",
+            Kind::Quantity(DIRECTION),
+            Unless(
+                "`belting` is given, or `position` lies on an edge or at a corner of its body's outline",
+            ),
+            "Direction in which it faces, clockwise from its body's forward direction. Without it: at right angles out of \
+                  the edge on which it stands; at a corner midway between the two edges, as a corner fender faces.",
+            &["\"-90 deg\""],
+        ),
+        key(
+            "belting",
+            Kind::Text,
+            Unless("`position` and `width` are given"),
+            "A belting of the vessel that carries the fender, by name. It gives position, facing, width, face height \
+                  and height above the water.",
+            &["\"bow\""],
+        ),
+        key(
+            "width",
+            Kind::Quantity(FENDER_SIZE),
+            Unless("`belting` is given"),
+            "Width of its face (of the panel, where there is one).",
+            &["\"2.4 m\""],
+        ),
+        key(
+            "face_height",
+            Kind::Quantity(FENDER_SIZE),
+            Means("the width; of a pneumatic fender its diameter"),
+            "Height of its face. Width times height is the area of the hull pressure. Where neither it nor `hull` nor \
+                  `hull_pressure_limit` is given, no hull pressure is computed.",
+            &["\"3 m\""],
+        ),
+        key(
+            "above_water",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: -100.0, high: 100.0 }),
+            Means("at the waterline; on a fixed body at datum"),
+            "Middle of its face above the still waterline, on a fixed body above datum: the height at which its force \
+                  heels a vessel. A hull with one outline has a side at any height; one with `outlines` has it between \
+                  the lowest and the highest.",
+            &["\"2 m\""],
+        ),
+        key(
+            "floating",
+            Kind::Flag,
+            Is("false"),
+            "It floats, as a pneumatic fender does, and rides the tide: on a fixed body too `above_water` is above the \
+                  water of the moment.",
+            &["true"],
+        ),
+        key(
+            "projection",
+            Kind::Quantity(FENDER_HEIGHT),
+            Means("the height of its type"),
+            "From the mounting to the face, uncompressed.",
+            &["\"1.5 m\""],
+        ),
+        key(
+            "material",
+            Kind::MaterialName,
+            Refused,
+            "Its material: friction and damping; restitution if `unloading_law` is false; stiffness if it has no other law.",
+            &["\"facing\""],
+        ),
+        key(
+            "rolling_resistance",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1.0 }),
+            Means("the face slides, with the friction of the material"),
+            "Of a roller or wheel fender: resistance along the berth over reaction, instead of the friction of the material.",
+            &["0.05"],
+        ),
+        key(
+            "type",
+            Kind::Text,
+            Means("no type"),
+            "A family of the fender data: cone, cone SPC, unit element, V leg, pneumatic, or one \
+                  of `fender_files`.",
+            &["\"cone\""],
+        ),
+        key(
+            "size",
+            Kind::Text,
+            Unless("`height` is given, or the fender has no `type`"),
+            "Size of the type, by its designation.",
+            &["\"3300x6500 50kPa\""],
+        ),
+        key(
+            "height",
+            Kind::Quantity(FENDER_HEIGHT),
+            Unless("`size` is given, or the fender has no `type`"),
+            "Height of a fender of this type, uncompressed, instead of a `size` of the data.",
+            &["\"1.2 m\""],
+        ),
+        key(
+            "rated_reaction",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
+            Means("scaled from the type's reference size, R ~ height squared"),
+            "Rated reaction of one fender of this type and height.",
+            &["\"900 kN\""],
+        ),
+        key(
+            "count",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 1000.0 }),
+            Means("one"),
+            "Number of fenders of this type behind the one face.",
+            &["2"],
+        ),
+        key(
+            "cones",
+            Kind::List(&super::panel::CONE),
+            Means("one fender, or `count` behind a face that does not turn"),
+            "Several equal fenders at their places behind one panel, which turns about the vertical axis by what each \
+                  of them bears. `width` is the panel's. Shares of rated values are those of the most compressed one. \
+                  An unloading curve counts by the share of the energy that it returns from the rated deflection.",
+            &["[{ at = \"-1.2 m\" }, { at = \"1.2 m\" }]"],
+        ),
+        key(
+            "chains",
+            Kind::List(&super::panel::CHAIN),
+            Means("no chains"),
+            "Tension, shear and weight chains of the panel. A tension chain holds the panel in the engine; shear and weight \
+                  chains take their part of the forces by statics.",
+            &[
+                "[{ kind = \"shear\", slack = \"20 mm\", stiffness = \"40 MN/m\", break_load = \"500 kN\" }]",
+            ],
+        ),
+        key(
+            "panel_mass",
+            Kind::Quantity(Quantity { measure: &unit::MASS, low: 0.0, high: 1e6 }),
+            Unless("no weight chain is given"),
+            "Mass that the weight chains carry: the panel, and what hangs on it.",
+            &["\"2.5 t\""],
+        ),
+        key(
+            "stiffness",
+            Kind::Quantity(STIFFNESS),
+            Means("no linear law"),
+            "Reaction over deflection.",
+            &["\"2 MN/m\""],
+        ),
+        key(
+            "curve",
+            Kind::Curve(&CURVE),
+            Means("no curve of its own"),
+            "Rows of deflection and reaction, the first [0, 0], with straight lines between.",
+            &["[[0, 0], [\"0.3 m\", \"600 kN\"], [\"0.8 m\", \"650 kN\"]]"],
+        ),
+        key(
+            "returned_energy",
+            Kind::Quantity(RETURNED_ENERGY),
+            Means("that of the type; 55 %, as solid rubber (assumed), where it has none"),
+            "Share of the absorbed energy that the rubber returns: in unloading the reaction follows a lower curve, \
+                  and restitution has no effect. Coupled method only.",
+            &["\"55 %\""],
+        ),
+        key(
+            "unloading",
+            Kind::Curve(&CURVE),
+            Means("by `returned_energy` or the type"),
+            "The unloading curve: rows of deflection and reaction, the first [0, 0], with straight lines between; \
+                  nowhere above its `curve` or `stiffness`. The reaction comes down to it within the first tenth of the difference in \
+                  energy, so a loop loses 4.45 % less than the area between both curves. Coupled method only.",
+            &["[[0, 0], [\"0.3 m\", \"250 kN\"], [\"0.8 m\", \"600 kN\"]]"],
+        ),
+        key(
+            "unloading_law",
+            Kind::Flag,
+            Means("true"),
+            "Whether the reaction falls by an unloading law in unloading. If false, it falls by the restitution of the material, with \
+             which the fenders of a ship at rest chatter.",
+            &["false"],
+        ),
+        key(
+            "rated_deflection",
+            Kind::Quantity(FENDER_HEIGHT),
+            Means("that of the type, or the end of the curve"),
+            "Rated deflection of a fender with a `stiffness` or a `curve`.",
+            &["\"0.8 m\""],
+        ),
+        key(
+            "stop",
+            Kind::Table(&STOP),
+            Means(
+                "a stop at the end of the curve or of the projection, 50 times as stiff as \
+                 the fender in the mean",
+            ),
+            "The end of its travel, where it stiffens.",
+            &[],
+        ),
+        key(
+            "temperature",
+            Kind::Quantity(Quantity { measure: &unit::CELSIUS, low: -60.0, high: 80.0 }),
+            Means("no correction"),
+            "Temperature; a plain number is in degrees Celsius. For types with temperature factors.",
+            &["10", "\"40 degC\"", "\"104 degF\""],
+        ),
+        key(
+            "tolerance",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -0.5, high: 0.5 }),
+            Is("0"),
+            "Deviation of this fender's reaction from the rated one.",
+            &["\"-10 %\""],
+        ),
+        key(
+            "velocity_factor",
+            Kind::Flag,
+            Means("true"),
+            "Use the factor of the type by speed of approach, if it has one.",
+            &["false"],
+        ),
+        key(
+            "angle_factor",
+            Kind::Flag,
+            Means("true"),
+            "Use the factors of the type by angle, if it has them.",
+            &["false"],
+        ),
+        key(
+            "hull_pressure_limit",
+            Kind::Quantity(Quantity { measure: &unit::STIFFNESS_PER_AREA, low: 1.0, high: 1e9 }),
+            Means("that of `hull`, or no limit"),
+            "Hull pressure that the ship's side bears.",
+            &["\"200 kN/m^2\""],
+        ),
+        key(
+            "hull",
+            Kind::Text,
+            Means("`hull_pressure_limit`, or no limit"),
+            "Type of ship; the fender data have the hull pressure that its side bears.",
+            &["\"container ship\""],
+        ),
+    ],
+    rules: Some(|| {
+        let both = |one: &str, two: &str| json!({ "not": { "required": [one, two] } });
+        json!({
+            "allOf": [
+                both("type", "stiffness"), both("type", "curve"), both("stiffness", "curve"),
+                both("size", "height"), both("size", "rated_reaction"), both("count", "cones"),
+                {
+                    "if": { "required": ["chains"], "properties": { "chains": {
+                        "contains": { "properties": { "kind": { "const": "weight" } } }
+                    } } },
+                    "then": { "required": ["panel_mass"] }
+                },
+                {
+                    "if": { "required": ["chains"], "properties": { "chains": {
+                        "contains": { "properties": { "kind": { "const": "tension" } } }
+                    } } },
+                    "then": { "required": ["cones"] }
+                },
+                {
+                    "if": { "required": ["cones"] },
+                    "then": { "anyOf": [
+                        { "required": ["type"] }, { "required": ["stiffness"] }, { "required": ["curve"] }
+                    ] }
+                },
+                both("type", "rated_deflection"), both("hull", "hull_pressure_limit"),
+                both("type", "unloading"), both("returned_energy", "unloading"),
+                both("returned_energy", "unloading_law"), both("unloading", "unloading_law"),
+                {
+                    "if": { "required": ["unloading"] },
+                    "then": { "anyOf": [{ "required": ["stiffness"] }, { "required": ["curve"] }] }
+                },
+                {
+                    "if": { "required": ["belting"] },
+                    "then": { "properties": {
+                        "position": false, "facing": false, "width": false, "face_height": false,
+                        "above_water": false
+                    } },
+                    "else": { "required": ["position", "width"] }
+                },
+                {
+                    "if": { "required": ["rated_deflection"] },
+                    "then": { "anyOf": [{ "required": ["stiffness"] }, { "required": ["curve"] }] }
+                },
+            ],
+            "if": { "required": ["type"] },
+            "then": { "anyOf": [{ "required": ["size"] }, { "required": ["height"] }] },
+            "else": {
+                "required": ["projection"],
+                "properties": {
+                    "size": false, "height": false, "rated_reaction": false, "temperature": false,
+                    "count": false, "velocity_factor": false, "angle_factor": false
+                }
+            }
+        })
+    }),
+};
+
+static CURVE: CurveSpec = CurveSpec {
+    from: ("deflection", Quantity { measure: &unit::LENGTH, low: 0.0, high: 1e3 }),
+    to: ("reaction", Quantity { measure: &unit::FORCE, low: 0.0, high: 1e12 }),
+    fewest: 2,
+};
+
+static STOP: TableSpec = TableSpec {
+    what: "a stop",
+    doc: "A second spring at the end of a fender's travel.",
+    keys: &[
+        key(
+            "from",
+            Kind::Quantity(FENDER_HEIGHT),
+            Refused,
+            "Deflection at which it begins.",
+            &["\"0.9 m\""],
+        ),
+        key("stiffness", Kind::Quantity(STIFFNESS), Refused, "Its stiffness.", &["\"50 MN/m\""]),
+    ],
+    rules: None,
+};

@@ -1,0 +1,258 @@
+//! Keys of rows of fenders: those of a fender, and where the row stands.
+
+use serde_json::{Value as Json, json};
+
+use super::dolphin::DOLPHIN;
+use super::fender::FENDER;
+use super::quantities::{DIRECTION, FENDER_SIZE, POSITION};
+use crate::spec::Absent::{Is, Means, Refused, Unless};
+use crate::spec::{Absent, KeySpec, Kind, Quantity, TableSpec, key};
+use crate::units::measures as unit;
+
+/// Most fenders of a row.
+pub const MOST_IN_ROW: usize = 1000;
+
+pub(super) static FENDER_ROW: TableSpec = TableSpec {
+    what: "a row of fenders",
+    doc: "Equal fenders in a row, named NAME_1, NAME_2 and so on. The row begins at `first` or follows a `wall`, \
+          with two of `spacing`, `number` and `last`; or it stands on `dolphins`. All other keys are those of a \
+          fender and hold for each of them.",
+    keys: &ROW_KEYS,
+    rules: Some(row_rules),
+};
+
+/// The keys of a fender that a row has too, unchanged. The others are in [`OWN`].
+const fn is_shared(name: &str) -> bool {
+    let own = ["on", "position", "facing", "belting", "width"];
+    let mut index = 0;
+    while index < own.len() {
+        if same(own[index], name) {
+            return false;
+        }
+        index += 1;
+    }
+    true
+}
+
+static OWN: [KeySpec; 13] = [
+    key(
+        "on",
+        Kind::BodyName,
+        Unless("`dolphins` is given"),
+        "The body that carries the row.",
+        &["\"quay\""],
+    ),
+    key(
+        "first",
+        Kind::Point(POSITION),
+        Unless("`wall` or `dolphins` is given"),
+        "Middle of the line where the first fender is mounted: forward, starboard of its body's origin. On dolphins: of \
+              each fender, [0, 0] unless given.",
+        &["[-70, 0]"],
+    ),
+    key(
+        "last",
+        Kind::Point(POSITION),
+        Unless("`spacing` and `number` are given"),
+        "The same of the last fender. Without it the row runs along the edge on which `first` lies, or at right angles \
+              to `facing`, forward, or to starboard where it runs straight across.",
+        &["[70, 0]"],
+    ),
+    key(
+        "spacing",
+        Kind::Quantity(FENDER_SIZE),
+        Unless("`last` and `number` are given"),
+        "From the middle of one fender to that of the next.",
+        &["\"20 m\""],
+    ),
+    key(
+        "number",
+        Kind::Quantity(Quantity {
+            measure: &unit::PLAIN_NUMBER,
+            low: 1.0,
+            high: MOST_IN_ROW as f64,
+        }),
+        Unless("`last` and `spacing` are given"),
+        "Number of fenders.",
+        &["8"],
+    ),
+    key(
+        "wall",
+        Kind::Points(POSITION, 2, 2),
+        Means("the row begins at `first`"),
+        "Two corners of its body between which the row stands, from the first to the second: along an edge of the outline.",
+        &["[[-100, 0], [100, 0]]"],
+    ),
+    key(
+        "from_corner",
+        Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 1e5 }),
+        Means("the row stands in the middle of the wall"),
+        "From the first corner of the `wall` to the middle of the first fender.",
+        &["\"5 m\""],
+    ),
+    key(
+        "dolphins",
+        Kind::Points(POSITION, 1, MOST_IN_ROW),
+        Means("the row stands on one body"),
+        "Places of dolphins: north, east of each. Each is a body NAME_1, NAME_2 and so on with one fender. A pair \
+              that names NAME is a pair with each of them.",
+        &["[[-60, 20], [60, 20]]"],
+    ),
+    key(
+        "outline",
+        Kind::Outline(POSITION),
+        Unless("the row has no `dolphins`"),
+        "Outline of each dolphin, about its place.",
+        &["[[-2, 0], [2, 0], [2, 4], [-2, 4]]"],
+    ),
+    key(
+        "dolphin",
+        Kind::Table(&DOLPHIN),
+        Means("fixed dolphins"),
+        "Makes each of the `dolphins` a flexible one: piles that bend, with their mass.",
+        &["{ stiffness = \"5 MN/m\", mass = \"60 t\", yield_load = \"1500 kN\" }"],
+    ),
+    key(
+        "heading",
+        Kind::Quantity(DIRECTION),
+        Means("north"),
+        "Heading of the dolphins.",
+        &["\"30 deg\""],
+    ),
+    key(
+        "facing",
+        Kind::Quantity(DIRECTION),
+        Unless("the row stands along an edge of its body's outline"),
+        "Direction in which the fenders face, clockwise from their body's forward direction. Without it: at right angles \
+              out of the edge on which they stand.",
+        &["\"-90 deg\""],
+    ),
+    key(
+        "width",
+        Kind::Quantity(FENDER_SIZE),
+        Refused,
+        "Width of the face of each fender (of the panel, where there is one).",
+        &["\"2.4 m\""],
+    ),
+];
+
+/// The key of exceptions; it comes last.
+static EXCEPTIONS: KeySpec = key(
+    "exception",
+    Kind::Named(&EXCEPTION),
+    Is("{}"),
+    "Keys of single fenders of the row, by their names: [fender_row.NAME.exception.NAME_3]. A `*` in the name stands for \
+          any text. `--set fender.NAME_3.KEY=VALUE` does the same.",
+    &[],
+);
+
+static EXCEPTION: TableSpec = TableSpec {
+    what: "an exception of a row of fenders",
+    doc: "Keys in which single fenders of a row differ from the others. All keys of a fender but `on` and `belting`.",
+    keys: &EXCEPTION_KEYS,
+    rules: None,
+};
+
+const SHARED: usize = count_shared();
+const fn count_shared() -> usize {
+    let (mut count, mut index) = (0, 0);
+    while index < FENDER.keys.len() {
+        count += is_shared(FENDER.keys[index].name) as usize;
+        index += 1;
+    }
+    count
+}
+
+static ROW_KEYS: [KeySpec; OWN.len() + SHARED + 1] = row_keys();
+
+const fn row_keys() -> [KeySpec; OWN.len() + SHARED + 1] {
+    let mut keys = [EXCEPTIONS; OWN.len() + SHARED + 1];
+    let (mut at, mut index) = (0, 0);
+    while index < OWN.len() {
+        keys[at] = OWN[index];
+        (at, index) = (at + 1, index + 1);
+    }
+    index = 0;
+    while index < FENDER.keys.len() {
+        if is_shared(FENDER.keys[index].name) {
+            keys[at] = FENDER.keys[index];
+            at += 1;
+        }
+        index += 1;
+    }
+    keys
+}
+
+/// Keys of a fender but `on` and `belting`; each may be left out.
+static EXCEPTION_KEYS: [KeySpec; FENDER.keys.len() - 2] = exception_keys();
+
+const fn exception_keys() -> [KeySpec; FENDER.keys.len() - 2] {
+    let mut keys = [EXCEPTIONS; FENDER.keys.len() - 2];
+    let (mut at, mut index) = (0, 0);
+    while index < FENDER.keys.len() {
+        let key = FENDER.keys[index];
+        if !same(key.name, "on") && !same(key.name, "belting") {
+            keys[at] = KeySpec { absent: Absent::Means("as the row"), ..key };
+            at += 1;
+        }
+        index += 1;
+    }
+    keys
+}
+
+/// Whether two names are the same. `==` of texts cannot be computed while compiling.
+const fn same(one: &str, other: &str) -> bool {
+    let (one, other) = (one.as_bytes(), other.as_bytes());
+    if one.len() != other.len() {
+        return false;
+    }
+    let mut index = 0;
+    while index < one.len() {
+        if one[index] != other[index] {
+            return false;
+        }
+        index += 1;
+    }
+    true
+}
+
+/// The rules of a fender without that of beltings, and where the row stands.
+fn row_rules() -> Json {
+    let of_fender = FENDER.rules.map_or(json!({}), |rules| rules());
+    let is_of_beltings = |rule: &Json| rule["if"]["required"] == json!(["belting"]);
+    let all = of_fender["allOf"].as_array().into_iter().flatten();
+    let mut rules: Vec<Json> = all.filter(|rule| !is_of_beltings(rule)).cloned().collect();
+    rules.push(
+        json!({ "if": of_fender["if"], "then": of_fender["then"], "else": of_fender["else"] }),
+    );
+    let refused = |names: &[&str]| -> Json {
+        names.iter().map(|name| ((*name).to_owned(), json!(false))).collect()
+    };
+    let two_of_three = json!([
+        { "required": ["spacing", "number"], "not": { "required": ["last"] } },
+        { "required": ["spacing", "last"], "not": { "required": ["number"] } },
+        { "required": ["number", "last"], "not": { "required": ["spacing"] } },
+    ]);
+    rules.push(json!({
+        "if": { "required": ["dolphins"] },
+        "then": {
+            "required": ["outline"],
+            "properties": refused(&["on", "wall", "from_corner", "last", "spacing", "number"])
+        },
+        "else": {
+            "required": ["on"],
+            "properties": refused(&["outline", "heading", "dolphin"]),
+            "if": { "required": ["wall"] },
+            "then": {
+                "required": ["spacing", "number"],
+                "properties": refused(&["first", "last"])
+            },
+            "else": {
+                "required": ["first"],
+                "properties": refused(&["from_corner"]),
+                "oneOf": two_of_three
+            }
+        }
+    }));
+    json!({ "allOf": rules })
+}

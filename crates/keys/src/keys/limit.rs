@@ -1,0 +1,149 @@
+//! Keys of statistics and of limits.
+
+use fenderline_sim::statistics::{Measure, MotionName};
+use serde_json::json;
+
+use super::quantities::TIME;
+use crate::choices::{Choice, Choices};
+use crate::spec::Absent::{Is, Means, Refused, Unless};
+use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::units::measures as unit;
+
+pub(super) static STATISTICS: TableSpec = TableSpec {
+    what: "a table of statistics",
+    doc: "Statistics of the motions of vessels in six degrees of freedom, and cycles of the tension of lines.",
+    keys: &[key(
+        "from",
+        Kind::Quantity(TIME),
+        Is("0"),
+        "Time from which they count: what the ship does before, as she comes to rest, is left out.",
+        &["\"5 min\""],
+    )],
+    rules: None,
+};
+
+pub(super) static LIMIT: TableSpec = TableSpec {
+    what: "a limit",
+    doc: "The most that is permissible of a motion, a line or a fender. Where it is exceeded, the verdict says so. There are no limits \
+          of our own: take those of your terminal, and look whether they mean amplitudes or ranges, largest or significant ones.",
+    keys: &[
+        key("of", Kind::Choice(&SUBJECTS), Refused, "What is limited.", &["\"surge\""]),
+        key(
+            "vessel",
+            Kind::BodyName,
+            Means("the first vessel; lines and fenders have none"),
+            "The body of the vessel that moves.",
+            &["\"d\""],
+        ),
+        key(
+            "statistic",
+            Kind::Choice(&MEASURES),
+            Unless("lines or fenders are limited"),
+            "Which statistic of the motion, about its mean.",
+            &["\"significant range\""],
+        ),
+        key(
+            "distance",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 1e4 }),
+            Unless("an angle or a share is limited"),
+            "The most of surge, sway or heave.",
+            &["\"0.8 m\""],
+        ),
+        key(
+            "angle",
+            Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.0, high: 6.3 }),
+            Unless("a distance or a share is limited"),
+            "The most of roll, pitch or yaw.",
+            &["\"2 deg\""],
+        ),
+        key(
+            "share",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 10.0 }),
+            Unless("a motion is limited"),
+            "The most of a line's break load or of a fender's rating.",
+            &["0.5"],
+        ),
+    ],
+    rules: Some(|| {
+        let words = |words: &[&str]| json!({ "enum": words });
+        json!({ "oneOf": [
+            {
+                "required": ["statistic", "distance"],
+                "properties": { "of": words(&["surge", "sway", "heave"]), "angle": false, "share": false }
+            },
+            {
+                "required": ["statistic", "angle"],
+                "properties": { "of": words(&["roll", "pitch", "yaw"]), "distance": false, "share": false }
+            },
+            {
+                "required": ["share"],
+                "properties": {
+                    "of": words(&["lines", "fenders"]), "vessel": false, "statistic": false, "distance": false,
+                    "angle": false
+                }
+            }
+        ] })
+    }),
+};
+
+/// What a limit is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// A motion.
+    Motion(MotionName),
+    /// Lines.
+    Lines,
+    /// Fenders.
+    Fenders,
+}
+
+static SUBJECTS: Choices<Subject> = Choices(&[
+    Choice {
+        word: "surge",
+        value: Subject::Motion(MotionName::Surge),
+        doc: "motion along her mean heading, of her centre of gravity",
+    },
+    Choice {
+        word: "sway",
+        value: Subject::Motion(MotionName::Sway),
+        doc: "motion across her mean heading",
+    },
+    Choice { word: "heave", value: Subject::Motion(MotionName::Heave), doc: "motion up and down" },
+    Choice { word: "roll", value: Subject::Motion(MotionName::Roll), doc: "roll" },
+    Choice { word: "pitch", value: Subject::Motion(MotionName::Pitch), doc: "pitch" },
+    Choice { word: "yaw", value: Subject::Motion(MotionName::Yaw), doc: "heading" },
+    Choice {
+        word: "lines",
+        value: Subject::Lines,
+        doc: "the largest tension of any line over its break load, from the start of the run",
+    },
+    Choice {
+        word: "fenders",
+        value: Subject::Fenders,
+        doc: "the largest energy, reaction or deflection of any fender over its rating, from the start of the run",
+    },
+]);
+
+static MEASURES: Choices<Measure> = Choices(&[
+    Choice { word: "maximum", value: Measure::Maximum, doc: "largest distance from the mean" },
+    Choice {
+        word: "significant",
+        value: Measure::Significant,
+        doc: "mean of the highest third of the peaks, each the largest distance from the mean between two crossings of it",
+    },
+    Choice {
+        word: "maximum range",
+        value: Measure::MaximumRange,
+        doc: "largest distance from a crest to the trough after it",
+    },
+    Choice {
+        word: "significant range",
+        value: Measure::SignificantRange,
+        doc: "mean of the highest third of these",
+    },
+    Choice {
+        word: "standard deviation",
+        value: Measure::Deviation,
+        doc: "root of the mean square of the distance from the mean",
+    },
+]);

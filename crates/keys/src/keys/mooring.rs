@@ -1,0 +1,372 @@
+//! Keys of lines, bollards and line handlers.
+
+use fenderline_sim::mooring::RopeCurve;
+use serde_json::json;
+
+use super::quantities::{FORCE, LENGTH, PLACE, POSITION, TIME};
+use crate::choices::{Choice, Choices};
+use crate::spec::Absent::{Is, Means, Refused, Unless};
+use crate::spec::{KeySpec, Kind, Quantity, TableSpec, key};
+use crate::units::measures as unit;
+
+/// The keys of a line that say where and how it is made fast by itself. A line without `to` has none of them.
+pub const AT_THE_FAR_END: [&str; 6] =
+    ["bollard", "bollard_height", "bitts", "length", "pretension", "made_fast"];
+
+pub(super) static LINE: TableSpec = TableSpec {
+    what: "a line",
+    doc: "A mooring line from a body to a bollard or to another body. Its weight is neglected, unless its `mass` is given.",
+    keys: &[
+        key(
+            "from",
+            Kind::BodyName,
+            Refused,
+            "The body that holds the line, with a winch or bitts.",
+            &["\"ship\""],
+        ),
+        key(
+            "fairlead",
+            Kind::Point(POSITION),
+            Unless("`chock` is given"),
+            "Fairlead, forward and starboard of the body's origin.",
+            &["[140, 5]"],
+        ),
+        key(
+            "fairlead_height",
+            Kind::Quantity(PLACE),
+            Is("0"),
+            "Fairlead above the still water; on a fixed body above datum.",
+            &["\"12 m\""],
+        ),
+        key(
+            "chock",
+            Kind::Text,
+            Unless("`fairlead` is given"),
+            "A chock of the vessel that `from` is, instead of `fairlead` and `fairlead_height`.",
+            &["\"head\""],
+        ),
+        key(
+            "to",
+            Kind::BodyName,
+            Means("on board until an order sends it to a bollard"),
+            "The body at the other end: a quay, a ship.",
+            &["\"quay\""],
+        ),
+        key(
+            "bollard",
+            Kind::Point(POSITION),
+            Unless("`bitts` is given, or the line is on board"),
+            "Bollard, forward and starboard of that body's origin.",
+            &["[170, 4]"],
+        ),
+        key(
+            "bollard_height",
+            Kind::Quantity(PLACE),
+            Is("0"),
+            "Bollard above the still water; on a fixed body above datum.",
+            &["\"4 m\""],
+        ),
+        key(
+            "bitts",
+            Kind::Text,
+            Unless("`bollard` is given, or the line is on board"),
+            "Bitts of the vessel that `to` is, instead of `bollard` and `bollard_height`.",
+            &["\"fore\""],
+        ),
+        key("rope", Kind::Choice(&ROPES), Refused, "Material of the rope.", &["\"hmpe\""]),
+        AXIAL_STIFFNESS,
+        LOAD_EXTENSION,
+        key(
+            "break_load",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
+            Refused,
+            "Line design break force.",
+            &["\"1200 kN\""],
+        ),
+        key(
+            "working_load",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
+            Means(
+                "55 % of the rope's break load for wire, 50 % for other ropes (MEG4, from public summaries)",
+            ),
+            "Working load of the rope, which the verdict compares with its tension.",
+            &["\"600 kN\""],
+        ),
+        key(
+            "mass",
+            Kind::Quantity(Quantity { measure: &unit::MASS_PER_LENGTH, low: 1e-3, high: 1e3 }),
+            Means("the rope has no weight and is straight"),
+            "Mass of the rope and its tail per metre. By its weight in air it sags as a flat parabola and each end bears half of the weight.",
+            &["\"7.2 kg/m\""],
+        ),
+        key(
+            "on_deck",
+            Kind::Table(&ON_DECK),
+            Means("the rope ends at the chock or fairlead"),
+            "Rope on deck between winch or bitts and the chock, which stretches too.",
+            &[],
+        ),
+        key(
+            "tail",
+            Kind::Table(&TAIL),
+            Means("no tail"),
+            "A softer tail in series at the far end.",
+            &[],
+        ),
+        key(
+            "length",
+            Kind::Quantity(LENGTH),
+            Unless("`pretension` is given, or the line is on board"),
+            "Unstretched length outboard, tail included.",
+            &["\"45 m\""],
+        ),
+        key(
+            "pretension",
+            Kind::Quantity(FORCE),
+            Unless("`length` is given, or the line is on board"),
+            "Tension with which it is made fast.",
+            &["\"100 kN\""],
+        ),
+        key(
+            "winch",
+            Kind::Flag,
+            Is("false"),
+            "On a winch whose brake renders at 60 % of the break load, rather than on bitts.",
+            &["true"],
+        ),
+        key(
+            "constant_tension",
+            Kind::Table(&CONSTANT_TENSION),
+            Means("the brake holds the line"),
+            "The winch holds a tension by itself; it needs `winch = true`.",
+            &[],
+        ),
+        key(
+            "rope_length",
+            Kind::Quantity(LENGTH),
+            Is("220"),
+            "Length of its rope, for a line that an order sends to a bollard. 220 m is from memory, not from a source.",
+            &["\"200 m\""],
+        ),
+        key("made_fast", Kind::Quantity(TIME), Is("0"), "When it is made fast.", &["\"25 min\""]),
+    ],
+    rules: Some(|| {
+        let either = |place: &str, height: &str, name: &str| {
+            let refused: serde_json::Map<String, serde_json::Value> =
+                [(height.to_owned(), json!(false))].into_iter().collect();
+            json!({ "oneOf": [
+                { "required": [place] }, { "required": [name], "properties": refused }
+            ] })
+        };
+        json!({
+            "allOf": [rope_rules(), either("fairlead", "fairlead_height", "chock"), {
+                "if": { "required": ["constant_tension"] },
+                "then": { "required": ["winch"], "properties": { "winch": { "const": true } } }
+            }],
+            "if": { "required": ["to"] },
+            "then": {
+                "oneOf": [{ "required": ["length"] }, { "required": ["pretension"] }],
+                "allOf": [either("bollard", "bollard_height", "bitts")]
+            },
+            "else": {
+                "properties": AT_THE_FAR_END.iter().map(|key| ((*key).to_owned(), json!(false)))
+                    .collect::<serde_json::Map<String, serde_json::Value>>()
+            }
+        })
+    }),
+};
+
+static CONSTANT_TENSION: TableSpec = TableSpec {
+    what: "a constant-tension winch",
+    doc: "A winch that pays out above a band about its set tension, and heaves in below it. Its brake renders at 60 % of the break load, as \
+          that of other winches. Orders to heave or to pay out come first, until the order to hold. The default values are \
+          assumptions, not from a source.",
+    keys: &[
+        key(
+            "tension",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
+            Refused,
+            "The set tension.",
+            &["\"150 kN\""],
+        ),
+        key(
+            "band",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 0.9 }),
+            Is("0.1"),
+            "Half of the width of the band in which it stands still, as a share of the set tension.",
+            &["0.2"],
+        ),
+        key(
+            "heaving_speed",
+            Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.0, high: 20.0 }),
+            Is("0.25"),
+            "The largest speed of heaving in.",
+            &["\"0.2 m/s\""],
+        ),
+        key(
+            "paying_out_speed",
+            Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.0, high: 20.0 }),
+            Is("0.25"),
+            "The largest speed of paying out.",
+            &["\"0.3 m/s\""],
+        ),
+    ],
+    rules: None,
+};
+
+static ON_DECK: TableSpec = TableSpec {
+    what: "a rope on deck",
+    doc: "Rope on deck between winch or bitts and the chock. It stretches with the tension that reaches it over the chock, T e^(−μφ) by the \
+          capstan's equation for a rope that is hauled outboard. Assumed: this share also where the tension falls, so that the rope is elastic; \
+          brake and stall of a winch are compared with the tension outboard.",
+    keys: &[
+        key("length", Kind::Quantity(LENGTH), Refused, "Its unstretched length.", &["\"25 m\""]),
+        key(
+            "friction",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 2.0 }),
+            Is("0"),
+            "Coefficient of friction μ of the rope on the chock; 0, also of a roller that turns: the whole tension reaches the rope on deck.",
+            &["0.2"],
+        ),
+        key(
+            "wrap",
+            Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.0, high: 12.6 }),
+            Is("\"90 deg\""),
+            "Angle φ by which the rope is bent about the chock, and about all that it touches on deck.",
+            &["\"60 deg\""],
+        ),
+    ],
+    rules: Some(|| json!({ "dependentRequired": { "wrap": ["friction"] } })),
+};
+
+const AXIAL_STIFFNESS: KeySpec = key(
+    "axial_stiffness",
+    Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e13 }),
+    Means("`rope` or `load_extension` has its stretch"),
+    "EA of the rope, the tension over the strain; with `rope = \"own\"`.",
+    &["\"11.25 MN\""],
+);
+const LOAD_EXTENSION: KeySpec = key(
+    "load_extension",
+    Kind::FileName,
+    Means("`rope` or `axial_stiffness` has its stretch"),
+    "File with the load-extension curve of the rope; with `rope = \"own\"`. Its columns are `extension_percent` and `load_kn` or \
+     `load_percent` of the break load. The first row is 0, 0 and both columns rise. Between the rows and beyond the last the curve is straight.",
+    &["\"rope.csv\""],
+);
+
+/// Either key of a rope of one's own, and neither of another.
+fn rope_rules() -> serde_json::Value {
+    json!({
+        "if": { "properties": { "rope": { "const": "own" } }, "required": ["rope"] },
+        "then": { "oneOf": [
+            { "required": ["axial_stiffness"] }, { "required": ["load_extension"] }
+        ] },
+        "else": { "properties": { "axial_stiffness": false, "load_extension": false } }
+    })
+}
+
+static TAIL: TableSpec = TableSpec {
+    what: "a tail",
+    doc: "A softer tail in series.",
+    keys: &[
+        key("rope", Kind::Choice(&ROPES), Is("\"nylon\""), "Material of the rope.", &["\"nylon\""]),
+        AXIAL_STIFFNESS,
+        LOAD_EXTENSION,
+        key(
+            "break_load",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
+            Refused,
+            "Its break force.",
+            &["\"1500 kN\""],
+        ),
+        key("length", Kind::Quantity(LENGTH), Is("11"), "Its length.", &["\"11 m\""]),
+    ],
+    rules: Some(rope_rules),
+};
+
+/// The curve of each material; `None`: the file's own.
+pub type BuiltIn = Option<fn() -> RopeCurve>;
+
+static ROPES: Choices<BuiltIn> = Choices(&[
+    Choice { word: "wire", value: Some(RopeCurve::wire), doc: "steel wire with a steel core" },
+    Choice { word: "hmpe", value: Some(RopeCurve::hmpe), doc: "high-modulus polyethylene" },
+    Choice { word: "polyester", value: Some(RopeCurve::polyester), doc: "polyester" },
+    Choice { word: "nylon", value: Some(RopeCurve::nylon), doc: "nylon, as tails are made of" },
+    Choice {
+        word: "own",
+        value: None,
+        doc: "a rope of one's own, by `axial_stiffness` or `load_extension`",
+    },
+]);
+
+pub(super) static BOLLARD: TableSpec = TableSpec {
+    what: "a bollard",
+    doc: "A bollard to which the order `send` sends lines.",
+    keys: &[
+        key(
+            "on",
+            Kind::BodyName,
+            Refused,
+            "The body that it stands on: a quay, a dolphin, another ship.",
+            &["\"quay\""],
+        ),
+        key(
+            "at",
+            Kind::Point(POSITION),
+            Refused,
+            "Its place, forward and starboard of that body's origin.",
+            &["[60, 2]"],
+        ),
+        key(
+            "height",
+            Kind::Quantity(PLACE),
+            Is("0"),
+            "Its height above the still water; on a fixed body above datum.",
+            &["\"4 m\""],
+        ),
+        key("lines", Kind::Quantity(COUNT), Is("4"), "How many lines it takes at once.", &["2"]),
+    ],
+    rules: None,
+};
+
+pub(super) static LINE_HANDLING: TableSpec = TableSpec {
+    what: "the handling of lines",
+    doc: "How lines that an order sends come to a bollard. A gang takes one line at a time; further lines wait. The default \
+          values are assumptions, not from a source.",
+    keys: &[
+        key("gangs", Kind::Quantity(COUNT), Is("2"), "Number of gangs of line handlers.", &["1"]),
+        key(
+            "heaving_line",
+            Kind::Quantity(LENGTH),
+            Is("30"),
+            "Farthest distance from fairlead to bollard that a heaving line reaches.",
+            &["\"25 m\""],
+        ),
+        key(
+            "time",
+            Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 1e5 }),
+            Is("60"),
+            "Time with a heaving line, until the eye is over the bollard.",
+            &["\"90 s\""],
+        ),
+        key(
+            "boat",
+            Kind::Flag,
+            Is("true"),
+            "A boat carries lines that a heaving line does not reach.",
+            &["false"],
+        ),
+        key(
+            "boat_speed",
+            Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.01, high: 20.0 }),
+            Is("1"),
+            "Speed of the boat with a line; its time comes on top.",
+            &["\"2 kn\""],
+        ),
+    ],
+    rules: None,
+};
+
+/// A number of gangs, or of lines at a bollard.
+pub(super) const COUNT: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 100.0 };

@@ -1,0 +1,190 @@
+//! Keys of passing ships, and of the flow between vessels.
+
+use fenderline_sim::passing::{Berth, DepthFactors};
+use serde_json::json;
+
+use super::quantities::{DIRECTION, LENGTH, POSITION};
+use crate::choices::{Choice, Choices};
+use crate::spec::Absent::{Is, Means, Refused, Unless};
+use crate::spec::{CurveSpec, Kind, Quantity, TableSpec, key};
+use crate::units::measures as unit;
+
+pub(super) static PASSING: TableSpec = TableSpec {
+    what: "a passing ship",
+    doc: "A ship that passes on a track, whatever acts on her. The flow about her pushes the vessels, by Wang's (1975) method for \
+          slender ships. She touches nothing.",
+    keys: &[
+        key(
+            "vessel",
+            Kind::Text,
+            Unless("`length`, `beam` and `draught` are given"),
+            "A vessel of the library, of `vessel_files` or of this file.",
+            &["\"kcs\""],
+        ),
+        key("length", Kind::Quantity(SHIP), Unless("`vessel` is given"), "Length.", &["\"185 m\""]),
+        key("beam", Kind::Quantity(SHIP), Unless("`vessel` is given"), "Beam.", &["\"26 m\""]),
+        key("draught", Kind::Quantity(SHIP), Unless("`vessel` is given"), "Draught.", &["7"]),
+        key("midship_coefficient", Kind::Quantity(COEFFICIENT), Is("0.98"), MIDSHIP, &["0.95"]),
+        key("sections", Kind::Choice(&SECTIONS), Is("\"parabola\""), AREAS, &["\"outline\""]),
+        key(
+            "outline",
+            Kind::Outline(POSITION),
+            Means("that of `vessel`, or a rectangle"),
+            "Her waterline about midship, for `sections = \"outline\"` and for the plan.",
+            &["[[-92, -13], [70, -13], [92, 0], [70, 13], [-92, 13]]"],
+        ),
+        key(
+            "position",
+            Kind::Vector(POSITION),
+            Unless("`waypoints` are given"),
+            "A point on her straight track: north, east.",
+            &["[0, 9000]"],
+        ),
+        key(
+            "heading",
+            Kind::Quantity(DIRECTION),
+            Unless("`waypoints` are given"),
+            "The direction of her straight track.",
+            &["\"90 deg\""],
+        ),
+        key(
+            "waypoints",
+            Kind::Points(POSITION, 2, 1000),
+            Means("she goes straight through `position`"),
+            "Her track: north, east of each waypoint. Before the first and after the last she goes straight on.",
+            &["[[-2000, 9000], [0, 9000], [2000, 9900]]"],
+        ),
+        key(
+            "turning_radius",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1.0, high: 1e5 }),
+            Means("three of her lengths"),
+            "Radius of her bends at the waypoints.",
+            &["\"600 m\""],
+        ),
+        key(
+            "speed",
+            Kind::Quantity(PACE),
+            Unless("`speeds` are given"),
+            "Her speed over the ground.",
+            &["\"8 kn\""],
+        ),
+        key(
+            "speeds",
+            Kind::Curve(&PACES),
+            Means("`speed` throughout"),
+            "Her speed by time: rows of time and speed; straight lines in between, held before the first and after the last.",
+            &["[[0, \"8 kn\"], [\"5 min\", \"5 kn\"]]"],
+        ),
+        key(
+            "time",
+            Kind::Quantity(MOMENT),
+            Is("0"),
+            "When she is at `position`, or at the first of `waypoints`.",
+            &["\"5 min\""],
+        ),
+        key(
+            "depth_factors",
+            Kind::Choice(&DEPTHS),
+            Refused,
+            "How the forces of deep water are corrected for the depth.",
+            &["\"kriebel\""],
+        ),
+        key(
+            "berth",
+            Kind::Choice(&BERTHS),
+            Is("\"open\""),
+            "What is behind the vessels that she passes.",
+            &["\"quay\""],
+        ),
+    ],
+    rules: Some(|| {
+        json!({ "allOf": [
+            { "oneOf": [
+                { "required": ["vessel"], "properties": { "length": false, "beam": false, "draught": false } },
+                { "required": ["length", "beam", "draught"], "properties": { "vessel": false } }
+            ] },
+            { "oneOf": [
+                {
+                    "required": ["position", "heading"],
+                    "properties": { "waypoints": false, "turning_radius": false }
+                },
+                { "required": ["waypoints"], "properties": { "position": false, "heading": false } }
+            ] },
+            { "oneOf": [
+                { "required": ["speed"], "properties": { "speeds": false } },
+                { "required": ["speeds"], "properties": { "speed": false } }
+            ] }
+        ] })
+    }),
+};
+
+pub(super) static INTERACTION: TableSpec = TableSpec {
+    what: "an interaction",
+    doc: "The vessels in the flow of passing ships and of each other.",
+    keys: &[
+        key(
+            "between_vessels",
+            Kind::Flag,
+            Is("false"),
+            "Whether the flow about each vessel pushes the others: when they meet, overtake, or lie beside each other. In deep water and \
+             without lift; off for vessels shorter than 3.5 beams, such as tugs, and nearer than a quarter of the mean beam.",
+            &["true"],
+        ),
+        key("midship_coefficient", Kind::Quantity(COEFFICIENT), Is("0.98"), MIDSHIP, &["0.95"]),
+        key("sections", Kind::Choice(&SECTIONS), Is("\"parabola\""), AREAS, &["\"outline\""]),
+    ],
+    rules: None,
+};
+
+const MIDSHIP: &str = "Area of the midship section over beam and draught. 0.98 is an assumption.";
+const AREAS: &str = "The areas of the sections along the length.";
+const SHIP: Quantity = Quantity { measure: LENGTH.measure, low: 0.1, high: 1000.0 };
+const COEFFICIENT: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.3, high: 1.0 };
+const PACE: Quantity = Quantity { measure: &unit::SPEED, low: 0.0, high: 50.0 };
+const MOMENT: Quantity = Quantity { measure: &unit::TIME, low: -1e8, high: 1e8 };
+
+static PACES: CurveSpec = CurveSpec { from: ("time", MOMENT), to: ("speed", PACE), fewest: 1 };
+
+/// How sectional areas are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SectionsBy {
+    /// A parabola over the length.
+    Parabola,
+    /// The beam of the outline.
+    Outline,
+}
+
+static SECTIONS: Choices<SectionsBy> = Choices(&[
+    Choice {
+        word: "parabola",
+        value: SectionsBy::Parabola,
+        doc: "a parabola from the midship section to nothing at both ends, as in Wang's paper",
+    },
+    Choice {
+        word: "outline",
+        value: SectionsBy::Outline,
+        doc: "the beam of the outline at each section, times draught and midship coefficient",
+    },
+]);
+
+static DEPTHS: Choices<DepthFactors> = Choices(&[
+    Choice {
+        word: "none",
+        value: DepthFactors::DeepWater,
+        doc: "not at all; in shallow water model tests found several times these forces",
+    },
+    Choice {
+        word: "kriebel",
+        value: DepthFactors::Kriebel,
+        doc: "by factors from Kriebel's (2005) model tests of parallel passing, which are recalled: the paper was not read",
+    },
+]);
+
+static BERTHS: Choices<Berth> = Choices(&[
+    Choice { word: "open", value: Berth::Open, doc: "a jetty that the water flows through" },
+    Choice {
+        word: "quay",
+        value: Berth::Quay,
+        doc: "a quay wall: surge times 1.4, sway 0.4, yaw 0.5, an estimate from figures of Swiegers (2011)",
+    },
+]);

@@ -1,0 +1,267 @@
+//! Keys of vessels.
+
+use serde_json::json;
+
+use super::azimuth::AZIMUTH;
+use super::coefficients::{CURRENT_COEFFICIENTS, WIND_COEFFICIENTS};
+use super::environment::{HYDRODYNAMICS_DOC, WAVE_RESPONSE_DOC};
+use super::quantities::{FORCE, LENGTH, PLACE};
+use super::windage::WINDAGE;
+
+use crate::spec::Absent::{Is, Means, Refused};
+use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::units::measures as unit;
+
+pub(super) static VESSEL: TableSpec = TableSpec {
+    what: "a vessel",
+    doc: "A kind of vessel: from main particulars, with everything else estimated and reported as an estimate, or a \
+          vessel of the library with other machinery, wind areas or stability. Bodies name it by their key \
+          `vessel`; several may be of one kind.",
+    keys: &[
+        key(
+            "from",
+            Kind::Text,
+            Means("it has its own particulars"),
+            "A vessel of the library or of `vessel_files`. Its hull, propeller and rudder stay; thrusters, azimuth \
+             units, wind areas and stability given here replace its own.",
+            &["\"kvlcc2\""],
+        ),
+        key(
+            "length_bp",
+            Kind::Quantity(LENGTH),
+            Means("that of `from`"),
+            "Length between perpendiculars.",
+            &["\"285 m\""],
+        ),
+        key("beam", Kind::Quantity(LENGTH), Means("that of `from`"), "Beam.", &["\"46 m\""]),
+        key("draught", Kind::Quantity(LENGTH), Means("that of `from`"), "Draught.", &["\"9 m\""]),
+        key(
+            "block_coefficient",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 1.0 }),
+            Means("that of `from`"),
+            "Volume over length, beam and draught.",
+            &["0.71"],
+        ),
+        key(
+            "centre_of_gravity",
+            Kind::Quantity(PLACE),
+            Means("amidships, or that of `from`"),
+            "Centre of gravity forward of midship; the body's outline is about the centre of gravity.",
+            &["\"-3.4 m\""],
+        ),
+        key(
+            "gyradius",
+            Kind::Quantity(LENGTH),
+            Means("a quarter of the length"),
+            "Radius of gyration in yaw, without added mass.",
+            &["\"72 m\""],
+        ),
+        key(
+            "propeller",
+            Kind::Table(&PROPELLER),
+            Means("that of `from`, or none"),
+            "Propeller and shaft.",
+            &[],
+        ),
+        key("rudder", Kind::Table(&RUDDER), Means("that of `from`, or none"), "Rudder.", &[]),
+        key("thruster", Kind::Named(&THRUSTER), Is("{}"), "Tunnel thrusters, by name.", &[]),
+        key(
+            "azimuth",
+            Kind::Named(&AZIMUTH),
+            Is("{}"),
+            "Azimuth units, by name. A vessel without a propeller goes and steers with them.",
+            &[],
+        ),
+        key(
+            "windage",
+            Kind::Table(&WINDAGE),
+            Means("that of `from`, or no wind forces"),
+            "Wind areas.",
+            &[],
+        ),
+        key(
+            "wind_coefficients",
+            Kind::Table(&WIND_COEFFICIENTS),
+            Means("those of `windage`"),
+            "Wind coefficients of one's own.",
+            &[],
+        ),
+        key(
+            "current_coefficients",
+            Kind::Table(&CURRENT_COEFFICIENTS),
+            Means("the hull's force is that of the manoeuvring model"),
+            "Current coefficients of one's own.",
+            &[],
+        ),
+        key(
+            "wave_response",
+            Kind::FileName,
+            Means("an estimate of a box-shaped hull, where `stability` is given"),
+            WAVE_RESPONSE_DOC,
+            &["\"response.csv\""],
+        ),
+        key(
+            "hydrodynamics",
+            Kind::FileName,
+            Means("heave, roll and pitch are oscillators beside the motion in the plane"),
+            HYDRODYNAMICS_DOC,
+            &["\"ship.hydro\""],
+        ),
+        key(
+            "roll_damping",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 1.0 }),
+            Means("0.05 with `hydrodynamics` (our assumption for a hull with bilge keels)"),
+            "Viscous damping of roll as a share of the critical one, beside that of `hydrodynamics`.",
+            &["0.04"],
+        ),
+        key(
+            "stability",
+            Kind::Table(&STABILITY),
+            Means("that of `from`, or no heave, roll or pitch"),
+            "Data for heave, roll and pitch.",
+            &[],
+        ),
+    ],
+    rules: Some(|| {
+        json!({
+            "not": { "required": ["hydrodynamics", "wave_response"] },
+            "dependentRequired": { "roll_damping": ["hydrodynamics"] },
+            "if": { "required": ["from"] },
+            "then": {
+                "properties": {
+                    "length_bp": false, "beam": false, "draught": false, "block_coefficient": false,
+                    "centre_of_gravity": false, "gyradius": false,
+                    "propeller": { "properties": { "diameter": false } },
+                    "rudder": { "properties": { "area": false, "span": false } }
+                }
+            },
+            "else": {
+                "required": ["length_bp", "beam", "draught", "block_coefficient"],
+                "dependentRequired": { "propeller": ["rudder"], "rudder": ["propeller"] },
+                "properties": {
+                    "propeller": { "required": ["diameter", "full"] },
+                    "rudder": { "required": ["area", "span"] }
+                }
+            }
+        })
+    }),
+};
+
+static PROPELLER: TableSpec = TableSpec {
+    what: "a propeller",
+    doc: "Propeller and shaft.",
+    keys: &[
+        key(
+            "diameter",
+            Kind::Quantity(LENGTH),
+            Means("that of `from`"),
+            "Diameter.",
+            &["\"8.5 m\""],
+        ),
+        key(
+            "full",
+            Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-3, high: 1e3 }),
+            Means("that of `from`"),
+            "Full revolutions.",
+            &["\"95 rpm\""],
+        ),
+        key(
+            "reversal",
+            Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.1, high: 3600.0 }),
+            Means("that of `from`, or 40 s"),
+            "Time from full ahead to full astern.",
+            &["\"60 s\""],
+        ),
+    ],
+    rules: None,
+};
+
+static RUDDER: TableSpec = TableSpec {
+    what: "a rudder",
+    doc: "Rudder and steering gear.",
+    keys: &[
+        key(
+            "area",
+            Kind::Quantity(Quantity { measure: &unit::AREA, low: 1e-4, high: 1e4 }),
+            Means("that of `from`"),
+            "Movable area.",
+            &["\"60 m^2\""],
+        ),
+        key("span", Kind::Quantity(LENGTH), Means("that of `from`"), "Span.", &["\"9 m\""]),
+        key(
+            "rate",
+            Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-4, high: 10.0 }),
+            Means("that of `from`, or 2.32 deg/s"),
+            "Rate of the steering gear.",
+            &["\"2.5 deg/s\""],
+        ),
+        key(
+            "stop",
+            Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.01, high: 1.57 }),
+            Means("that of `from`, or 35 deg"),
+            "Largest angle to either side.",
+            &["\"35 deg\""],
+        ),
+    ],
+    rules: None,
+};
+
+/// A tunnel thruster.
+pub static THRUSTER: TableSpec = TableSpec {
+    what: "a thruster",
+    doc: "A tunnel thruster.",
+    keys: &[
+        key(
+            "along",
+            Kind::Quantity(PLACE),
+            Refused,
+            "Its place forward of midship.",
+            &["\"60 m\""],
+        ),
+        key(
+            "force",
+            Kind::Quantity(FORCE),
+            Refused,
+            "Thrust at rest and full power.",
+            &["\"250 kN\""],
+        ),
+        key(
+            "lag",
+            Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 600.0 }),
+            Is("8"),
+            "Time constant.",
+            &["\"10 s\""],
+        ),
+    ],
+    rules: None,
+};
+
+/// Heave, roll and pitch.
+pub static STABILITY: TableSpec = TableSpec {
+    what: "a stability",
+    doc: "Data for heave, roll and pitch.",
+    keys: &[
+        key(
+            "gm",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 100.0 }),
+            Refused,
+            "Metacentric height GM.",
+            &["\"2 m\""],
+        ),
+        key(
+            "gravity_above_keel",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 200.0 }),
+            Refused,
+            "Centre of gravity above the keel, KG.",
+            &["\"10 m\""],
+        ),
+        key(
+            "waterplane_area",
+            Kind::Quantity(Quantity { measure: &unit::AREA, low: 1e-3, high: 1e6 }),
+            Refused,
+            "Waterplane area.",
+            &["\"3000 m^2\""],
+        ),
+    ],
+    rules: None,
+};

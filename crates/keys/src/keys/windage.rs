@@ -1,0 +1,179 @@
+//! Keys of a vessel's wind areas and of the method that computes wind forces from them.
+
+use serde_json::{Value as Json, json};
+
+use super::quantities::{LENGTH, PLACE};
+
+use crate::choices::{Choice, Choices};
+use crate::spec::Absent::{Is, Means, Refused};
+use crate::spec::{Kind, Quantity, TableSpec, key};
+use crate::units::measures as unit;
+
+const AREA: Quantity = Quantity { measure: &unit::AREA, low: 1e-4, high: 1e6 };
+
+/// Areas above the water.
+pub static WINDAGE: TableSpec = TableSpec {
+    what: "a windage",
+    doc: "Wind areas, and the method that computes wind forces from them.",
+    keys: &[
+        key(
+            "method",
+            Kind::Choice(&METHODS),
+            Is("\"blendermann\""),
+            "Method for the wind coefficients. Each method needs particulars of its own.",
+            &["\"blendermann\""],
+        ),
+        key(
+            "frontal_area",
+            Kind::Quantity(AREA),
+            Refused,
+            "Area above the water seen from ahead.",
+            &["\"1700 m^2\""],
+        ),
+        key(
+            "lateral_area",
+            Kind::Quantity(AREA),
+            Refused,
+            "Area above the water seen from the side.",
+            &["\"9000 m^2\""],
+        ),
+        key(
+            "length_overall",
+            Kind::Quantity(LENGTH),
+            Means("the length between perpendiculars"),
+            "Length overall, to which the coefficients refer.",
+            &["\"298 m\""],
+        ),
+        key(
+            "centroid_forward",
+            Kind::Quantity(PLACE),
+            Is("0"),
+            "Centroid of the lateral area forward of midship.",
+            &["\"-5 m\""],
+        ),
+        key(
+            "centroid_height",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 200.0 }),
+            Refused,
+            "Height of that centroid above the water.",
+            &["\"16 m\""],
+        ),
+        key(
+            "type",
+            Kind::Text,
+            Means("`method` is another one"),
+            "Blendermann: type of ship in his table.",
+            &["\"container ship, loaded\""],
+        ),
+        key(
+            "perimeter",
+            Kind::Quantity(LENGTH),
+            Means("`method` is another one"),
+            "Isherwood: length of the side view's outline, from the waterline at the bow over everything to the \
+             waterline at the stern, without masts and ventilators.",
+            &["\"700 m\""],
+        ),
+        key(
+            "superstructure_area",
+            Kind::Quantity(Quantity { measure: &unit::AREA, low: 0.0, high: 1e6 }),
+            Means("`method` is another one"),
+            "Isherwood: area of the superstructure seen from the side; a part of `lateral_area`.",
+            &["\"1500 m^2\""],
+        ),
+        key(
+            "mast_groups",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 50.0 }),
+            Means("`method` is another one"),
+            "Isherwood: groups of masts or king posts seen from the side.",
+            &["1"],
+        ),
+        key(
+            "deck_area",
+            Kind::Quantity(AREA),
+            Means("`method` is another one"),
+            "Fujiwara: area of superstructures, tanks and containers on deck seen from the side; a part of \
+             `lateral_area`.",
+            &["\"1500 m^2\""],
+        ),
+        key(
+            "deck_centroid_forward",
+            Kind::Quantity(PLACE),
+            Means("`method` is another one"),
+            "Fujiwara: centroid of that area forward of midship.",
+            &["\"0 m\""],
+        ),
+        key(
+            "top_height",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 300.0 }),
+            Means("`method` is another one"),
+            "Fujiwara: top of the superstructure above the water.",
+            &["\"45 m\""],
+        ),
+    ],
+    rules: Some(|| {
+        let with = |method: WindageMethod| {
+            let foreign = METHODS.0.iter().filter(|other| other.value != method);
+            let refused: serde_json::Map<String, Json> = foreign
+                .flat_map(|other| other.value.keys())
+                .map(|key| ((*key).to_owned(), json!(false)))
+                .collect();
+            json!({ "required": method.keys(), "properties": refused })
+        };
+        let others = METHODS.0.iter().rev().filter(|other| other.value != DEFAULT_METHOD);
+        others.fold(with(DEFAULT_METHOD), |otherwise, method| {
+            json!({
+                "if": {
+                    "properties": { "method": { "const": method.word } }, "required": ["method"]
+                },
+                "then": with(method.value),
+                "else": otherwise
+            })
+        })
+    }),
+};
+
+/// How wind forces are computed from the areas.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WindageMethod {
+    /// By Blendermann.
+    Blendermann,
+    /// By Isherwood.
+    Isherwood,
+    /// By Fujiwara.
+    Fujiwara,
+}
+
+/// The method where the file names none.
+const DEFAULT_METHOD: WindageMethod = WindageMethod::Blendermann;
+
+impl WindageMethod {
+    /// The keys that this method needs and no other method may have.
+    pub fn keys(self) -> &'static [&'static str] {
+        match self {
+            WindageMethod::Blendermann => &["type"],
+            WindageMethod::Isherwood => &["perimeter", "superstructure_area", "mast_groups"],
+            WindageMethod::Fujiwara => &["deck_area", "deck_centroid_forward", "top_height"],
+        }
+    }
+}
+
+/// The methods.
+pub static METHODS: Choices<WindageMethod> = Choices(&[
+    Choice {
+        word: "blendermann",
+        value: WindageMethod::Blendermann,
+        doc: "Blendermann 1994: four parameters of a type of ship; formulas and table read in a public toolbox, not \
+             in the paper",
+    },
+    Choice {
+        word: "isherwood",
+        value: WindageMethod::Isherwood,
+        doc: "Isherwood 1972: a regression over merchant ships; its tables read in a public toolbox, not in the paper",
+    },
+    Choice {
+        word: "fujiwara",
+        value: WindageMethod::Fujiwara,
+        doc: "Fujiwara, Ueno & Nimura 1998: a regression over ships with a superstructure; coefficients read in a \
+             public code, not in the paper; no printed number was found to compare with",
+    },
+]);

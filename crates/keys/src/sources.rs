@@ -1,0 +1,243 @@
+//! The texts that a scenario comes from, on one axis of positions: first the bytes of the file, then two positions for
+//! each override, of its key and of its value. The start of a span tells which of them it belongs to.
+
+use core::cell::OnceCell;
+use core::ops::Range;
+
+use crate::error::{Place, ScenarioError, Snippet};
+use crate::origin::Origin;
+use crate::overrides::Override;
+use crate::printable::printable_char;
+
+/// A range of positions: bytes of the file, or the position of an override's key or value.
+pub type Span = Range<usize>;
+
+/// The file and the overrides on top of it.
+#[derive(Clone)]
+pub struct Sources<'a> {
+    /// The name of the file.
+    pub file_name: &'a str,
+    /// The text of the file.
+    pub text: &'a str,
+    /// What replaces keys of the file.
+    pub overrides: &'a [Override],
+    /// Computed when the first place is queried: a scenario without errors or notices needs none.
+    marks: OnceCell<Vec<Mark>>,
+}
+
+/// A byte of the text whose line and column are known. There is one at the start of each line and every few hundred
+/// bytes of a long line. Finding a place scans from the nearest mark; scanning the whole text would take quadratic time
+/// in a file with a notice on every line.
+#[derive(Clone, Copy, Debug)]
+struct Mark {
+    byte: usize,
+    /// From 0.
+    line: usize,
+    /// From 0, in characters.
+    column: usize,
+}
+
+/// Bytes between two marks of a line, to within one character.
+const BETWEEN_MARKS: usize = 256;
+
+/// The marks of a text, in one pass.
+fn marks(text: &str) -> Vec<Mark> {
+    let mut marks = vec![Mark { byte: 0, line: 0, column: 0 }];
+    let mut here = marks[0];
+    let mut chars = text.chars().peekable();
+    while let Some(c) = chars.next() {
+        here.byte += c.len_utf8();
+        here.column += 1;
+        // A carriage return alone ends a line too.
+        if c == '\n' || (c == '\r' && chars.peek() != Some(&'\n')) {
+            here = Mark { line: here.line + 1, column: 0, ..here };
+        }
+        if here.column == 0 || here.byte >= marks[marks.len() - 1].byte + BETWEEN_MARKS {
+            marks.push(here);
+        }
+    }
+    marks
+}
+
+impl<'a> Sources<'a> {
+    /// The sources of a file.
+    pub fn new(file_name: &'a str, text: &'a str, overrides: &'a [Override]) -> Sources<'a> {
+        Sources { file_name, text, overrides, marks: OnceCell::new() }
+    }
+}
+
+impl Sources<'_> {
+    /// The span of the key of the override of this index.
+    pub fn override_key_span(&self, index: usize) -> Span {
+        let position = self.text.len() + 1 + 2 * index;
+        position..position
+    }
+
+    /// The span of everything in the value of the override of this index.
+    pub fn override_span(&self, index: usize) -> Span {
+        let position = self.text.len() + 2 + 2 * index;
+        position..position
+    }
+
+    /// The override that a span belongs to, and where its key or value comes from if it is known.
+    fn override_of(&self, span: &Span) -> Option<(&Override, Option<&Origin>)> {
+        let position = span.start.checked_sub(self.text.len() + 1)?;
+        let own = &self.overrides[position / 2];
+        let origin = if position % 2 == 0 { own.key_origin() } else { own.origin() };
+        Some((own, origin))
+    }
+
+    /// Where a span of the file is, for errors about another file that takes its values from here.
+    pub fn origin(&self, span: &Span) -> Origin {
+        Origin { place: self.place(span), snippet: self.snippet(span), note: None }
+    }
+
+    /// Where a span starts.
+    pub fn place(&self, span: &Span) -> Place {
+        match self.override_of(span) {
+            Some((_, Some(origin))) => return origin.place.clone(),
+            Some((own, None)) => return Place::Option { text: own.shown().to_owned() },
+            None => {}
+        }
+        let at = self.boundary(span.start);
+        let marks = self.marks.get_or_init(|| marks(self.text));
+        // The first mark is at byte 0, so some mark is at or before any place.
+        let mark = marks[marks.partition_point(|mark| mark.byte <= at) - 1];
+        Place::File {
+            name: self.file_name.to_owned(),
+            line: mark.line + 1,
+            column: mark.column + self.text[mark.byte..at].chars().count() + 1,
+        }
+    }
+
+    /// An error about `key` at a span.
+    pub fn error(&self, span: &Span, key: &str, message: impl Into<String>) -> ScenarioError {
+        self.syntax_error(span, Some(key.to_owned()), message.into())
+    }
+
+    /// An error that need not belong to a key.
+    pub fn syntax_error(&self, span: &Span, key: Option<String>, message: String) -> ScenarioError {
+        let error = ScenarioError::new(self.place(span), key, message);
+        match self.override_of(span) {
+            Some((_, Some(origin))) => error.at_origin(origin),
+            _ => error.with_snippet(self.snippet(span)),
+        }
+    }
+
+    /// An error about the file as a whole.
+    pub fn file_error(&self, message: impl Into<String>) -> ScenarioError {
+        let place = Place::WholeFile { name: self.file_name.to_owned() };
+        ScenarioError::new(place, None, message.into())
+    }
+
+    /// The line that a span starts in; `None` for an override, whose place shows all of it.
+    fn snippet(&self, span: &Span) -> Option<Snippet> {
+        if span.start > self.text.len() {
+            return None;
+        }
+        let (start, end) = (self.boundary(span.start), self.boundary(span.end));
+        let ends = ['\n', '\r'];
+        let line_start = self.text[..start].rfind(ends).map_or(0, |newline| newline + 1);
+        let line_end = self.text[start..].find(ends).map_or(self.text.len(), |n| start + n);
+        let before = &self.text[line_start..start];
+        let marked = &self.text[start..end.clamp(start, line_end)];
+        let after = &self.text[start + marked.len()..line_end];
+        Some(cut(before, marked, after.trim_end()))
+    }
+
+    /// The nearest character boundary at or before a position.
+    fn boundary(&self, position: usize) -> usize {
+        self.text.floor_char_boundary(position.min(self.text.len()))
+    }
+}
+
+/// A line in three parts, cut on both sides so that the marked part fits a line of a terminal.
+pub fn cut(before: &str, marked: &str, after: &str) -> Snippet {
+    const BEFORE: usize = 40;
+    const MARKED: usize = 40;
+    const AFTER: usize = 30;
+    let mut line = String::new();
+    let kept: Vec<char> = before.chars().rev().take(BEFORE + 1).collect();
+    if kept.len() > BEFORE {
+        line.push('…');
+        line.extend(kept[..BEFORE].iter().rev().copied().map(printable_char));
+    } else {
+        line.extend(kept.iter().rev().copied().map(printable_char));
+    }
+    let before_count = line.chars().count();
+    let (marked, marked_cut) = first(marked, MARKED);
+    line.push_str(&marked);
+    let marked_count = line.chars().count() - before_count;
+    if marked_cut {
+        line.push('…');
+    } else {
+        let (after, after_cut) = first(after, AFTER);
+        line.push_str(&after);
+        if after_cut {
+            line.push('…');
+        }
+    }
+    Snippet { line: line.trim_end().to_owned(), before: before_count, marked: marked_count.max(1) }
+}
+
+/// The first `count` characters, safe to print, and whether there are more.
+pub fn first(text: &str, count: usize) -> (String, bool) {
+    let mut chars = text.chars();
+    let kept = chars.by_ref().take(count).map(printable_char).collect();
+    (kept, chars.next().is_some())
+}
+
+/// A user's text for a message: in quotes, shortened, safe to print.
+pub fn quoted(text: &str) -> String {
+    let (kept, is_cut) = first(text, 40);
+    if is_cut { format!("\"{kept}…\"") } else { format!("\"{kept}\"") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BETWEEN_MARKS, Sources, cut, marks, quoted};
+    use crate::error::Place;
+
+    #[test]
+    fn a_place_agrees_with_counting_from_the_start() {
+        let long = "x".repeat(BETWEEN_MARKS - 1);
+        let text = format!("a\n\r\nüö{long}大{long}{long}\nlast 👍{long}{long}end");
+        let sources = Sources::new("f", &text, &[]);
+        for (byte, _) in text.char_indices().chain([(text.len(), ' ')]) {
+            let before = &text[..byte];
+            let start = before.rfind('\n').map_or(0, |newline| newline + 1);
+            let place = Place::File {
+                name: "f".to_owned(),
+                line: before.matches('\n').count() + 1,
+                column: before[start..].chars().count() + 1,
+            };
+            assert_eq!(sources.place(&(byte..byte)), place);
+        }
+    }
+
+    #[test]
+    fn finding_a_place_scans_a_bounded_number_of_bytes() {
+        // In a text of one line and in one of many.
+        for text in ["a".repeat(100_000), "大".repeat(50_000), "key = 1\n".repeat(10_000)] {
+            let marks = marks(&text);
+            let longest = marks.windows(2).map(|two| two[1].byte - two[0].byte).max();
+            assert!(longest.is_some_and(|bytes| bytes <= BETWEEN_MARKS + 4), "{longest:?}");
+            assert!(marks.len() <= text.len() / 8 + 2, "{} marks", marks.len());
+        }
+    }
+
+    #[test]
+    fn long_lines_are_cut_on_both_sides_of_the_mark() {
+        let snippet = cut(&"a".repeat(1_000_000), "key", &"b".repeat(1_000_000));
+        assert_eq!(snippet.line.chars().count(), 1 + 40 + 3 + 30 + 1);
+        assert_eq!((snippet.before, snippet.marked), (41, 3));
+        assert_eq!(cut("", &"k".repeat(99), "").line, format!("{}…", "k".repeat(40)));
+        assert_eq!(cut("x = ", "", "").marked, 1);
+    }
+
+    #[test]
+    fn control_characters_do_not_reach_the_terminal() {
+        assert_eq!(cut("a\tb\u{1b}[31m", "c\u{202e}", "").line, "a b\u{FFFD}[31mc\u{FFFD}");
+        assert_eq!(quoted("\u{7}x"), "\"\u{FFFD}x\"");
+    }
+}

@@ -1,0 +1,137 @@
+//! From text to a TOML tree, and TOML's own errors in this crate's form.
+
+use toml::de::DeTable;
+
+use crate::error::ScenarioError;
+use crate::nesting::too_deep;
+use crate::sources::{Sources, Span, quoted};
+
+/// Largest file that is read, in bytes.
+const LARGEST_FILE: usize = 16 << 20;
+
+/// Parses the file.
+pub fn parse<'a>(sources: &Sources<'a>) -> Result<DeTable<'a>, ScenarioError> {
+    let bytes = sources.text.len();
+    if bytes > LARGEST_FILE {
+        let message = format!("the file has {bytes} bytes; a scenario has at most {LARGEST_FILE}");
+        return Err(sources.file_error(message));
+    }
+    let document = DeTable::parse(sources.text).map_err(|error| broken(sources, &error))?;
+    Ok(document.into_inner())
+}
+
+/// TOML's complaint in this crate's form.
+fn broken(sources: &Sources<'_>, error: &toml::de::Error) -> ScenarioError {
+    let is_too_deep = error.message().contains("recursion");
+    let at = if is_too_deep { too_deep(sources.text) } else { error.span() };
+    let span = at.unwrap_or(0..0);
+    let key = enclosing_key(sources.text, span.start);
+    if error.message() == "duplicate key" {
+        return given_twice(sources, &span, key);
+    }
+    let message = match error.message() {
+        _ if is_too_deep => "values are nested too deeply for a scenario".to_owned(),
+        message => format!("this is not TOML: {message}"),
+    };
+    let error = sources.syntax_error(&span, key, message);
+    let unquoted = error.message().contains("must be quoted");
+    if unquoted || follows_a_number(&sources.text[..sources.text.floor_char_boundary(span.start)]) {
+        return error.with_help(
+            "put a text or a number with a unit in quotes, \"0.1 s\"; write a decimal point, 0.1",
+        );
+    }
+    error
+}
+
+/// The error for a key or table that is given twice; it names the line of the first.
+fn given_twice(sources: &Sources<'_>, span: &Span, key: Option<String>) -> ScenarioError {
+    let quotes = ['"', '\''];
+    let name = sources.text.get(span.clone()).unwrap_or_default().trim_matches(quotes);
+    let is_named =
+        |key: &&str| key.rsplit('.').next().is_some_and(|last| last.trim_matches(quotes) == name);
+    let message = match key.as_deref().filter(is_named) {
+        None => format!("{} is given twice", quoted(name)),
+        Some(key) => match first_line(&sources.text[..span.start], key) {
+            None => format!("`{key}` is given twice"),
+            Some(line) => format!("`{key}` is given twice; first in line {line}"),
+        },
+    };
+    sources.syntax_error(span, key, message).with_help("keep one of the two, or rename one")
+}
+
+/// The line, from 1, that first has a key or a table, in the text `before` its second occurrence.
+fn first_line(before: &str, key: &str) -> Option<usize> {
+    let (above, _) = before.rsplit_once('\n')?;
+    let second = &before[above.len() + 1..];
+    if header(second).is_some() || second.trim_start().starts_with('[') {
+        return above
+            .lines()
+            .position(|line| header(line).is_some_and(|it| it == key))
+            .map(|i| i + 1);
+    }
+    // A key is given twice in one table. Look only there: the tables of a list have the same keys.
+    let name = key.rsplit('.').next().unwrap_or(key);
+    let own = above.lines().enumerate().collect::<Vec<_>>();
+    let own = own.iter().rev().take_while(|(_, line)| header(line).is_none());
+    let is_it = |line: &str| line.split_once('=').is_some_and(|(key, _)| key.trim() == name);
+    own.filter(|(_, line)| is_it(line)).last().map(|(index, _)| index + 1)
+}
+
+/// True after `step = 0.1 ` or `step = 0`, where an unquoted unit or a decimal comma follows.
+fn follows_a_number(before: &str) -> bool {
+    let line = before.rsplit('\n').next().unwrap_or_default();
+    line.rsplit_once(['=', '[', ',']).is_some_and(|(_, value)| {
+        value.trim().trim_end_matches(char::is_alphabetic).trim().parse::<f64>().is_ok()
+    })
+}
+
+/// The key that a place in broken text most likely belongs to: the text before the `=` of its line, under the last
+/// table header above it.
+fn enclosing_key(text: &str, position: usize) -> Option<String> {
+    let position = text.floor_char_boundary(position.min(text.len()));
+    let line_start = text[..position].rfind('\n').map_or(0, |newline| newline + 1);
+    let line = text[line_start..].lines().next().unwrap_or_default();
+    if let Some(header) = header(line) {
+        return Some(header);
+    }
+    let table = text[..line_start].lines().rev().find_map(header);
+    let key = line.split_once('=').and_then(|(key, _)| plausible_key(key));
+    match (table, key) {
+        (Some(table), Some(key)) => Some(format!("{table}.{key}")),
+        (table, key) => table.or(key),
+    }
+}
+
+/// What a line like `[body.tug]` or `[[pair]]` holds, closed or not. Tables of scenarios start with
+/// a letter, unlike the points of an outline.
+fn header(line: &str) -> Option<String> {
+    let inner = line.trim_start().strip_prefix('[')?.trim_start_matches('[');
+    let inner = inner.split(']').next().filter(|inner| inner.starts_with(char::is_alphabetic));
+    plausible_key(inner?)
+}
+
+/// The text, if it may be a dotted key.
+fn plausible_key(text: &str) -> Option<String> {
+    const LONGEST: usize = 120;
+    let text = text.trim();
+    let is_key_char = |c: char| c.is_alphanumeric() || "_-. \"'".contains(c);
+    let first_fits = text.starts_with(|c: char| c.is_alphanumeric() || "_\"'".contains(c));
+    (first_fits && text.len() <= LONGEST && text.chars().all(is_key_char)).then(|| text.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::enclosing_key;
+
+    #[test]
+    fn broken_text_is_placed_under_its_key() {
+        let text = "title = 1\n[body.tug]\nmass = = 2\nx\n[[pair]\n";
+        let key = |part: &str| enclosing_key(text, text.find(part).unwrap());
+        assert_eq!(key("1").as_deref(), Some("title"));
+        assert_eq!(key("= 2").as_deref(), Some("body.tug.mass"));
+        assert_eq!(key("x").as_deref(), Some("body.tug"));
+        assert_eq!(key("[pair").as_deref(), Some("pair"));
+        assert_eq!(enclosing_key("[[[[", 2), None);
+        assert_eq!(enclosing_key("", 0), None);
+    }
+}

@@ -1,0 +1,73 @@
+//! Heave, roll and pitch of a ship.
+//!
+//! Each of the three is a damped oscillator with mass or inertia (added mass included), linear damping and hydrostatic
+//! restoring. They are driven by the moments of all horizontal forces about the centre of gravity, with the height at
+//! which each force acts. The horizontal motion depends on them only at fenders that meet a hull with outlines by height
+//! (`HullByHeight` of the crate `fenderline-sim`). First-order wave motion is superposed, and does
+//! not pass through the oscillators. This is a low-frequency model with constant added mass: it has no memory terms as
+//! in Cummins' equation, and no coupling of heave and pitch.
+
+use fenderline_contact::Vec2;
+
+mod oscillator;
+mod particulars;
+
+pub use oscillator::{Motion, Oscillator};
+pub use particulars::{AttitudeError, HydrostaticParticulars, Hydrostatics, oscillator_estimates};
+
+/// Heave, roll and pitch of one ship.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Attitude {
+    /// Heave from the level at rest, positive down (m, m/s).
+    pub heave: Motion,
+    /// Roll, positive to starboard (rad, rad/s).
+    pub roll: Motion,
+    /// Pitch, positive bow up (rad, rad/s).
+    pub pitch: Motion,
+}
+
+/// Force and moments on heave, roll and pitch: means over a step, in the body's axes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AttitudeLoad {
+    /// Vertical force beyond weight and buoyancy, positive down (N).
+    pub heave_n: f64,
+    /// Moment about the longitudinal axis, positive to starboard (N·m).
+    pub roll_nm: f64,
+    /// Moment about the transverse axis, positive bow up (N·m).
+    pub pitch_nm: f64,
+}
+
+impl AttitudeLoad {
+    /// Adds a horizontal force in the body's axes (forward, to starboard) that acts `above_m` above the centre of gravity. A
+    /// force to starboard above it heels the ship to starboard; a force forward trims her by the bow.
+    pub fn add(&mut self, forward_n: f64, starboard_n: f64, above_m: f64) {
+        self.roll_nm += starboard_n * above_m;
+        self.pitch_nm -= forward_n * above_m;
+    }
+
+    /// Adds a vertical force, positive up (N), at a place forward and to starboard of the centre of gravity (m).
+    pub fn add_upward(&mut self, up_n: f64, at_m: Vec2) {
+        self.heave_n -= up_n;
+        self.roll_nm -= up_n * at_m.y;
+        self.pitch_nm += up_n * at_m.x;
+    }
+}
+
+impl Attitude {
+    /// The attitude after `step_s` seconds under a constant load. The solution is exact for any step.
+    #[must_use]
+    pub fn after(&self, hydrostatics: &Hydrostatics, load: &AttitudeLoad, step_s: f64) -> Attitude {
+        Attitude {
+            heave: hydrostatics.heave.after(self.heave, load.heave_n, step_s),
+            roll: hydrostatics.roll.after(self.roll, load.roll_nm, step_s),
+            pitch: hydrostatics.pitch.after(self.pitch, load.pitch_nm, step_s),
+        }
+    }
+
+    /// Sinkage of a point of the hull from its position at rest (m), for small angles. The point is `forward_m` forward and
+    /// `starboard_m` to starboard of the centre of gravity.
+    #[must_use]
+    pub fn sinkage_m(&self, forward_m: f64, starboard_m: f64) -> f64 {
+        self.heave.value - forward_m * self.pitch.value + starboard_m * self.roll.value
+    }
+}

@@ -1,0 +1,51 @@
+//! The environment of a ship: wind, current, waves, long waves, tide and banks.
+//!
+//! Everything here is a pure function of time and position, without state, so a run can be copied, restored and
+//! replayed bit for bit. Random processes are sums of harmonics with phases from a seed. Inputs are checked once, when
+//! they are created; after that no function fails.
+//!
+//! Axes: positions and velocities earth-fixed, x north and y east; forces on a ship [X, Y, N] in her own
+//! axes about midship, x forward, y to starboard, N positive to starboard. Doc comments say how well the source of a
+//! formula is known. *Found*: read in a public source. *Recalled*: from memory, to be checked. *Derived*: by this project.
+//!
+//! ```
+//! use fenderline_contact::vec2;
+//! use fenderline_ship::environment::wind::*;
+//! // Once: a wind with gusts from the west, and the wind areas of a loaded container ship.
+//! let profile = WindProfile::Power { exponent: 1.0 / 7.0 };
+//! let mean = MeanWind { speed_mps: 12.0, from_rad: 270.0_f64.to_radians(), profile };
+//! let gusts = Gusts::new(&mean, &GustSpectrum::Npd, Realisation { harmonics: 60, seed: 1 })?;
+//! let wind = Wind::with_gusts(mean, gusts)?;
+//! let ship = ShipWindage {
+//!     length_m: 298.0,
+//!     beam_m: 46.0,
+//!     frontal_m2: 1700.0,
+//!     lateral_m2: 9000.0,
+//!     centroid_forward_m: 0.0,
+//!     centroid_height_m: 15.0,
+//!     method: WindMethod::Blendermann(Blendermann::of_type("container ship, loaded").unwrap()),
+//! };
+//! ship.check()?;
+//! // In each step: the wind relative to the ship, which heads north at rest, and the force.
+//! let relative = RelativeWind::of(wind.velocity(10.0, 60.0), vec2(0.0, 0.0), 0.0);
+//! let [_, sway_n, _] = ship.force(&relative, 1.224);
+//! assert!(sway_n > 0.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod bank;
+pub mod current;
+mod error;
+mod harmonics;
+mod load_table;
+mod long_waves;
+mod table;
+mod tide;
+pub mod waves;
+pub mod wind;
+
+pub use bank::{Bank, BankMethod, BankWater, ShipAtBank};
+pub use error::EnvironmentError;
+pub use load_table::{LoadTable, Sides};
+pub use long_waves::{LongWaveSite, LongWaveSpectrum, LongWaves};
+pub use tide::{Tide, TideConstituent};

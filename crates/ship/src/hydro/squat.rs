@@ -1,0 +1,74 @@
+//! Squat: sinkage of a ship under way in shallow water.
+
+use crate::constants::STANDARD_GRAVITY_MPS2;
+use fenderline_contact::number::{greater, lesser};
+
+use super::particulars::Particulars;
+use super::shallow::{SHALLOWEST_RATIO, barrass_squat_m, eryuzlu_squat_m, icorels_squat_m};
+
+/// Depth Froude number above which the squat stays constant: displacement ships do not go faster in shallow water.
+pub const FASTEST_FROUDE: f64 = 0.9;
+
+/// The speed of long waves in water of a depth (m): √(gh) (m/s).
+#[must_use]
+pub fn critical_mps(depth_m: f64) -> f64 {
+    (STANDARD_GRAVITY_MPS2 * depth_m).sqrt()
+}
+
+/// A squat formula for open water, as given by PIANC (`shallow/squat_formulas.rs`). Verified against independent
+/// calculations, not validated against trials.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Squat {
+    /// Barrass for open water, [`barrass_squat_m`]: independent of depth, for 1.1 to 1.4 draughts.
+    Barrass,
+    /// ICORELS, [`icorels_squat_m`].
+    #[default]
+    Icorels,
+    /// Eryuzlu et al. 1994, [`eryuzlu_squat_m`]: for 1.1 to 2.5 draughts.
+    Eryuzlu,
+}
+
+impl Squat {
+    /// Its name, for reports.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Squat::Barrass => "Barrass",
+            Squat::Icorels => "ICORELS",
+            Squat::Eryuzlu => "Eryuzlu et al. 1994",
+        }
+    }
+
+    /// Range of depth over draught for which it is valid (recalled); `None`: any shallow depth.
+    #[must_use]
+    pub fn depth_ratios(self) -> Option<[f64; 2]> {
+        match self {
+            Squat::Barrass => Some([1.1, 1.4]),
+            Squat::Icorels => None,
+            Squat::Eryuzlu => Some([1.1, 2.5]),
+        }
+    }
+
+    /// Maximum sinkage of the keel (m) at a surge speed through the water (m/s), ahead or astern.
+    ///
+    /// Above a depth Froude number of 0.9 it is constant: displacement ships do not go faster there, and ICORELS is
+    /// singular at 1. Below [`SHALLOWEST_RATIO`] draughts, also aground, it is that at this depth: no formula is valid for
+    /// less, and squat is continuous where the ship touches the bottom.
+    ///
+    /// # Panics
+    /// If depth or speed is NaN.
+    #[must_use]
+    pub fn sinkage_m(self, ship: &Particulars, depth_m: f64, surge_mps: f64) -> f64 {
+        assert!(!depth_m.is_nan() && !surge_mps.is_nan(), "depth and speed are numbers");
+        let depth_m = greater(depth_m, SHALLOWEST_RATIO * ship.draught_m);
+        let limit_mps = FASTEST_FROUDE * critical_mps(depth_m);
+        let speed_mps = lesser(surge_mps.abs(), limit_mps);
+        let formula = match self {
+            Squat::Barrass => barrass_squat_m,
+            Squat::Icorels => icorels_squat_m,
+            Squat::Eryuzlu => eryuzlu_squat_m,
+        };
+        formula(ship, depth_m, speed_mps)
+            .unwrap_or_else(|error| unreachable!("depth and speed are limited: {error}"))
+    }
+}

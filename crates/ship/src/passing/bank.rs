@@ -1,0 +1,39 @@
+//! The pull of a straight wall on a ship who goes along it: the flow of her image behind the wall.
+
+use fenderline_contact::{Pose, Rotation, Vec2, vec2};
+
+use super::flow::{PassingShip, force_above_bottom};
+
+/// Force and moment [X, Y, N] of a wall along a line on a ship who goes ahead or astern beside it, in her axes and about the origin of her
+/// sections (N, N, N·m): that of her image, a ship on the other side of the wall who goes as she goes.
+///
+/// For a ship parallel to the wall Y = (ρu²y/π) ∬ S'S' Σ 1/r³, r² = (x₂−x₁)² + 4y² + 4n²h² with y the distance of her axis from the wall
+/// and n over the images in surface and bottom, h the depth (m; `None`: deep water, n = 0). Derived by this project from the flow of
+/// [`super::force_under_way`]; it is ½u² times the change of her added mass in surge with y. X is zero, and N for a ship who is alike
+/// fore and aft. There is no lift and no wave: the moment that turns the bow away from a bank is not in it.
+#[must_use]
+pub fn force_of_wall(
+    own: &PassingShip<'_>,
+    [from_m, to_m]: [Vec2; 2],
+    density_kgpm3: f64,
+    depth_m: Option<f64>,
+    closest_m: f64,
+) -> [f64; 3] {
+    let along = (to_m - from_m) * (1.0 / (to_m - from_m).length());
+    let mirrored = |v: Vec2| along * (2.0 * along.dot(v)) - v;
+    let Pose { position_m, rotation } = own.pose;
+    let ahead = rotation.apply(vec2(1.0, 0.0));
+    // Her speed across her axis is no part of the flow.
+    let velocity_mps = ahead * own.velocity_mps.dot(ahead);
+    let image_ahead = mirrored(ahead);
+    let image = PassingShip {
+        sections: own.sections,
+        pose: Pose {
+            position_m: from_m + mirrored(position_m - from_m),
+            rotation: Rotation { cos: image_ahead.x, sin: image_ahead.y },
+        },
+        velocity_mps: mirrored(velocity_mps),
+    };
+    let own = PassingShip { velocity_mps, ..*own };
+    force_above_bottom([&own, &image], density_kgpm3, closest_m, depth_m)
+}

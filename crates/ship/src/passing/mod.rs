@@ -1,0 +1,32 @@
+//! Forces of a passing ship on a ship at rest, such as one at her berth.
+//!
+//! Potential flow about slender ships (Wang, Dynamic effects of ship passage on moored vessels, J. Waterways, Harbors and Coastal
+//! Eng. 101, 1975). The passing ship is a row of sources along her axis, by the change of her sectional area and her speed. Where the water
+//! speeds up, the ship at rest is pushed along with the water that she displaces; across her axis her added mass is pushed too, which for
+//! slender ships is that of a half circle of the same area. In the formulas of the paper, with U the passing speed, x along the ships
+//! and S' the slope of a sectional area along x:
+//!
+//! - surge X = ρU²/(2π) ∬ S₁'S₂' (x₂−x₁+ξ)/r³,
+//! - sway Y = ρU²η/π ∬ S₁'S₂'/r³,
+//! - yaw N = ρU²η/π ∬ (S₁'x₁+S₁) S₂'/r³,
+//!
+//! for parallel ships in deep water, at a distance ξ along and η across, r² = (x₂−x₁+ξ)²+η². [`force`] has the same flow for ships at any
+//! angle. A wall beside a ship under way is a mirror: [`force_of_wall`] has the flow of her image.
+//!
+//! The sources make no waves and the flow follows the ships at once, so the formulas are for speeds well below that of long waves in
+//! the depth. The ship at rest does not disturb the flow of the other one. Model tests have forces that grow with U^2.32 (Swiegers,
+//! Calculation of the forces on a moored ship due to a passing container ship, Stellenbosch 2011).
+
+mod bank;
+mod flow;
+mod nearest;
+mod restricted;
+mod sections;
+mod setup;
+
+pub use bank::force_of_wall;
+pub use flow::{PassingShip, force, force_under_way};
+pub use nearest::Nearest;
+pub use restricted::{Berth, factors};
+pub use sections::{Sections, SectionsError};
+pub use setup::{DepthFactors, FlowHull, FlowSetup, HARDLY_SLENDER, NEARLY_CRITICAL, PassingSetup};

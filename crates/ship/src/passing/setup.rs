@@ -1,0 +1,158 @@
+//! Passing ships and interacting hulls of a set-up.
+
+use fenderline_contact::Vec2;
+use fenderline_contact::number::{bounded, greater, lesser};
+
+use super::restricted::{Berth, factors};
+use super::sections::{Sections, SectionsError};
+use crate::track::Track;
+
+/// Length over beam below which a passing ship is named as hardly slender; our choice.
+pub const HARDLY_SLENDER: f64 = 4.0;
+/// Speed of a passing ship over that of long waves in the depth from which her forces are named as too small; our choice.
+pub const NEARLY_CRITICAL: f64 = 0.6;
+
+/// A hull as the flow about it sees it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlowHull {
+    /// Her sections, about midship.
+    pub sections: Sections,
+    /// Length (m).
+    pub length_m: f64,
+    /// Beam (m).
+    pub beam_m: f64,
+    /// Draught (m).
+    pub draught_m: f64,
+}
+
+/// A ship that passes on a track, whatever acts on her. She pushes the vessels, and they do not push her.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PassingSetup {
+    /// Her name.
+    pub name: String,
+    /// Her hull.
+    pub hull: FlowHull,
+    /// Her outline, forward and to starboard of midship (m).
+    pub outline_m: Vec<Vec2>,
+    /// Where she is when.
+    pub track: Track,
+    /// Correction for the depth.
+    pub depth: DepthFactors,
+    /// What the vessels lie at.
+    pub berth: Berth,
+}
+
+/// How forces of a passing ship are corrected for the depth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DepthFactors {
+    /// None: those of deep water.
+    DeepWater,
+    /// By [`super::factors`].
+    Kriebel,
+}
+
+impl PassingSetup {
+    /// Factors on surge, sway and yaw of a vessel in a depth (m; `None`: deep), at a distance between the axes (m).
+    ///
+    /// Beyond the range of the factors their ends are used: a draught of the whole depth, a gap between 0 and 100 beams.
+    #[must_use]
+    pub fn factors(&self, vessel: &FlowHull, depth_m: Option<f64>, across_m: f64) -> [f64; 3] {
+        let mean_beam_m = 0.5 * (vessel.beam_m + self.hull.beam_m);
+        let gap = bounded((across_m.abs() - mean_beam_m) / mean_beam_m, 0.0, 100.0);
+        match (self.depth, depth_m) {
+            (DepthFactors::Kriebel, Some(depth_m)) => {
+                let ratio =
+                    if depth_m > vessel.draught_m { vessel.draught_m / depth_m } else { 1.0 };
+                factors(ratio, gap, self.berth).expect("both are within their ranges")
+            }
+            _ => self.berth.factors(),
+        }
+    }
+}
+
+/// Flow between ships in a set-up.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FlowSetup {
+    /// The hulls of the vessels, in their order; empty if nothing passes, vessels do not act on each other, and no bank acts by an image.
+    pub hulls: Vec<FlowHull>,
+    /// Ships that pass.
+    pub passing: Vec<PassingSetup>,
+    /// Whether the vessels act on each other.
+    pub between_vessels: bool,
+}
+
+impl FlowHull {
+    /// A hull with parabolic sections, or with the beam of an outline about midship at each section (m); the midship coefficient is
+    /// the area of a section over its beam and the draught.
+    ///
+    /// # Errors
+    /// See [`Sections::parabola`] and [`Sections::new`].
+    pub fn new(
+        [length_m, beam_m, draught_m]: [f64; 3],
+        midship_coefficient: f64,
+        outline_m: Option<&[Vec2]>,
+    ) -> Result<FlowHull, SectionsError> {
+        let area_per_beam_m = midship_coefficient * draught_m;
+        let sections = match outline_m {
+            None => Sections::parabola(length_m, area_per_beam_m * beam_m)?,
+            Some(outline_m) => Sections::new(&areas_of(outline_m, area_per_beam_m))?,
+        };
+        Ok(FlowHull { sections, length_m, beam_m, draught_m })
+    }
+
+    /// Whether the flow of slender ships is taken between her and other vessels: a length of 3.5 beams or more; our choice. Tugs are
+    /// shorter.
+    #[must_use]
+    pub fn is_slender(&self) -> bool {
+        self.length_m >= 3.5 * self.beam_m
+    }
+}
+
+/// Sections at even places along an outline: the areas of its beam there.
+fn areas_of(outline_m: &[Vec2], area_per_beam_m: f64) -> Vec<(f64, f64)> {
+    const SECTIONS: u32 = 96;
+    let ends = outline_m.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), point| {
+        (lesser(low, point.x), greater(high, point.x))
+    });
+    let place = |section: u32| {
+        let share = f64::from(section) / f64::from(SECTIONS);
+        // A section at a flat end has the beam of that end.
+        let share = bounded(share, 1e-9, 1.0 - 1e-9);
+        ends.0 + share * (ends.1 - ends.0)
+    };
+    let sections = (0..=SECTIONS).map(place);
+    sections.map(|x_m| (x_m, area_per_beam_m * beam_at_m(outline_m, x_m))).collect()
+}
+
+/// How much of a line across an outline is within it (m).
+fn beam_at_m(outline_m: &[Vec2], x_m: f64) -> f64 {
+    let edges = outline_m.iter().zip(outline_m.iter().cycle().skip(1));
+    let mut sides: Vec<f64> = edges
+        .filter(|(from, to)| (from.x <= x_m) != (to.x <= x_m))
+        .map(|(from, to)| from.y + (x_m - from.x) / (to.x - from.x) * (to.y - from.y))
+        .collect();
+    sides.sort_by(f64::total_cmp);
+    sides.chunks_exact(2).map(|pair| pair[1] - pair[0]).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use fenderline_contact::vec2;
+
+    use super::*;
+
+    #[test]
+    fn sections_of_an_outline_have_its_area_times_the_draught() {
+        let outline = [
+            vec2(-50.0, -10.0),
+            vec2(30.0, -10.0),
+            vec2(50.0, 0.0),
+            vec2(30.0, 10.0),
+            vec2(-50.0, 10.0),
+        ];
+        let hull = FlowHull::new([100.0, 20.0, 8.0], 0.9, Some(&outline)).unwrap();
+        let volume_m3 = 0.9 * 8.0 * (80.0 * 20.0 + 0.5 * 20.0 * 20.0);
+        assert!((hull.sections.volume_m3() / volume_m3 - 1.0).abs() < 1e-3);
+        assert!(hull.is_slender());
+    }
+}

@@ -1,0 +1,77 @@
+//! Motion of a ship with hydrodynamic data in six degrees of freedom, by Cummins' equation.
+//!
+//! | file | content |
+//! |---|---|
+//! | `data.rs` | the data of a panel code, checked and moved to the centre of gravity |
+//! | `check.rs` | the checks |
+//! | `passive.rs` | that no combination of motions gains energy from the data |
+//! | `waves_check.rs` | sizes of exciting and drift forces |
+//! | `error.rs` | what is wrong with data |
+//! | `retardation.rs` | the retardation function, and added mass from damping |
+//! | `memory.rs` | the memory of the water as a bank of resonators |
+//! | `least_squares.rs`, `matrix.rs` | linear algebra |
+//! | `between.rs` | forces between the headings and frequencies of the data |
+//! | `resolution.rs` | the waves that the data do not resolve |
+//! | `forces.rs` | excitation, mean drift and slow drift of a sea |
+//! | `motion.rs` | the time step |
+//! | `sub_steps.rs` | when loads act, where contact takes several sub-steps |
+//! | `place.rs` | the place at which the waves are felt |
+//!
+//! `docs/design/at_the_berth.md` has the reasons.
+
+mod between;
+mod check;
+mod data;
+mod error;
+mod forces;
+mod least_squares;
+pub mod matrix;
+mod memory;
+mod motion;
+mod passive;
+mod place;
+mod resolution;
+mod retardation;
+mod sub_steps;
+mod waves_check;
+
+use std::sync::Arc;
+
+pub use data::{Hydrodynamics, RawHydrodynamics};
+pub use error::{Part, Reason, SeakeepingError};
+pub use forces::{DriftSource, WaveForces, WaveLoad};
+pub use memory::Memory;
+pub use motion::{Motion, MotionState, StepLoad};
+pub use place::SlowPlace;
+pub use resolution::Unresolved;
+pub use retardation::Retardation;
+pub use sub_steps::SubSteps;
+
+/// The names of the six motions.
+pub const MOTIONS: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"];
+
+/// A ship that moves by hydrodynamic data.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Seakeeping {
+    /// The data.
+    pub data: Arc<Hydrodynamics>,
+    /// Viscous damping of roll, as a share of the critical one: bilge keels and the hull's edges, which no panel code has.
+    pub roll_damping: f64,
+}
+
+impl Seakeeping {
+    /// Whether the data are for a depth of water (m; `None`: deep), for a ship of a draught (m): within a tenth, or both deep. Water of more than
+    /// ten draughts counts as deep. Both bounds are our choice.
+    #[must_use]
+    pub fn is_for_depth(&self, depth_m: Option<f64>, draught_m: f64) -> bool {
+        let [of_data_m, of_run_m] =
+            [self.data.depth_m(), depth_m].map(|depth_m| depth_m.unwrap_or(f64::INFINITY));
+        let both_deep = of_data_m > DEEP * draught_m && of_run_m > DEEP * draught_m;
+        both_deep || (of_data_m - of_run_m).abs() <= DEPTH * of_run_m
+    }
+}
+
+/// How far the depth of the data may be from that of the run, as a share of it.
+const DEPTH: f64 = 0.1;
+/// From which depth water counts as deep, in draughts.
+const DEEP: f64 = 10.0;

@@ -1,0 +1,278 @@
+//! Chains of fenders: what they bear in a run.
+//!
+//! A tension chain is part of the panel's law in the contact engine. Shear and weight chains follow from statics: they take
+//! their part of the forces that the engine computes, and do not change those.
+
+use fenderline_contact::number::greater;
+use fenderline_contact::{Contact, Friction, Material, PanelMotion, TensionChain};
+
+/// What a chain holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ChainKind {
+    /// The panel's outward motion at its place.
+    Tension,
+    /// The panel's motion along the berth, either way.
+    Shear,
+    /// The panel's weight, and the vertical friction of a hull that sinks along it.
+    Weight,
+}
+
+impl ChainKind {
+    /// Its name in reports.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            ChainKind::Tension => "tension",
+            ChainKind::Shear => "shear",
+            ChainKind::Weight => "weight",
+        }
+    }
+}
+
+/// A chain of a fender. Slack, stiffness and break load are along the direction that it holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChainSetup {
+    /// What it holds.
+    pub kind: ChainKind,
+    /// Place along the panel from its middle (m); 0 for shear and weight chains.
+    pub at_m: f64,
+    /// Motion before it holds (m); 0 for a weight chain.
+    pub slack_m: f64,
+    /// Stiffness (N/m).
+    pub stiffness_npm: f64,
+    /// Break load (N).
+    pub break_load_n: f64,
+}
+
+/// The tension chains among these, as the engine takes them.
+pub fn tension_chains(chains: &[ChainSetup]) -> Vec<TensionChain> {
+    let of_kind = chains.iter().filter(|chain| chain.kind == ChainKind::Tension);
+    of_kind
+        .map(|chain| TensionChain {
+            at_m: chain.at_m,
+            slack_m: chain.slack_m,
+            stiffness_npm: chain.stiffness_npm,
+            break_load_n: chain.break_load_n,
+        })
+        .collect()
+}
+
+/// What a chain bore in a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChainSummary {
+    /// What it holds.
+    pub kind: ChainKind,
+    /// Largest tension (N): that at which it parted if it has.
+    pub peak_tension_n: f64,
+    /// Start of the step of that tension (s).
+    pub peak_tension_at_s: f64,
+    /// That tension over the break load.
+    pub share_of_break_load: f64,
+    /// Start of the step in which it parted (s).
+    pub parted_at_s: Option<f64>,
+    /// Largest tension in the last step (N); 0 where its fender was not touched, or it had parted before.
+    pub last_tension_n: f64,
+}
+
+/// The tension of a chain in one step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChainTension {
+    /// Index of its fender in the set-up.
+    pub fender: usize,
+    /// Its index among the fender's chains.
+    pub chain: usize,
+    /// What it holds.
+    pub kind: ChainKind,
+    /// Largest tension within the step (N): that at which it parted if it did so in this step, 0 if it had parted before.
+    pub peak_tension_n: f64,
+    /// That tension over the break load.
+    pub share_of_break_load: f64,
+    /// Whether it has parted, in this step or before.
+    pub has_parted: bool,
+}
+
+impl ChainTension {
+    /// Those of a touched fender in the step that was added last.
+    pub fn of<'a>(
+        fender: usize,
+        setups: &'a [ChainSetup],
+        chains: &'a [ChainSummary],
+    ) -> impl Iterator<Item = ChainTension> + 'a {
+        setups.iter().zip(chains).enumerate().map(move |(chain, (setup, now))| ChainTension {
+            fender,
+            chain,
+            kind: now.kind,
+            peak_tension_n: now.last_tension_n,
+            share_of_break_load: now.last_tension_n / setup.break_load_n,
+            has_parted: now.parted_at_s.is_some(),
+        })
+    }
+}
+
+impl ChainSummary {
+    /// The summary of a chain that is loaded first at a time (s).
+    pub fn new(chain: &ChainSetup, t_s: f64) -> ChainSummary {
+        ChainSummary {
+            kind: chain.kind,
+            peak_tension_n: 0.0,
+            peak_tension_at_s: t_s,
+            share_of_break_load: 0.0,
+            parted_at_s: None,
+            last_tension_n: 0.0,
+        }
+    }
+
+    fn add(&mut self, setup: &ChainSetup, tension_n: f64, parts: bool, t_s: f64) {
+        if self.parted_at_s.is_some() {
+            return;
+        }
+        self.last_tension_n = greater(self.last_tension_n, tension_n);
+        if tension_n > self.peak_tension_n {
+            (self.peak_tension_n, self.peak_tension_at_s) = (tension_n, t_s);
+            self.share_of_break_load = tension_n / setup.break_load_n;
+        }
+        self.parted_at_s = parts.then_some(t_s);
+    }
+}
+
+/// Adds a panel's tension chains in a step.
+pub fn add_tension(
+    chains: &mut [ChainSummary],
+    setups: &[ChainSetup],
+    motion: &PanelMotion,
+    t_s: f64,
+) {
+    let of_kind = chains.iter_mut().zip(setups).filter(|(c, _)| c.kind == ChainKind::Tension);
+    let now = motion.peak_tensions_n.iter().zip(&motion.parted);
+    for ((chain, setup), (&tension_n, &parts)) in of_kind.zip(now) {
+        chain.add(setup, tension_n, parts, t_s);
+    }
+}
+
+/// The load of the other chains in a step.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ChainLoad {
+    /// Tangential force on the panel (N).
+    pub tangential_n: f64,
+    /// Vertical friction on the panel, positive down (N).
+    pub vertical_n: f64,
+}
+
+/// A hull that sinks more slowly than this past a panel is partly held by it (m/s): the friction's direction changes
+/// smoothly through zero speed.
+const SLOW_MPS: f64 = 0.01;
+
+impl ChainLoad {
+    /// Of a hull that sinks at a speed (m/s) along a fender of this material. The largest normal force of the step counts.
+    pub fn of(contact: &Contact, material: &Material, sinking_mps: f64) -> ChainLoad {
+        let (normal_n, along_mps) = (contact.peak_normal_force_n, contact.v_tangential_mps);
+        let sliding_n = material.friction_dynamic * normal_n;
+        let along_mps = if contact.friction == Friction::Slip { along_mps } else { 0.0 };
+        let speed_mps =
+            libm::sqrt(sinking_mps * sinking_mps + along_mps * along_mps + SLOW_MPS * SLOW_MPS);
+        ChainLoad {
+            tangential_n: contact.tangential_force_n.abs(),
+            vertical_n: sliding_n * sinking_mps / speed_mps,
+        }
+    }
+}
+
+/// Adds the shear and weight chains of a fender in a step.
+pub fn add_others(
+    chains: &mut [ChainSummary],
+    setups: &[ChainSetup],
+    load: ChainLoad,
+    (shear_npm, weight_n): (f64, f64),
+    t_s: f64,
+) {
+    let displaced_m = displacement_m(chains, setups, load.tangential_n, shear_npm);
+    let bears = |c: &ChainSummary| c.kind == ChainKind::Weight && c.parted_at_s.is_none();
+    let weight_chains = chains.iter().filter(|c| bears(c)).count() as f64;
+    for (chain, setup) in chains.iter_mut().zip(setups) {
+        let tension_n = match chain.kind {
+            ChainKind::Tension => continue,
+            ChainKind::Shear => setup.stiffness_npm * greater(displaced_m - setup.slack_m, 0.0),
+            ChainKind::Weight => {
+                greater(weight_n + load.vertical_n, 0.0) / greater(weight_chains, 1.0)
+            }
+        };
+        chain.add(setup, tension_n, tension_n >= setup.break_load_n, t_s);
+    }
+}
+
+/// How far a tangential force moves the panel on the fender's shear stiffness and its shear chains (m).
+fn displacement_m(
+    chains: &[ChainSummary],
+    setups: &[ChainSetup],
+    force_n: f64,
+    shear_npm: f64,
+) -> f64 {
+    if shear_npm <= 0.0 {
+        return 0.0;
+    }
+    let holds = |c: &ChainSummary| c.kind == ChainKind::Shear && c.parted_at_s.is_none();
+    let own = || chains.iter().zip(setups).filter(|(c, _)| holds(c)).map(|(_, setup)| setup);
+    // The force rises with the displacement: the taut chains are those whose slack is below it.
+    let mut displaced_m = force_n / shear_npm;
+    for _ in 0..=chains.len() {
+        let taut = own().filter(|setup| setup.slack_m < displaced_m);
+        let (stiffness_npm, held_n) = taut.fold((shear_npm, 0.0), |(k, n), setup| {
+            (k + setup.stiffness_npm, n + setup.stiffness_npm * setup.slack_m)
+        });
+        displaced_m = (force_n + held_n) / stiffness_npm;
+    }
+    displaced_m
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SHEAR: ChainSetup = ChainSetup {
+        kind: ChainKind::Shear,
+        at_m: 0.0,
+        slack_m: 0.02,
+        stiffness_npm: 1e7,
+        break_load_n: 3e5,
+    };
+
+    /// 3 MN/m of rubber and a chain of 10 MN/m beyond 20 mm under 320 kN: x = (320 + 200)/13 = 40 mm, the chain 200 kN.
+    #[test]
+    fn a_shear_chain_takes_what_is_beyond_its_slack() {
+        let setups = [SHEAR];
+        let mut chains = [ChainSummary::new(&SHEAR, 0.0)];
+        let load = |tangential_n: f64| ChainLoad { tangential_n, vertical_n: 0.0 };
+        add_others(&mut chains, &setups, load(50e3), (3e6, 0.0), 1.0);
+        assert_eq!(chains[0].peak_tension_n, 0.0);
+        add_others(&mut chains, &setups, load(320e3), (3e6, 0.0), 2.0);
+        assert!((chains[0].peak_tension_n - 200e3).abs() < 1e-6, "{chains:?}");
+        assert_eq!((chains[0].parted_at_s, chains[0].peak_tension_at_s), (None, 2.0));
+        // 480 kN: x = 680/13 mm, 323 kN. It parts, and takes nothing afterwards.
+        add_others(&mut chains, &setups, load(480e3), (3e6, 0.0), 3.0);
+        assert_eq!(chains[0].parted_at_s, Some(3.0));
+        assert!((chains[0].peak_tension_n - 1e7 * (0.68 / 13.0 - 0.02)).abs() < 1e-6);
+        add_others(&mut chains, &setups, load(900e3), (3e6, 0.0), 4.0);
+        assert_eq!(chains[0].peak_tension_at_s, 3.0);
+    }
+
+    /// Two chains carry 60 kN of weight and the friction of a hull that sinks; the weaker parts, the other carries all.
+    #[test]
+    fn weight_chains_share_weight_and_friction() {
+        let strong = ChainSetup { kind: ChainKind::Weight, slack_m: 0.0, ..SHEAR };
+        let setups = [strong, ChainSetup { break_load_n: 75e3, ..strong }];
+        let mut chains = setups.map(|setup| ChainSummary::new(&setup, 0.0));
+        let load = |vertical_n: f64| ChainLoad { tangential_n: 0.0, vertical_n };
+        add_others(&mut chains, &setups, load(0.0), (3e6, 60e3), 1.0);
+        assert_eq!(chains.map(|c| c.peak_tension_n), [30e3, 30e3]);
+        add_others(&mut chains, &setups, load(100e3), (3e6, 60e3), 2.0);
+        assert_eq!(
+            chains.map(|c| (c.peak_tension_n, c.parted_at_s)),
+            [(80e3, None), (80e3, Some(2.0))]
+        );
+        add_others(&mut chains, &setups, load(100e3), (3e6, 60e3), 3.0);
+        assert_eq!(chains[0].peak_tension_n, 160e3);
+        // A hull that rises lifts the panel.
+        add_others(&mut chains, &setups, load(-100e3), (3e6, 60e3), 4.0);
+        assert_eq!(chains[0].peak_tension_n, 160e3);
+    }
+}

@@ -1,0 +1,47 @@
+//! Why a change cannot be carried out.
+
+use std::fmt;
+
+use fenderline_ship::environment::EnvironmentError;
+use fenderline_ship::range::OutOfRange;
+
+/// Why a change cannot be carried out.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ChangeError {
+    /// A number is out of its limits.
+    OutOfRange(OutOfRange),
+    /// Wind or current that there cannot be.
+    Environment(EnvironmentError),
+    /// The set-up has no such vessel, thruster, line or tug.
+    NotThere(&'static str),
+    /// The line is not fast, so that it cannot part.
+    NotFast {
+        /// The line.
+        line: String,
+    },
+}
+
+impl fmt::Display for ChangeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ChangeError::OutOfRange(error) => error.fmt(f),
+            ChangeError::Environment(error) => error.fmt(f),
+            ChangeError::NotThere(what) => write!(f, "there is no such {what}"),
+            ChangeError::NotFast { line } => write!(f, "{line} is not fast: it cannot part"),
+        }
+    }
+}
+
+impl std::error::Error for ChangeError {}
+
+impl From<OutOfRange> for ChangeError {
+    fn from(error: OutOfRange) -> ChangeError {
+        ChangeError::OutOfRange(error)
+    }
+}
+
+impl From<EnvironmentError> for ChangeError {
+    fn from(error: EnvironmentError) -> ChangeError {
+        ChangeError::Environment(error)
+    }
+}

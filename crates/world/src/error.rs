@@ -1,0 +1,168 @@
+//! Errors of a set-up and of a run.
+
+use std::fmt;
+
+use fenderline_contact::{DisplayNumber, ModelError, StepError};
+
+use crate::berthing::BerthingError;
+use crate::change::ChangeError;
+use crate::order::OrderError;
+use fenderline_ship::anchor::AnchorError;
+use fenderline_ship::environment::EnvironmentError;
+use fenderline_ship::mooring::MooringError;
+use fenderline_ship::range::OutOfRange;
+
+/// A set-up that cannot be simulated.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SetupError {
+    /// The contact model is invalid.
+    Model(ModelError),
+    /// A number of the set-up is out of range or not finite.
+    OutOfRange {
+        /// The number.
+        field: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// Two bodies or two fenders have the same name.
+    DuplicateName {
+        /// `bodies` or `fenders`.
+        what: &'static str,
+        /// The name.
+        name: String,
+    },
+    /// A particular of the berthing is out of range.
+    Berthing(BerthingError),
+    /// A number of a tug is out of range.
+    Tug {
+        /// The tug.
+        tug: String,
+        /// What is wrong.
+        error: OutOfRange,
+    },
+    /// The environment is invalid.
+    Environment(EnvironmentError),
+    /// A line does not fit between the initial positions of its ends.
+    Line(MooringError),
+    /// An anchor is invalid.
+    Anchor(AnchorError),
+    /// A number of the handling of lines is out of range.
+    LineHandling {
+        /// What is wrong.
+        error: OutOfRange,
+    },
+    /// A planned change that cannot be carried out.
+    Change(ChangeError),
+    /// An order that cannot be carried out.
+    Order(OrderError),
+    /// A vessel with the paper's contact method, which has one mass for all directions.
+    VesselByPaperMethod {
+        /// The index of her body.
+        body: usize,
+    },
+    /// A body with outlines by height and the paper's contact method.
+    HullByPaperMethod {
+        /// The index of the body.
+        body: usize,
+    },
+    /// A flexible dolphin with the paper's contact method, or with an integrator other than the semi-implicit one.
+    DolphinNeedsEngine {
+        /// The body.
+        body: String,
+    },
+    /// A vessel with hydrodynamic data with another method or integrator than those with which the engine moves bodies.
+    SeakeepingNeedsEngine {
+        /// The index of her body.
+        body: usize,
+    },
+    /// A flexible dolphin in a host that moves its bodies itself.
+    DolphinOfHost {
+        /// The body.
+        body: String,
+    },
+    /// A body index that does not exist, or the index of a fixed body where a floating one is needed.
+    BadBody {
+        /// What refers to it.
+        owner: &'static str,
+        /// The index.
+        body: usize,
+    },
+}
+
+impl fmt::Display for SetupError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SetupError::Model(error) => error.fmt(f),
+            SetupError::OutOfRange { field, value } => {
+                write!(f, "{field} is {}", DisplayNumber(*value))
+            }
+            SetupError::DuplicateName { what, name } => {
+                write!(f, "two {what} are named `{name}`")
+            }
+            SetupError::Tug { tug, error } => write!(f, "tug `{tug}`: {error}"),
+            SetupError::Environment(error) => error.fmt(f),
+            SetupError::Line(error) => error.fmt(f),
+            SetupError::Anchor(error) => error.fmt(f),
+            SetupError::LineHandling { error } => write!(f, "the handling of lines: {error}"),
+            SetupError::Change(error) => write!(f, "a planned change: {error}"),
+            SetupError::Order(error) => error.fmt(f),
+            SetupError::VesselByPaperMethod { body } => {
+                write!(
+                    f,
+                    "body {body} is a vessel, but the paper's method has no mass matrix: use `method = \"coupled\"`"
+                )
+            }
+            SetupError::HullByPaperMethod { body } => {
+                write!(
+                    f,
+                    "body {body} has outlines by height, which need the coupled method: use `method = \"coupled\"`"
+                )
+            }
+            SetupError::DolphinNeedsEngine { body } => write!(
+                f,
+                "body `{body}` is a flexible dolphin, which needs the coupled method and the semi-implicit integrator: use \
+                 `method = \"coupled\"` and `integrator = \"semi_implicit\"`"
+            ),
+            SetupError::SeakeepingNeedsEngine { body } => write!(
+                f,
+                "body {body} is a vessel with hydrodynamic data, which needs the coupled method and the semi-implicit \
+                 integrator: use `method = \"coupled\"` and `integrator = \"semi_implicit\"`"
+            ),
+            SetupError::DolphinOfHost { body } => write!(
+                f,
+                "body `{body}` is a flexible dolphin, which only a simulation moves, not a host that moves its bodies itself: \
+                 make it a fixed body"
+            ),
+            SetupError::Berthing(error) => write!(f, "the berthing's {error}"),
+            SetupError::BadBody { owner, body } => {
+                write!(f, "a {owner} refers to body {body}, which does not exist or is fixed")
+            }
+        }
+    }
+}
+
+impl std::error::Error for SetupError {}
+
+impl From<ModelError> for SetupError {
+    fn from(error: ModelError) -> SetupError {
+        SetupError::Model(error)
+    }
+}
+
+/// A step that failed. The simulation is unchanged.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SimError {
+    /// Start of the step (s).
+    pub t_s: f64,
+    /// The cause.
+    pub cause: StepError,
+}
+
+impl fmt::Display for SimError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "at t = {} s: {}", self.t_s, self.cause)
+    }
+}
+
+impl std::error::Error for SimError {}

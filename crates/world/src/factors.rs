@@ -1,0 +1,123 @@
+//! Partial factors on the effects of a run, given by the user with their source.
+//!
+//! fenderline has no factors of any guideline. It multiplies what it computed by those that the user gives, compares, and names the
+//! user's source in all outputs.
+
+use crate::fender::FenderSummary;
+use fenderline_ship::mooring::LineKind;
+use fenderline_ship::range::{OutOfRange, within};
+
+/// Factors of the user's own on energies, reactions and line loads.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PartialFactors {
+    /// Where the factors come from, in the user's words.
+    pub source: String,
+    /// On the energy that a fender absorbs, which is compared with its rated energy.
+    pub energy: Option<f64>,
+    /// On the reaction of a fender.
+    pub reaction: Option<f64>,
+    /// What a factored reaction is compared with (N); `None`: it is only shown.
+    pub reaction_limit_n: Option<f64>,
+    /// On the tension of a line.
+    pub line_load: Option<f64>,
+    /// What a factored tension is compared with.
+    pub line_capacity: LineCapacity,
+}
+
+/// What the factored tension of a line is compared with.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LineCapacity {
+    /// Its working load.
+    #[default]
+    WorkingLoad,
+    /// The least break load of rope and tail.
+    BreakLoad,
+}
+
+impl LineCapacity {
+    /// In words.
+    #[must_use]
+    pub fn words(self) -> &'static str {
+        match self {
+            LineCapacity::WorkingLoad => "working load",
+            LineCapacity::BreakLoad => "break load",
+        }
+    }
+}
+
+/// An effect times its factor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Factored {
+    /// Factor.
+    pub factor: f64,
+    /// Effect times factor (J or N).
+    pub value: f64,
+    /// What it is compared with (J or N), if that is known.
+    pub capacity: Option<f64>,
+}
+
+impl Factored {
+    /// Factored effect over capacity.
+    #[must_use]
+    pub fn share(&self) -> Option<f64> {
+        self.capacity.map(|capacity| self.value / capacity)
+    }
+}
+
+impl PartialFactors {
+    /// True if there is no factor.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.energy.is_none() && self.reaction.is_none() && self.line_load.is_none()
+    }
+
+    /// Checks every number.
+    ///
+    /// # Errors
+    /// The first number out of range.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        for factor in [self.energy, self.reaction, self.line_load].into_iter().flatten() {
+            within("partial factor", factor, 0.1, 10.0)?;
+        }
+        if let Some(limit_n) = self.reaction_limit_n {
+            within("limit of a factored reaction [N]", limit_n, 1.0, 1e10)?;
+        }
+        Ok(())
+    }
+
+    /// The factored energy of a fender beside its rated energy with the factors of the run; `None` without a factor.
+    #[must_use]
+    pub fn energy_of(&self, fender: &FenderSummary) -> Option<Factored> {
+        let of = |factor: f64| {
+            let value = factor * fender.peak_energy_j;
+            // The share governs: a fender of several cones is rated by the one that is used most.
+            let capacity = fender
+                .share_of_rated_energy
+                .filter(|share| *share > 0.0)
+                .map(|share| fender.peak_energy_j / share);
+            Factored { factor, value, capacity }
+        };
+        self.energy.map(of)
+    }
+
+    /// The factored reaction of a fender; `None` without a factor.
+    #[must_use]
+    pub fn reaction_of(&self, fender: &FenderSummary) -> Option<Factored> {
+        let of = |factor: f64| Factored {
+            factor,
+            value: factor * fender.peak_reaction_n,
+            capacity: self.reaction_limit_n,
+        };
+        self.reaction.map(of)
+    }
+
+    /// The factored tension of a line; `None` without a factor.
+    #[must_use]
+    pub fn line_load_of(&self, kind: &LineKind, peak_n: f64) -> Option<Factored> {
+        let capacity = match self.line_capacity {
+            LineCapacity::WorkingLoad => kind.working_load_n(),
+            LineCapacity::BreakLoad => Some(kind.break_load_n()),
+        };
+        self.line_load.map(|factor| Factored { factor, value: factor * peak_n, capacity })
+    }
+}

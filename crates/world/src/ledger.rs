@@ -1,0 +1,83 @@
+//! The energy ledger of a run: kinetic energy, work of the loads, and where the contacts' energy went.
+
+use fenderline_contact::BodyState;
+use fenderline_contact::number::greater;
+
+use crate::contact_totals::ContactTotals;
+use crate::dolphin::DolphinMotion;
+use crate::record::{Energy, LoadWork};
+use crate::rigid_body::Inertia;
+
+/// Inertias and states of all bodies, and the order in which their energies are summed.
+#[derive(Clone, Copy, Debug)]
+pub struct Bodies<'a> {
+    /// Indices of the bodies in the order of summation.
+    pub order: &'a [usize],
+    /// Inertia of each body.
+    pub inertias: &'a [Inertia],
+    /// State of each body.
+    pub states: &'a [BodyState],
+}
+
+impl Bodies<'_> {
+    fn kinetic_j(self) -> f64 {
+        self.order.iter().map(|&body| self.inertias[body].kinetic_j(&self.states[body])).sum()
+    }
+}
+
+/// The energy ledger, updated in each step.
+#[derive(Clone, Debug)]
+pub struct Ledger {
+    start_j: f64,
+    /// Without what [`Ledger::energy`] finds when it is asked for.
+    sums: Energy,
+}
+
+impl Ledger {
+    /// The ledger of a run that starts with these bodies.
+    pub fn new(bodies: Bodies<'_>) -> Ledger {
+        Ledger { start_j: bodies.kinetic_j(), sums: Energy::default() }
+    }
+
+    /// The ledger of bodies that are now as the last step has left them. Many runs ask for it at their end alone.
+    pub fn energy(&self, bodies: Bodies<'_>) -> Energy {
+        let (kinetic_j, load_work_j) = (bodies.kinetic_j(), self.sums.loads.total_j());
+        let work_j = load_work_j + self.sums.normal_work_j + self.sums.tangential_work_j;
+        // Before the first step, both may be infinite: a start may be faster than the engine's steps take.
+        let gained_j = if kinetic_j == self.start_j { 0.0 } else { kinetic_j - self.start_j };
+        let residual_j = gained_j - work_j;
+        Energy { kinetic_j, load_work_j, residual_j, ..self.sums }
+    }
+
+    /// The energy that contacts absorbed, and that which they returned beyond it (J).
+    pub fn contacts_j(&self) -> [f64; 2] {
+        [self.sums.contact_taken_j, self.sums.contact_gained_j]
+    }
+
+    /// Adds one step: the works of the loads and of the contacts in it.
+    pub fn add(&mut self, loads: &LoadWork, contacts: &ContactTotals, dolphins: &[DolphinMotion]) {
+        let energy = &mut self.sums;
+        energy.loads.add(loads);
+        energy.pile_stored_j = 0.0;
+        for DolphinMotion { pile, .. } in dolphins {
+            energy.pile_stored_j += pile.stored_j;
+            energy.pile_damping_j += pile.damping_j;
+            energy.pile_yield_j += pile.yield_j;
+        }
+        (energy.stored_j, energy.shear_stored_j) = (0.0, 0.0);
+        energy.contact_gained_j = contacts.gained_j();
+        for contact in &contacts.all {
+            energy.contact_taken_j += greater(-(contact.normal_j + contact.tangential_j), 0.0);
+            energy.normal_work_j += contact.normal_j;
+            energy.height_work_j += contact.height_j;
+            energy.tangential_work_j += contact.tangential_j;
+            energy.stored_j += contact.stored_j;
+            energy.shear_stored_j += contact.shear_stored_j;
+            energy.hysteresis_j += contact.hysteresis_j;
+            energy.damping_j += contact.damping_j;
+            energy.restitution_j += contact.restitution_j;
+            energy.friction_j += contact.friction_j;
+            energy.contact_residual_j += contact.residual_j;
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! A world of bodies, ships, fenders, lines and tugs: what is constant in a run, what changes in it, and the record of a step.
+//!
+//! [`setup::Setup`] is everything that is constant. [`world::World`] is the state of vessels, tugs, lines and anchors, and finds their
+//! forces by the physics of `fenderline-ship`. Orders and changes of the weather act on it. The crate `fenderline-sim` steps the world;
+//! the crate `fenderline-assess` reads the [`record::StepRecord`] of each step.
+//!
+//! | subject | module |
+//! |---|---|
+//! | bodies, materials, pairs and loads of a run | [`setup`] |
+//! | a set-up as masses and as a model of the contact engine | [`model`], [`rigid_body`] |
+//! | vessels, tugs, lines and anchors in a step, pilots | [`world`] |
+//! | orders to vessels, tugs, lines and anchors | [`order`] |
+//! | changes of the weather, faults | [`change`] |
+//! | fenders, their panels and chains | [`fender`], [`panel`], [`chain`] |
+//! | flexible dolphins | [`dolphin`] |
+//! | hulls with outlines by height | [`hull`] |
+//! | how a ship approaches her berth | [`approach`] |
+//! | berthing energy by PIANC's formulas | [`berthing`] |
+//! | limits on motions, lines and fenders | [`limit`] |
+//! | partial factors of the user | [`factors`] |
+//! | forces from other programs | [`external`] |
+//! | energies of a step and of a run | [`record`], [`ledger`], [`contact_totals`] |
+#![forbid(unsafe_code)]
+
+pub mod approach;
+pub mod berthing;
+pub mod chain;
+pub mod change;
+pub mod chart;
+pub mod contact_totals;
+pub mod dolphin;
+pub mod error;
+pub mod external;
+pub mod factors;
+pub mod fender;
+pub mod fixed_order;
+pub mod hull;
+pub mod ledger;
+pub mod limit;
+pub mod mean_velocity;
+pub mod model;
+pub mod named;
+pub mod order;
+pub mod panel;
+pub mod record;
+pub mod rigid_body;
+pub mod setup;
+pub mod start;
+pub mod turning;
+pub mod world;

@@ -1,0 +1,179 @@
+//! A rigid body in the plane: inertia, acceleration, kinetic energy.
+
+use fenderline_contact::number::lesser;
+use fenderline_contact::{BodyState, Mobility, Pile, Vec2, Wrench, vec2};
+
+use crate::dolphin::DolphinSetup;
+use crate::setup::{BodySetup, BodyVelocity, MassProperties, Method};
+
+/// Inertia of a body, rigid-body and added mass; a fixed body has none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inertia {
+    /// Mass in surge (kg).
+    pub surge_kg: f64,
+    /// Mass in sway (kg).
+    pub sway_kg: f64,
+    /// Moment of inertia in yaw (kg·m²).
+    pub yaw_kgm2: f64,
+    /// Coupling of sway and yaw about the centre of gravity (kg·m).
+    pub coupling_kgm: f64,
+    /// The contact engine moves the body and adds its Coriolis terms.
+    pub engine_turns: bool,
+    /// The body does not move.
+    pub fixed: bool,
+    /// The pile that holds the body, which does not turn then.
+    pub pile: Option<Pile>,
+}
+
+impl Inertia {
+    /// The inertia of a plain body.
+    ///
+    /// With the coupled method, surge, sway and yaw have their own added mass. With the paper's method the mass is
+    /// displacement plus the *smaller* of the two added masses, in every direction (§3.1 of the paper), for the
+    /// limiter and for the motion: with different masses the limiter would not give the rebound speed γV⁰.
+    pub fn of(mass: Option<&MassProperties>, method: Method, engine_turns: bool) -> Inertia {
+        let Some(m) = mass else {
+            return Inertia {
+                surge_kg: 0.0,
+                sway_kg: 0.0,
+                yaw_kgm2: 0.0,
+                coupling_kgm: 0.0,
+                engine_turns: false,
+                fixed: true,
+                pile: None,
+            };
+        };
+        let (added_surge_kg, added_sway_kg) = match method {
+            Method::Coupled => (m.added_surge_kg, m.added_sway_kg),
+            Method::Paper => {
+                let smallest_kg = lesser(m.added_surge_kg, m.added_sway_kg);
+                (smallest_kg, smallest_kg)
+            }
+        };
+        Inertia {
+            surge_kg: m.mass_kg + added_surge_kg,
+            sway_kg: m.mass_kg + added_sway_kg,
+            yaw_kgm2: m.yaw_inertia_kgm2 + m.added_yaw_kgm2,
+            coupling_kgm: 0.0,
+            engine_turns,
+            fixed: false,
+            pile: None,
+        }
+    }
+
+    /// The inertia of a vessel, from her mass matrix about the centre of gravity.
+    pub fn of_vessel(matrix: &[[f64; 3]; 3]) -> Inertia {
+        Inertia {
+            surge_kg: matrix[0][0],
+            sway_kg: matrix[1][1],
+            yaw_kgm2: matrix[2][2],
+            coupling_kgm: matrix[1][2],
+            engine_turns: false,
+            fixed: false,
+            pile: None,
+        }
+    }
+
+    /// The inertia of a flexible dolphin that stands here.
+    pub fn of_dolphin(dolphin: &DolphinSetup, place_m: Vec2) -> Inertia {
+        Inertia {
+            surge_kg: dolphin.mass_kg,
+            sway_kg: dolphin.mass_kg,
+            yaw_kgm2: 0.0,
+            coupling_kgm: 0.0,
+            engine_turns: false,
+            fixed: false,
+            pile: Some(dolphin.pile(place_m)),
+        }
+    }
+
+    /// The inertia in the form of the contact engine.
+    pub fn mobility(&self) -> Mobility {
+        if self.fixed {
+            return Mobility::Fixed;
+        }
+        if let Some(pile) = self.pile {
+            return Mobility::OnPile { mass_kg: self.surge_kg, pile };
+        }
+        if self.surge_kg == self.sway_kg && self.coupling_kgm == 0.0 {
+            return Mobility::Free { mass_kg: self.surge_kg, yaw_inertia_kgm2: self.yaw_kgm2 };
+        }
+        if self.engine_turns {
+            return Mobility::SurgeSway {
+                surge_kg: self.surge_kg,
+                sway_kg: self.sway_kg,
+                yaw_inertia_kgm2: self.yaw_kgm2,
+            };
+        }
+        let c = self.coupling_kgm;
+        let matrix = [[self.surge_kg, 0.0, 0.0], [0.0, self.sway_kg, c], [0.0, c, self.yaw_kgm2]];
+        Mobility::FullMatrix { matrix }
+    }
+
+    /// The Coriolis and centripetal wrench C of a body in a current (m/s), earth-fixed: M v̇ = F + C.
+    ///
+    /// With Δ = sway mass − surge mass, c the coupling of sway and yaw, and u, v, r relative to the water, it is
+    /// (Δ r v + c r², Δ r u, −Δ u v) in the body's axes; its moment is the Munk moment. It is zero if the mass is the
+    /// same in all directions.
+    #[inline]
+    pub fn momentum_wrench(&self, state: &BodyState, current_mps: Vec2) -> Wrench {
+        let difference_kg = self.sway_kg - self.surge_kg;
+        if (difference_kg == 0.0 && self.coupling_kgm == 0.0) || self.engine_turns {
+            return Wrench::default();
+        }
+        let rotation = state.pose().rotation;
+        let uv = rotation.apply_inverse(state.velocity_mps - current_mps);
+        let r = state.yaw_rate_radps;
+        let centripetal_n = self.coupling_kgm * r * r;
+        let own_n = vec2(r * uv.y * difference_kg + centripetal_n, r * uv.x * difference_kg);
+        Wrench { force_n: rotation.apply(own_n), moment_nm: -difference_kg * uv.x * uv.y }
+    }
+
+    /// Earth-fixed acceleration under a wrench about the centre of gravity, Coriolis terms included in the wrench
+    /// (m/s², rad/s²).
+    pub fn acceleration(&self, state: &BodyState, wrench: &Wrench) -> (Vec2, f64) {
+        if self.fixed {
+            return (Vec2::ZERO, 0.0);
+        }
+        if self.surge_kg == self.sway_kg && self.coupling_kgm == 0.0 {
+            let inverse = 1.0 / self.surge_kg;
+            return (wrench.force_n * inverse, wrench.moment_nm / self.yaw_kgm2);
+        }
+        let rotation = state.pose().rotation;
+        let own = rotation.apply_inverse(wrench.force_n);
+        let moment_nm = wrench.moment_nm;
+        let c = self.coupling_kgm;
+        let determinant = self.sway_kg * self.yaw_kgm2 - c * c;
+        let sway = (own.y * self.yaw_kgm2 - moment_nm * c) / determinant;
+        let yaw = (moment_nm * self.sway_kg - own.y * c) / determinant;
+        (rotation.apply(vec2(own.x / self.surge_kg, sway)), yaw)
+    }
+
+    /// Kinetic energy (J).
+    pub fn kinetic_j(&self, state: &BodyState) -> f64 {
+        let translation_j = if self.surge_kg == self.sway_kg && self.coupling_kgm == 0.0 {
+            self.surge_kg * state.velocity_mps.length_squared()
+        } else {
+            let uv = state.pose().rotation.apply_inverse(state.velocity_mps);
+            self.surge_kg * uv.x * uv.x
+                + self.sway_kg * uv.y * uv.y
+                + 2.0 * self.coupling_kgm * uv.y * state.yaw_rate_radps
+        };
+        0.5 * (translation_j + self.yaw_kgm2 * state.yaw_rate_radps * state.yaw_rate_radps)
+    }
+}
+
+/// The initial state of a body.
+pub fn initial_state(body: &BodySetup) -> BodyState {
+    let BodyVelocity { surge_mps, sway_mps, yaw_radps } = body.velocity;
+    let still = BodyState {
+        position_m: body.position_m,
+        heading_rad: body.heading_rad,
+        ..BodyState::default()
+    };
+    BodyState {
+        velocity_mps: still.pose().rotation.apply(vec2(surge_mps, sway_mps)),
+        yaw_rate_radps: yaw_radps,
+        ..still
+    }
+}

@@ -1,0 +1,85 @@
+//! What may differ between runs of one simulation without building it anew: the start of the bodies, wind and current.
+
+use fenderline_contact::Vec2;
+
+use crate::setup::{BodySetup, BodyVelocity, Setup};
+use fenderline_ship::environment::current::Current;
+use fenderline_ship::environment::wind::Wind;
+
+/// The start of a run. `Simulation::restart` of the crate `fenderline-sim` starts a simulation again with it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Start {
+    /// One entry per body, in the order of the set-up.
+    pub bodies: Vec<BodyStart>,
+    /// Wind; `None` for no wind.
+    pub wind: Option<Wind>,
+    /// Current; `None` for no current.
+    pub current: Option<Current>,
+}
+
+/// Initial state of a body, as in [`BodySetup`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyStart {
+    /// Position of the centre of gravity, north and east (m).
+    pub position_m: Vec2,
+    /// Heading (rad).
+    pub heading_rad: f64,
+    /// Velocity, body-fixed.
+    pub velocity: BodyVelocity,
+}
+
+impl BodyStart {
+    fn of(body: &BodySetup) -> BodyStart {
+        let &BodySetup { position_m, heading_rad, velocity, .. } = body;
+        BodyStart { position_m, heading_rad, velocity }
+    }
+}
+
+impl Setup {
+    /// The start of this set-up.
+    #[must_use]
+    pub fn start(&self) -> Start {
+        let environment = &self.world.environment;
+        Start {
+            bodies: self.bodies.iter().map(BodyStart::of).collect(),
+            wind: environment.wind.clone(),
+            current: environment.current.clone(),
+        }
+    }
+
+    /// The same in place, without allocation where the numbers of bodies are equal and there is no gust or file.
+    pub fn start_into(&self, start: &mut Start) {
+        start.bodies.clear();
+        start.bodies.extend(self.bodies.iter().map(BodyStart::of));
+        start.wind.clone_from(&self.world.environment.wind);
+        start.current.clone_from(&self.world.environment.current);
+    }
+
+    /// Whether `Simulation::restart` of the crate `fenderline-sim` keeps most of a simulation of this set-up, and cannot fail. False where more
+    /// than states depends on the start: piles that stand there, hulls that are cut by height, lines that must fit between
+    /// their ends, planned changes, and the study of a berthing. The simulation is then made anew.
+    #[must_use]
+    pub fn restarts_in_place(&self) -> bool {
+        let is_plain = |body: &BodySetup| body.dolphin.is_none() && body.hull.is_none();
+        self.bodies.iter().all(is_plain)
+            && self.world.lines.is_empty()
+            && self.world.planned.is_empty()
+            && self.berthing.is_none()
+    }
+
+    /// Replaces the start of this set-up.
+    ///
+    /// # Panics
+    /// If there is not one start per body.
+    pub fn set_start(&mut self, start: &Start) {
+        assert_eq!(start.bodies.len(), self.bodies.len(), "one start per body");
+        for (body, start) in self.bodies.iter_mut().zip(&start.bodies) {
+            let &BodyStart { position_m, heading_rad, velocity } = start;
+            (body.position_m, body.heading_rad, body.velocity) =
+                (position_m, heading_rad, velocity);
+        }
+        let environment = &mut self.world.environment;
+        environment.wind.clone_from(&start.wind);
+        environment.current.clone_from(&start.current);
+    }
+}

@@ -1,0 +1,189 @@
+//! Anchors of a simulation: where they are on their ships, and their orders.
+
+use fenderline_contact::{BodyState, Vec2, Wrench, vec2};
+
+use super::environment::Environment;
+use super::event::{WorldEvent, WorldEventKind};
+use super::seaway::Lever;
+use super::setup::WorldSetup;
+use super::shore::Shore;
+use crate::order::{AnchorAction, OrderError};
+use crate::setup::BodySetup;
+use fenderline_ship::anchor::{
+    AnchorError, AnchorGear, AnchorLoad, AnchorPosition, AnchorState, Hawse, LostBy, WindlassOrder,
+};
+use fenderline_ship::range::within;
+
+/// An anchor of a set-up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AnchorSetup {
+    /// The anchor with chain and windlass.
+    pub gear: AnchorGear,
+    /// Index of the vessel that carries it, into [`crate::world::WorldSetup::vessels`].
+    pub vessel: usize,
+    /// Hawse pipe in the frame of her body (m).
+    pub hawse_m: Vec2,
+    /// Height of the hawse pipe above the still water (m).
+    pub hawse_above_water_m: f64,
+    /// Where it is at the start; `None`: home in the hawse pipe.
+    pub start: Option<AnchorStart>,
+}
+
+/// An anchor that is on the bottom at the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AnchorStart {
+    /// North and east (m).
+    pub at_m: Vec2,
+    /// Chain out (m).
+    pub chain_m: f64,
+}
+
+/// An anchor in a run: plain data.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AnchorAtWork {
+    /// Its state.
+    pub state: AnchorState,
+    /// Its forces in the last step.
+    pub load: AnchorLoad,
+    /// Where its chain pulled at the ship in the last step.
+    pub lever: Lever,
+}
+
+impl AnchorSetup {
+    /// Height of the hawse pipe above the bottom (m), with the ship upright, by the deepest water of the run; `None` in deep water.
+    #[must_use]
+    pub fn most_above_bottom_m(&self, environment: &Environment) -> Option<f64> {
+        let [_, deepest_m] = environment.depth_range_m()?;
+        Some(deepest_m + self.hawse_above_water_m)
+    }
+
+    /// Checks its numbers, and that the chain reaches it where it is on the bottom at the start of a run.
+    ///
+    /// # Errors
+    /// What is wrong, with the name of the anchor.
+    pub fn check(&self, body: &BodySetup, environment: &Environment) -> Result<(), AnchorError> {
+        self.gear.check()?;
+        let name = || self.gear.name.clone();
+        let out_of_range = |error| AnchorError::OutOfRange { anchor: name(), error };
+        let in_range = |what, value, low, high| {
+            within(what, value, low, high).map(|_| ()).map_err(out_of_range)
+        };
+        in_range("place of the hawse pipe [m]", self.hawse_m.length(), 0.0, 5e3)?;
+        in_range("height of the hawse pipe [m]", self.hawse_above_water_m, 0.0, 100.0)?;
+        let Some(start) = self.start else { return Ok(()) };
+        in_range("place of the anchor [m]", start.at_m.length(), 0.0, 1e8)?;
+        in_range("chain out [m]", start.chain_m, 0.0, self.gear.chain_length_m)?;
+        let Some(depth_m) = environment.depth_at_m(0.0) else {
+            return Err(AnchorError::NoBottom { anchor: name() });
+        };
+        let state = crate::rigid_body::initial_state(body);
+        let span_m = (state.pose().apply(self.hawse_m) - start.at_m).length();
+        let reach_m = libm::hypot(span_m, depth_m + self.hawse_above_water_m);
+        if start.chain_m < reach_m {
+            let chain_m = start.chain_m;
+            return Err(AnchorError::ChainTooShort { anchor: name(), chain_m, reach_m });
+        }
+        Ok(())
+    }
+}
+
+impl AnchorAtWork {
+    /// An anchor in a state, with its forces; its chain has not pulled yet.
+    #[must_use]
+    pub fn with(state: AnchorState, load: AnchorLoad) -> AnchorAtWork {
+        AnchorAtWork { state, load, lever: Lever::default() }
+    }
+
+    /// The anchor at the start of a run.
+    pub fn new(setup: &AnchorSetup) -> AnchorAtWork {
+        let state = match setup.start {
+            Some(start) => AnchorState::on_bottom(start.at_m, start.chain_m),
+            None => AnchorState::housed(),
+        };
+        AnchorAtWork { state, load: AnchorLoad::default(), lever: Lever::default() }
+    }
+
+    /// Checks that an order can be carried out now.
+    pub fn may(&self, setup: &AnchorSetup, action: AnchorAction) -> Result<(), OrderError> {
+        let anchor = || setup.gear.name.clone();
+        let AnchorState { position, chain_m: out_m, faults, .. } = self.state;
+        let out = |more: bool| {
+            let anchor = anchor();
+            Err(OrderError::NoChainToMove { anchor, out_m, more })
+        };
+        match position {
+            AnchorPosition::Lost(by) => {
+                return Err(OrderError::AnchorLost { anchor: anchor(), by });
+            }
+            AnchorPosition::Housed => match action {
+                AnchorAction::LetGo { .. } | AnchorAction::Veer { .. } => {}
+                // Let go or to be veered, but no chain is out yet.
+                AnchorAction::Hold if self.state.order != WindlassOrder::Hold => {}
+                AnchorAction::Hold | AnchorAction::Heave { .. } | AnchorAction::Slip => {
+                    return Err(OrderError::AnchorHome { anchor: anchor() });
+                }
+            },
+            AnchorPosition::OnBottom(_) => {
+                if matches!(action, AnchorAction::LetGo { .. }) {
+                    return Err(OrderError::AnchorDown { anchor: anchor() });
+                }
+            }
+            AnchorPosition::Hanging => {}
+        }
+        let needs_power = matches!(action, AnchorAction::Veer { .. } | AnchorAction::Heave { .. });
+        if needs_power && faults.windlass_failed {
+            return Err(OrderError::WindlassFailed { anchor: anchor() });
+        }
+        match action {
+            AnchorAction::LetGo { chain_m } | AnchorAction::Veer { chain_m }
+                if chain_m <= out_m =>
+            {
+                out(true)
+            }
+            AnchorAction::Heave { chain_m } if chain_m >= out_m => out(false),
+            _ => Ok(()),
+        }
+    }
+
+    /// Takes an order that can be carried out.
+    pub fn take(&mut self, action: AnchorAction) {
+        self.state.order = match action {
+            AnchorAction::LetGo { chain_m } => WindlassOrder::LetGo(chain_m),
+            AnchorAction::Veer { chain_m } => WindlassOrder::Veer(chain_m),
+            AnchorAction::Heave { chain_m } => WindlassOrder::Heave(chain_m),
+            AnchorAction::Hold => WindlassOrder::Hold,
+            AnchorAction::Slip => {
+                self.state.lose(LostBy::Slipped);
+                WindlassOrder::Hold
+            }
+        };
+    }
+
+    /// One step: moves windlass and anchor, and adds the pull of the chain to the load of the ship.
+    pub fn step(
+        &mut self,
+        index: usize,
+        (of, setup): (&AnchorSetup, &WorldSetup),
+        (states, shore): (&[BodyState], Shore<'_>),
+        (environment, t_s, step_s): (&Environment, f64, f64),
+        loads: &mut [Wrench],
+        events: &mut Vec<WorldEvent>,
+    ) {
+        let body = setup.vessels[of.vessel].body;
+        let (at_m, above_water_m) = shore.place(body, of.hawse_m, of.hawse_above_water_m);
+        let hawse = Hawse {
+            at_m: states[body].pose().apply(at_m),
+            above_bottom_m: environment.depth_at_m(t_s).map(|depth_m| depth_m + above_water_m),
+        };
+        let given = (self.load.tension_n, environment.water_density_kgpm3, step_s);
+        self.load = of.gear.step(&mut self.state, &hawse, given, &mut |event| {
+            events.push(WorldEvent { who: index, kind: WorldEventKind::Anchor(event) });
+        });
+        self.lever = shore.lever(body, of.hawse_m, of.hawse_above_water_m);
+        let [north_n, east_n, _] = self.load.on_ship_n;
+        let force_n = vec2(north_n, east_n);
+        let arm_m = states[body].pose().rotation.apply(self.lever.at_m);
+        loads[body].force_n += force_n;
+        loads[body].moment_nm += arm_m.cross(force_n);
+    }
+}

@@ -1,0 +1,79 @@
+//! What a step changes of a world, to be put back if the step fails.
+
+use super::{
+    AnchorAtWork, Mooring, TugAtWork, VesselForces, VesselState, WaterInertia, World, WorldEvent,
+};
+
+/// The state of a world before a step. Its buffers are reused from step to step.
+#[derive(Clone, Debug, Default)]
+pub struct WorldBackup {
+    vessels: Vec<VesselState>,
+    forces: Vec<VesselForces>,
+    water_inertia: Vec<WaterInertia>,
+    lines: Vec<Mooring>,
+    anchors: Vec<AnchorAtWork>,
+    tugs: Vec<TugAtWork>,
+    events: Vec<WorldEvent>,
+    taken: usize,
+    clamped: Vec<bool>,
+}
+
+impl World {
+    /// Copies what a step changes.
+    pub fn back_up(&self, into: &mut WorldBackup) {
+        let WorldBackup {
+            vessels,
+            forces,
+            water_inertia,
+            lines,
+            anchors,
+            tugs,
+            events,
+            taken,
+            clamped,
+        } = into;
+        copy_all(vessels, &self.vessels, VesselState::copy_from);
+        forces.clone_from(&self.forces);
+        water_inertia.clone_from(&self.water_inertia);
+        copy_all(lines, &self.lines, Mooring::copy_from);
+        anchors.clone_from(&self.anchors);
+        copy_all(tugs, &self.tugs, TugAtWork::copy_from);
+        events.clone_from(&self.events);
+        *taken = self.taken;
+        clamped.clone_from(&self.clamped);
+    }
+
+    /// Puts it back. The backup is left with what the step made.
+    pub fn put_back(&mut self, backup: &mut WorldBackup) {
+        let WorldBackup {
+            vessels,
+            forces,
+            water_inertia,
+            lines,
+            anchors,
+            tugs,
+            events,
+            taken,
+            clamped,
+        } = backup;
+        std::mem::swap(&mut self.vessels, vessels);
+        std::mem::swap(&mut self.forces, forces);
+        std::mem::swap(&mut self.water_inertia, water_inertia);
+        std::mem::swap(&mut self.lines, lines);
+        std::mem::swap(&mut self.anchors, anchors);
+        std::mem::swap(&mut self.tugs, tugs);
+        std::mem::swap(&mut self.events, events);
+        std::mem::swap(&mut self.taken, taken);
+        std::mem::swap(&mut self.clamped, clamped);
+    }
+}
+
+/// Copies a list item by item.
+fn copy_all<T: Clone>(into: &mut Vec<T>, from: &[T], copy: fn(&mut T, &T)) {
+    into.truncate(from.len());
+    for (own, other) in into.iter_mut().zip(from) {
+        copy(own, other);
+    }
+    let known = into.len();
+    into.extend_from_slice(&from[known..]);
+}

@@ -1,0 +1,114 @@
+//! The work of the line handlers: which lines may be sent to which bollard, and which line they take next.
+
+use std::borrow::Cow;
+
+use fenderline_contact::BodyState;
+
+use super::line::{Mooring, MooringSetup};
+use super::setup::WorldSetup;
+use super::shore::Shore;
+use crate::order::{Action, LineAction, Order, OrderError};
+
+/// The lines as they will be when orders are carried out; the present ones if there is no order to a line.
+pub(super) fn after_orders<'l, 'o>(
+    lines: &'l [Mooring],
+    setup: &WorldSetup,
+    orders: impl Iterator<Item = &'o Order>,
+    t_s: f64,
+) -> Cow<'l, [Mooring]> {
+    let mut after = Cow::Borrowed(lines);
+    for order in orders {
+        match order.action {
+            Action::Line(line, LineAction::LetGo) => {
+                after.to_mut()[line].let_go(&setup.lines[line], t_s);
+            }
+            // One that is not on board then is not sent.
+            Action::Line(line, LineAction::Send { bollard }) if after[line].aboard => {
+                after.to_mut()[line].send(bollard, t_s);
+            }
+            Action::Line(..) | Action::Vessel(..) | Action::Tug(..) | Action::Anchor(..) => {}
+        }
+    }
+    after
+}
+
+/// Checks that a line can be sent to a bollard now.
+///
+/// # Errors
+/// Why it cannot: the line is not on board, or the bollard is taken or out of reach.
+pub(super) fn may_send(
+    lines: &[Mooring],
+    setup: &WorldSetup,
+    here: (&[BodyState], Shore<'_>),
+    line: usize,
+    to: usize,
+) -> Result<(), OrderError> {
+    let (own, of, bollard) = (&lines[line], &setup.lines[line], &setup.bollards[to]);
+    let name = || of.line.name.clone();
+    if own.has_parted() {
+        return Err(OrderError::LineParted { line: name() });
+    }
+    if own.sent.is_some() {
+        return Err(OrderError::LineUnderWay { line: name() });
+    }
+    if !own.aboard {
+        return Err(OrderError::LineInUse { line: name() });
+    }
+    let others = lines.iter().filter(|other| other.bollard == Some(to) && !other.has_parted());
+    if others.count() >= bollard.most_lines {
+        let (bollard, most_lines) = (bollard.name.clone(), bollard.most_lines);
+        return Err(OrderError::BollardTaken { bollard, most_lines });
+    }
+    let distance_m = distance_m(of, setup, here, to);
+    let handling = &setup.line_handling;
+    let out_of_reach = |reach_m: f64, by: &'static str| {
+        let bollard = bollard.name.clone();
+        Err(OrderError::OutOfReach { line: name(), bollard, distance_m, reach_m, by })
+    };
+    if distance_m > of.reach_m() {
+        return out_of_reach(of.reach_m(), "the rope");
+    }
+    if handling.time_s(distance_m).is_none() {
+        return out_of_reach(handling.heaving_line_m, "a heaving line");
+    }
+    Ok(())
+}
+
+/// Line handlers that are free take the lines that wait, in the order in which they were sent. A bollard that is out of reach
+/// by then is found when the line should be made fast.
+pub(super) fn take_lines(
+    lines: &mut [Mooring],
+    setup: &WorldSetup,
+    here: (&[BodyState], Shore<'_>),
+    t_s: f64,
+) {
+    if lines.iter().all(|line| !line.waits_for_handlers(t_s)) {
+        return;
+    }
+    let at_work = |line: &Mooring| line.sent.is_some_and(|sent| sent.fast_at_s.is_some());
+    let mut free =
+        setup.line_handling.gangs.saturating_sub(lines.iter().filter(|line| at_work(line)).count());
+    while free > 0 {
+        let waiting = lines.iter().enumerate().filter(|(_, line)| line.waits_for_handlers(t_s));
+        let since_s = |line: &Mooring| line.sent.map_or(f64::INFINITY, |sent| sent.since_s);
+        // Of lines that were sent at the same time, the first of the scenario.
+        let next = waiting.min_by(|one, other| since_s(one.1).total_cmp(&since_s(other.1)));
+        let Some((index, own)) = next else { return };
+        let (Some(mut sent), Some(to)) = (own.sent, own.bollard) else { return };
+        let distance_m = distance_m(&setup.lines[index], setup, here, to);
+        let handling = &setup.line_handling;
+        sent.fast_at_s = Some(t_s + handling.time_s(distance_m).unwrap_or(handling.heaving_line_s));
+        lines[index].sent = Some(sent);
+        free -= 1;
+    }
+}
+
+/// Distance from a line's fairlead to a bollard (m).
+fn distance_m(
+    line: &MooringSetup,
+    setup: &WorldSetup,
+    (states, shore): (&[BodyState], Shore<'_>),
+    to: usize,
+) -> f64 {
+    line.ends(setup.bollards[to].end(), states, shore).distance_m()
+}

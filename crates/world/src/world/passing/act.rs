@@ -1,0 +1,153 @@
+//! The forces of passing ships and of other vessels on each vessel, in a step.
+
+use fenderline_contact::number::bounded;
+use fenderline_contact::{BodyState, Pose, Vec2, vec2};
+
+use fenderline_ship::distance::of_segments_m;
+use fenderline_ship::hydro::Force;
+use fenderline_ship::passing::{FlowHull, FlowSetup, PassingShip, force_under_way};
+
+use crate::world::{Environment, VesselSetup};
+
+/// Distance between midships over the mean of the lengths at which a force begins to fade, and at which it has gone: there it is
+/// less than a thousandth of its peak abreast, and a step need not compute it.
+const FADES: [f64; 2] = [8.0, 10.0];
+
+/// Clear gap between vessels under way over the mean of their beams below which the flow of slender ships says nothing, and from which
+/// it is taken in full; our choice. A tug at a ship's side is nearer.
+const TOO_NEAR: [f64; 2] = [0.25, FULL_FLOW_GAP];
+/// The gap from which it is taken in full.
+pub const FULL_FLOW_GAP: f64 = 0.5;
+
+/// A ship in the flow: her hull, her midship and her velocity through the water (m/s).
+pub(super) struct Afloat<'s> {
+    pub(super) hull: &'s FlowHull,
+    pose: Pose,
+    velocity_mps: Vec2,
+}
+
+impl<'s> Afloat<'s> {
+    fn of(
+        hull: &'s FlowHull,
+        pose: Pose,
+        over_ground_mps: Vec2,
+        (environment, t_s): (&Environment, f64),
+    ) -> Afloat<'s> {
+        let stream_mps = environment.current(pose.position_m, t_s, hull.draught_m);
+        Afloat { hull, pose, velocity_mps: over_ground_mps - stream_mps }
+    }
+
+    /// A vessel of the set-up, about midship.
+    pub(super) fn of_vessel(
+        hull: &'s FlowHull,
+        setup: &VesselSetup,
+        states: &[BodyState],
+        water: (&Environment, f64),
+    ) -> Afloat<'s> {
+        let state = &states[setup.body];
+        let midship_m = vec2(-setup.ship.particulars.centre_of_gravity_m, 0.0);
+        let pose = Pose { position_m: state.pose().apply(midship_m), ..state.pose() };
+        Afloat::of(hull, pose, state.velocity_at(pose.position_m), water)
+    }
+
+    pub(super) fn in_flow(&self) -> PassingShip<'_> {
+        let &Afloat { hull, pose, velocity_mps } = self;
+        PassingShip { sections: &hull.sections, pose, velocity_mps }
+    }
+
+    /// Both ends of her axis (m).
+    pub(super) fn ends_m(&self) -> [Vec2; 2] {
+        let half_m = 0.5 * self.hull.length_m;
+        [-half_m, half_m].map(|x_m| self.pose.apply(vec2(x_m, 0.0)))
+    }
+}
+
+/// Sets the force on each vessel about midship. Passing ships are where they are at `t_s`.
+pub fn act(
+    flow: &FlowSetup,
+    (vessels, states): (&[VesselSetup], &[BodyState]),
+    environment: &Environment,
+    t_s: f64,
+    into: &mut [Force],
+) {
+    let water = (environment, t_s);
+    let afloat =
+        |vessel: usize| Afloat::of_vessel(&flow.hulls[vessel], &vessels[vessel], states, water);
+    for (vessel, force) in into.iter_mut().enumerate() {
+        *force = Force::default();
+        if flow.hulls.is_empty() {
+            continue;
+        }
+        let own = afloat(vessel);
+        for ship in &flow.passing {
+            let now = ship.track.at(t_s);
+            let other = Afloat::of(&ship.hull, now.pose, now.velocity_mps, water);
+            let Some([surge_n, sway_n, yaw_nm]) = push(&own, &other, environment) else { continue };
+            let across_m = own.pose.apply_inverse(other.pose.position_m).y;
+            let factors = ship.factors(own.hull, environment.depth_at_m(t_s), across_m);
+            *force = *force
+                + Force {
+                    surge_n: factors[0] * surge_n,
+                    sway_n: factors[1] * sway_n,
+                    yaw_nm: factors[2] * yaw_nm,
+                };
+        }
+        if !flow.between_vessels || !own.hull.is_slender() {
+            continue;
+        }
+        for other in (0..vessels.len()).filter(|&other| other != vessel) {
+            let other = afloat(other);
+            let share = if other.hull.is_slender() { share_of_gap(&own, &other) } else { 0.0 };
+            if share == 0.0 {
+                continue;
+            }
+            let Some([surge_n, sway_n, yaw_nm]) = push(&own, &other, environment) else { continue };
+            *force = *force + Force { surge_n, sway_n, yaw_nm } * share;
+        }
+    }
+}
+
+/// The force of one ship on another in deep water; `None` far away.
+fn push(own: &Afloat<'_>, other: &Afloat<'_>, environment: &Environment) -> Option<[f64; 3]> {
+    let mean_length_m = 0.5 * (own.hull.length_m + other.hull.length_m);
+    let apart = (other.pose.position_m - own.pose.position_m).length() / mean_length_m;
+    let share = 1.0 - smooth(apart, FADES);
+    if share == 0.0 {
+        return None;
+    }
+    let closest_m = 0.5 * (own.hull.beam_m + other.hull.beam_m);
+    let density = environment.water_density_kgpm3;
+    let force = force_under_way(&own.in_flow(), &other.in_flow(), density, closest_m);
+    Some(force.map(|part| share * part))
+}
+
+/// How much of the flow between two vessels is taken, by their clear gap.
+fn share_of_gap(own: &Afloat<'_>, other: &Afloat<'_>) -> f64 {
+    smooth(gap_between(own, other), TOO_NEAR)
+}
+
+/// The clear gap between two ships over the mean of their beams.
+fn gap_between(own: &Afloat<'_>, other: &Afloat<'_>) -> f64 {
+    let mean_beam_m = 0.5 * (own.hull.beam_m + other.hull.beam_m);
+    let apart_m = of_segments_m(own.ends_m(), other.ends_m());
+    apart_m / mean_beam_m - 1.0
+}
+
+/// The clear gap between two vessels, by their indices, over the mean of their beams; `None` if one of them is too short for the flow.
+pub fn gap_in_beams(
+    flow: &FlowSetup,
+    (vessels, states): (&[VesselSetup], &[BodyState]),
+    water: (&Environment, f64),
+    pair: [usize; 2],
+) -> Option<f64> {
+    let [one, other] =
+        pair.map(|index| Afloat::of_vessel(&flow.hulls[index], &vessels[index], states, water));
+    let is_slender = one.hull.is_slender() && other.hull.is_slender();
+    is_slender.then(|| gap_between(&one, &other))
+}
+
+/// 0 below the first, 1 above the second, with a continuous slope.
+pub(super) fn smooth(value: f64, [low, high]: [f64; 2]) -> f64 {
+    let share = bounded((value - low) / (high - low), 0.0, 1.0);
+    share * share * (3.0 - 2.0 * share)
+}

@@ -1,0 +1,81 @@
+//! The pull of straight banks on each vessel, in a step.
+
+use fenderline_contact::number::greater;
+use fenderline_contact::{BodyState, Vec2};
+use fenderline_ship::environment::{Bank, BankMethod};
+use fenderline_ship::hydro::Force;
+use fenderline_ship::passing::{FlowSetup, force_of_wall};
+
+use super::act::{Afloat, smooth};
+use crate::world::{Environment, VesselSetup};
+
+/// Sines of the angles between ship and wall (15 and 30 degrees) at which the force begins to fade, and at which it has gone; our choice.
+const ASKEW: [f64; 2] = [0.258_8, 0.5];
+/// Clear gap between side and wall over the beam below which the flow of slender ships says nothing, and from which it is taken in
+/// full: half the gaps between two vessels, as the image is twice as far away as the wall; our choice.
+const TOO_NEAR: [f64; 2] = [0.125, 0.25];
+/// Distance between ship and image over her length at which the force begins to fade, and at which it has gone.
+const FADES: [f64; 2] = [8.0, 10.0];
+
+/// Sets the force of all banks by image on each vessel about midship.
+pub fn act_of_banks(
+    flow: &FlowSetup,
+    (vessels, states): (&[VesselSetup], &[BodyState]),
+    environment: &Environment,
+    t_s: f64,
+    into: &mut [Force],
+) {
+    into.fill(Force::default());
+    let by_image = |bank: &&Bank| bank.method() == BankMethod::Image;
+    if flow.hulls.is_empty() || !environment.banks.iter().any(|bank| by_image(&bank)) {
+        return;
+    }
+    for ((hull, setup), into) in flow.hulls.iter().zip(vessels).zip(into) {
+        if !hull.is_slender() {
+            continue;
+        }
+        let own = Afloat::of_vessel(hull, setup, states, (environment, t_s));
+        // Aground, the bottom is at her keel.
+        let depth_m = environment.depth_at_m(t_s).map(|depth_m| greater(depth_m, hull.draught_m));
+        for bank in environment.banks.iter().filter(by_image) {
+            let share = share_of(&own, bank.ends_m());
+            if share == 0.0 {
+                continue;
+            }
+            let [surge_n, sway_n, yaw_nm] = force_of_wall(
+                &own.in_flow(),
+                bank.ends_m(),
+                environment.water_density_kgpm3,
+                depth_m,
+                hull.beam_m,
+            );
+            *into = *into + Force { surge_n, sway_n, yaw_nm } * share;
+        }
+    }
+}
+
+/// How much of the flow of the image is taken: by her angle to the wall, her clear gap, and how much of her is abreast of the wall.
+fn share_of(own: &Afloat<'_>, [from_m, to_m]: [Vec2; 2]) -> f64 {
+    let length_m = (to_m - from_m).length();
+    let along = (to_m - from_m) * (1.0 / length_m);
+    let ends_m = own.ends_m().map(|end_m| end_m - from_m);
+    let [stern_m, bow_m] = ends_m.map(|end_m| along.cross(end_m));
+    if stern_m * bow_m <= 0.0 {
+        return 0.0;
+    }
+    let nearest_m = if stern_m.abs() < bow_m.abs() { stern_m.abs() } else { bow_m.abs() };
+    let gap = (nearest_m - 0.5 * own.hull.beam_m) / own.hull.beam_m;
+    let askew = along.cross(ends_m[1] - ends_m[0]).abs() / own.hull.length_m;
+    if askew >= ASKEW[1] {
+        return 0.0;
+    }
+    let [aft_m, fore_m] = ends_m.map(|end_m| along.dot(end_m));
+    let (low_m, high_m) = if aft_m < fore_m { (aft_m, fore_m) } else { (fore_m, aft_m) };
+    let last_m = if high_m < length_m { high_m } else { length_m };
+    let abreast = greater(last_m - greater(low_m, 0.0), 0.0) / (high_m - low_m);
+    let image_m = (stern_m + bow_m).abs();
+    smooth(gap, TOO_NEAR)
+        * (1.0 - smooth(askew, ASKEW))
+        * (1.0 - smooth(image_m / own.hull.length_m, FADES))
+        * abreast
+}

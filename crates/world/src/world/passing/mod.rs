@@ -1,0 +1,7 @@
+//! The forces of passing ships, of other vessels and of banks on each vessel, in a step, by the flow of [`fenderline_ship::passing`].
+
+mod act;
+mod banks;
+
+pub use act::{FULL_FLOW_GAP, act, gap_in_beams};
+pub use banks::act_of_banks;

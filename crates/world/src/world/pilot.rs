@@ -1,0 +1,249 @@
+//! The pilots of a vessel: they turn orders for course, speed or station into orders to rudder, engine and thrusters in each
+//! step.
+
+use fenderline_contact::number::{greater, lesser};
+use fenderline_contact::{BodyState, Rotation};
+
+use super::assist::AssistPilot;
+use super::azimuth::AzimuthSetup;
+use super::azimuth_pilot::{Stream, largest_of_azimuths, share_with_azimuths};
+use super::vessel::{VesselSetup, VesselState, mass_matrix};
+use crate::order::{Station, VesselAction};
+use fenderline_ship::control::{
+    CoursePilot, Demand, Gains, LateralDevice, SpeedPilot, StationPilot, ThrustShares, allocate,
+};
+use fenderline_ship::hydro::{Controls, Velocity, Water};
+
+/// The active pilots of a vessel: plain data.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pilots {
+    /// Keeps a course with the rudder.
+    pub course: Option<CoursePilot>,
+    /// Keeps a speed with the engine.
+    pub speed: Option<SpeedPilot>,
+    /// Keeps a station with all devices.
+    pub station: Option<StationPilot>,
+    /// Assists a ship with the azimuth units.
+    pub assist: Option<AssistPilot>,
+    /// Thrust ahead that azimuth units keep for a course without an ordered speed (N).
+    pub ahead_n: f64,
+}
+
+/// Constants of a ship for her pilots.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Abilities {
+    /// Force at rest at full revolutions astern (negative) and ahead (N).
+    pub(super) bollard_n: [f64; 2],
+    /// Speed at full revolutions ahead (m/s).
+    full_speed_mps: f64,
+    /// Mass in surge and sway and inertia in yaw, with added mass (kg, kg, kg·m²).
+    pub(super) inertia: [f64; 3],
+}
+
+impl Abilities {
+    pub(super) fn of(setup: &VesselSetup, water: Water) -> Abilities {
+        let surge_n = |surge_mps: f64, shaft_rps: f64| {
+            let velocity = Velocity { surge_mps, ..Velocity::default() };
+            let controls = Controls { shaft_rps, rudder_rad: 0.0 };
+            setup.ship.forces(&velocity, &controls, water).surge_n
+        };
+        let azimuths_n = |surge_mps: f64| -> f64 {
+            let velocity = Velocity { surge_mps, ..Velocity::default() };
+            let full = |a: &AzimuthSetup| {
+                let full_rps = a.unit.revolutions_for(a.bollard_n, water);
+                a.unit.force(full_rps, 0.0, &velocity, water).surge_n
+            };
+            setup.azimuths.iter().map(full).sum()
+        };
+        let full_rps = setup.shaft.stop;
+        // The balance of thrust and resistance, by bisection.
+        let (mut low, mut high) = (0.0, 30.0);
+        for _ in 0..40 {
+            let middle = 0.5 * (low + high);
+            if surge_n(middle, full_rps) + azimuths_n(middle) > 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        let matrix = mass_matrix(&setup.ship, water.density_kgpm3);
+        Abilities {
+            bollard_n: [surge_n(0.0, -full_rps), surge_n(0.0, full_rps)],
+            full_speed_mps: high,
+            inertia: [matrix[0][0], matrix[1][1], matrix[2][2]],
+        }
+    }
+
+    /// Revolutions over full revolutions for a force at rest: thrust is proportional to their square.
+    fn revolutions(&self, surge_n: f64) -> f64 {
+        let [astern_n, ahead_n] = self.bollard_n;
+        if surge_n >= 0.0 {
+            lesser(libm::sqrt(surge_n / greater(ahead_n, 1.0)), 1.0)
+        } else {
+            -lesser(libm::sqrt(surge_n / lesser(astern_n, -1.0)), 1.0)
+        }
+    }
+}
+
+/// Carries out an order to a vessel: sets her controls or engages a pilot.
+pub(super) fn take(
+    action: &VesselAction,
+    vessel: &mut VesselState,
+    setup: &VesselSetup,
+    abilities: &Abilities,
+    state: &BodyState,
+) {
+    let speed_mps = state.velocity_mps.length();
+    let pilots = &mut vessel.pilots;
+    match *action {
+        VesselAction::Rudder(angle_rad) => {
+            (pilots.course, pilots.station) = (None, None);
+            vessel.orders.rudder_rad = angle_rad;
+        }
+        VesselAction::Engine(share) => {
+            (pilots.speed, pilots.station) = (None, None);
+            vessel.orders.shaft = share;
+        }
+        VesselAction::Thruster(index, power) => {
+            (pilots.station, pilots.assist) = (None, None);
+            vessel.orders.thrusters[index] = power;
+        }
+        VesselAction::Azimuth { unit, power, direction_rad } => {
+            (pilots.station, pilots.assist) = (None, None);
+            if setup.steers_with_azimuths() {
+                (pilots.course, pilots.speed) = (None, None);
+            }
+            let order = &mut vessel.orders.azimuths[unit];
+            order.power = power.unwrap_or(order.power);
+            order.direction_rad = direction_rad.unwrap_or(order.direction_rad);
+        }
+        VesselAction::Assist(order) => {
+            *pilots = Pilots { assist: Some(AssistPilot::new(order)), ..Pilots::default() };
+        }
+        VesselAction::Course(heading_rad) => {
+            (pilots.station, pilots.assist) = (None, None);
+            let length_m = setup.ship.particulars.length_m;
+            let stop_rad = setup.rudder.stop;
+            let units = vessel.orders.azimuths.iter().zip(&setup.azimuths);
+            pilots.ahead_n = units
+                .map(|(order, of)| order.power * libm::cos(order.direction_rad) * of.bollard_n)
+                .sum();
+            pilots.course = Some(CoursePilot::of_ship(heading_rad, length_m, speed_mps, stop_rad));
+        }
+        VesselAction::Speed(wanted_mps) => {
+            (pilots.station, pilots.assist) = (None, None);
+            pilots.speed = Some(SpeedPilot {
+                speed_mps: wanted_mps,
+                full_speed_mps: abilities.full_speed_mps,
+                integral_s: 120.0,
+                integral: 0.0,
+            });
+        }
+        VesselAction::Station(station) => {
+            (pilots.course, pilots.speed, pilots.assist) = (None, None, None);
+            let steady = pilots.station.map_or([0.0; 3], |before| before.steady);
+            pilots.station = Some(station_pilot(&station, abilities, setup, steady));
+        }
+        VesselAction::Hands => *pilots = Pilots::default(),
+    }
+}
+
+fn station_pilot(
+    station: &Station,
+    abilities: &Abilities,
+    setup: &VesselSetup,
+    steady: [f64; 3],
+) -> StationPilot {
+    let [surge, sway] = station.fastest_mps;
+    StationPilot {
+        position_m: station.position_m,
+        heading_rad: station.heading_rad,
+        gains: Gains {
+            inertia: abilities.inertia,
+            period_s: 240.0,
+            damping: 0.9,
+            integral_s: 300.0,
+            // Turning moves her ends no faster than sway does.
+            fastest: [surge, sway, 2.0 * sway / setup.ship.particulars.length_m],
+        },
+        steady,
+    }
+}
+
+/// Memory of the pilots, reused from step to step.
+#[derive(Clone, Debug, Default)]
+pub(super) struct PilotWork {
+    /// Other lateral devices that serve the vessel: tugs.
+    pub(super) helpers: Vec<LateralDevice>,
+    /// Their forces, if a pilot uses them (N).
+    pub(super) helpers_n: Vec<f64>,
+    /// Thrusters and helpers, and their forces (N).
+    across: Vec<LateralDevice>,
+    across_n: Vec<f64>,
+    /// Azimuth units with all others.
+    pub(super) shares: ThrustShares,
+}
+
+/// Sets the orders of this step. `helpers` of `work` are other lateral devices; their forces are written to its `helpers_n`.
+pub(super) fn pilot(
+    vessel: &mut VesselState,
+    setup: &VesselSetup,
+    abilities: &Abilities,
+    (state, water): (&BodyState, &Stream),
+    work: &mut PilotWork,
+    step_s: f64,
+) {
+    let PilotWork { helpers, helpers_n, across: devices, across_n: forces_n, shares } = work;
+    helpers_n.clear();
+    if !setup.steers_with_azimuths() {
+        under_way(vessel, state, step_s);
+    }
+    let Some(station) = &mut vessel.pilots.station else { return };
+    let ahead_m = setup.ship.particulars.centre_of_gravity_m;
+    devices.clear();
+    devices.extend(setup.thrusters.iter().map(|thruster| LateralDevice {
+        forward_m: thruster.tunnel.along_m - ahead_m,
+        limits_n: [-thruster.tunnel.bollard_n, thruster.tunnel.bollard_n],
+    }));
+    devices.extend_from_slice(helpers);
+    let [astern_n, forward_n] = abilities.bollard_n;
+    let reach = |device: &LateralDevice| greater(device.limits_n[1], -device.limits_n[0]);
+    let mut largest = Demand {
+        surge_n: lesser(forward_n, -astern_n),
+        sway_n: devices.iter().map(reach).sum(),
+        yaw_nm: devices.iter().map(|d| reach(d) * d.forward_m.abs()).sum(),
+    };
+    let units = largest_of_azimuths(setup);
+    largest.surge_n += units.surge_n;
+    largest.sway_n += units.sway_n;
+    largest.yaw_nm += units.yaw_nm;
+    let demand = station.demand(state, &largest, step_s);
+    vessel.orders.rudder_rad = 0.0;
+    forces_n.clear();
+    forces_n.resize(devices.len(), 0.0);
+    if setup.azimuths.is_empty() {
+        vessel.orders.shaft = abilities.revolutions(demand.surge_n);
+        allocate(devices, demand.sway_n, demand.yaw_nm, forces_n);
+    } else {
+        let ships = (setup, abilities, water);
+        let engine_n = share_with_azimuths(vessel, shares, ships, &demand, devices, forces_n);
+        vessel.orders.shaft = abilities.revolutions(engine_n);
+    }
+    let own = setup.thrusters.len();
+    for (index, thruster) in setup.thrusters.iter().enumerate() {
+        vessel.orders.thrusters[index] = forces_n[index] / thruster.tunnel.bollard_n;
+    }
+    helpers_n.extend_from_slice(&forces_n[own..]);
+}
+
+/// Keeps course and speed with rudder and engine.
+fn under_way(vessel: &mut VesselState, state: &BodyState, step_s: f64) {
+    let surge_mps = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps).x;
+    if let Some(course) = &vessel.pilots.course {
+        vessel.orders.rudder_rad =
+            course.rudder_rad(state.heading_rad, state.yaw_rate_radps, surge_mps);
+    }
+    if let Some(speed) = &mut vessel.pilots.speed {
+        vessel.orders.shaft = speed.revolutions(surge_mps, step_s);
+    }
+}

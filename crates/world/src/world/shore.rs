@@ -1,0 +1,58 @@
+//! Heights above the water on fixed and floating bodies.
+
+use fenderline_contact::Vec2;
+
+use super::seaway::{Afloat, Lever};
+use crate::fender::FenderSetup;
+
+/// The fixed bodies and the water level.
+#[derive(Clone, Copy, Debug)]
+pub struct Shore<'a> {
+    /// For each body of the set-up, whether it is fixed.
+    pub fixed: &'a [bool],
+    /// Level of the water above datum (m).
+    pub level_m: f64,
+    /// For each body, how it is afloat; empty, or `None` for a body whose lines do not feel heave, roll and pitch.
+    pub afloat: &'a [Option<Afloat>],
+}
+
+impl Shore<'_> {
+    /// Height above the water (m) of a point on a body. `height_m` is above datum on a fixed body, above the water on a
+    /// floating one.
+    pub fn above_water_m(&self, body: usize, height_m: f64) -> f64 {
+        if self.fixed[body] { height_m - self.level_m } else { height_m }
+    }
+
+    /// Where a point of a body is, in the body's frame (m), and its height above the water (m).
+    pub fn place(&self, body: usize, at_m: Vec2, height_m: f64) -> (Vec2, f64) {
+        match self.afloat.get(body).copied().flatten() {
+            Some(afloat) => afloat.place(at_m, height_m),
+            None => (at_m, self.above_water_m(body, height_m)),
+        }
+    }
+
+    /// The lever about the centre of gravity of a point of a body. On a body that does not feel heave, roll and pitch it is the place
+    /// alone.
+    pub fn lever(&self, body: usize, at_m: Vec2, height_m: f64) -> Lever {
+        match self.afloat.get(body).copied().flatten() {
+            Some(afloat) => afloat.lever(at_m, height_m),
+            None => Lever { at_m, above_gravity_m: 0.0 },
+        }
+    }
+
+    /// Height above the water (m) of the middle of the face of a fender that heaves, rolls and pitches with its body.
+    pub fn fender_at_work_m(&self, fender: &FenderSetup) -> f64 {
+        let upright_m = self.fender_above_water_m(fender);
+        let afloat =
+            if fender.floating { None } else { self.afloat.get(fender.body).copied().flatten() };
+        upright_m - afloat.map_or(0.0, |afloat| afloat.sinkage_m(fender.position_m))
+    }
+
+    /// Height of the middle of a fender's face above the water (m).
+    pub fn fender_above_water_m(&self, fender: &FenderSetup) -> f64 {
+        if fender.floating {
+            return fender.above_water_m;
+        }
+        self.above_water_m(fender.body, fender.above_water_m)
+    }
+}

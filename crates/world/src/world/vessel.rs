@@ -1,0 +1,648 @@
+//! A ship in her water and wind: from her state and controls to the wrench on her body.
+
+use fenderline_contact::number::bounded;
+use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
+use fenderline_ship::constants::STANDARD_GRAVITY_MPS2;
+
+use super::azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
+use super::current_table::CurrentTable;
+use super::environment::Environment;
+use super::fault::Faults;
+use super::pilot::Pilots;
+use super::seaway::SeawayState;
+use fenderline_ship::attitude::{Attitude, AttitudeLoad, Hydrostatics, Motion};
+use fenderline_ship::environment::waves::{
+    DriftHull, FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion, mean_drift,
+};
+use fenderline_ship::environment::wind::{RelativeWind, ShipGusts, ShipWindage};
+use fenderline_ship::environment::{BankMethod, BankWater, ShipAtBank, Tide};
+use fenderline_ship::hydro::actuator::{Lag, Order, RateLimited};
+use fenderline_ship::hydro::shallow::SHALLOWEST_RATIO;
+use fenderline_ship::hydro::vessels::Origin;
+use fenderline_ship::hydro::{Controls, Force, Mmg, Velocity};
+use fenderline_ship::seakeeping::Seakeeping;
+
+/// Under-keel clearance from which a ship that was aground is afloat again (m); our choice.
+const REFLOATED_M: f64 = 0.02;
+
+/// A vessel of a set-up: a body with hull, propulsion and their forces.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VesselSetup {
+    /// Index of her body in [`crate::setup::Setup::bodies`].
+    pub body: usize,
+    /// Her name and the sources of her data.
+    pub origin: Origin,
+    /// Hull, propeller and rudder, about midship, in the depth at the start of the run. The mass with which the engine moves her
+    /// stays that of the start.
+    pub ship: Mmg,
+    /// Likewise in deep water: with a tide, her hull in any depth is computed from it.
+    pub deep: Mmg,
+    /// Rudder: angle at the start, rate and stop (rad).
+    pub rudder: RateLimited,
+    /// Shaft: revolutions at the start, rate, and full revolutions as the stop (1/s).
+    pub shaft: RateLimited,
+    /// Tunnel thrusters.
+    pub thrusters: Vec<ThrusterSetup>,
+    /// Azimuth units.
+    pub azimuths: Vec<AzimuthSetup>,
+    /// Current coefficients of the user's own, which are the hull's force at low speed.
+    pub current_table: Option<CurrentTable>,
+    /// Wind areas.
+    pub windage: Option<ShipWindage>,
+    /// Heave, roll and pitch.
+    pub float: Option<Float>,
+    /// First-order response to waves, superposed on all other motion.
+    pub response: Option<MotionResponse>,
+    /// Hull data for mean wave drift.
+    pub drift: Option<DriftHull>,
+    /// Hydrodynamic data, by which she moves in six degrees of freedom. She then has no `response`, and her `float` has her centre
+    /// of gravity. By the coupled method and the semi-implicit integrator only.
+    pub seakeeping: Option<Seakeeping>,
+}
+
+/// Data for heave, roll and pitch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Float {
+    /// The three oscillators.
+    pub hydrostatics: Hydrostatics,
+    /// Centre of gravity above the still waterline (m); negative below it.
+    pub gravity_above_water_m: f64,
+    /// Draught (m).
+    pub draught_m: f64,
+}
+
+/// The present orders to rudder, engine and thrusters.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct VesselOrders {
+    /// Rudder (rad).
+    pub rudder_rad: f64,
+    /// Revolutions over full revolutions.
+    pub shaft: f64,
+    /// Each thruster, −1 (to port) to 1.
+    pub thrusters: Vec<f64>,
+    /// Each azimuth unit.
+    pub azimuths: Vec<AzimuthOrder>,
+}
+
+impl VesselOrders {
+    fn copy_from(&mut self, other: &VesselOrders) {
+        let VesselOrders { rudder_rad, shaft, thrusters, azimuths } = self;
+        (*rudder_rad, *shaft) = (other.rudder_rad, other.shaft);
+        thrusters.clone_from(&other.thrusters);
+        azimuths.clone_from(&other.azimuths);
+    }
+}
+
+/// The variable state of a vessel besides her state in the plane: plain data.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VesselState {
+    /// Present orders.
+    pub orders: VesselOrders,
+    /// Rudder.
+    pub rudder: RateLimited,
+    /// Shaft.
+    pub shaft: RateLimited,
+    /// Tunnel thrusters.
+    pub thrusters: Vec<Lag>,
+    /// Azimuth units.
+    pub azimuths: Vec<AzimuthState>,
+    /// Active pilots.
+    pub pilots: Pilots,
+    /// Heave, roll and pitch, without first-order wave motion.
+    pub attitude: Attitude,
+    /// First-order wave motion, to be superposed.
+    pub wave_motion: FirstOrderMotion,
+    /// What the water remembers of a vessel with hydrodynamic data.
+    pub seaway: Option<SeawayState>,
+    /// Squat (m): additional sinkage under way in shallow water.
+    pub squat_m: f64,
+    /// Under-keel clearance with squat (m); `None` in deep water. Negative where she is aground.
+    pub under_keel_m: Option<f64>,
+    /// She is aground.
+    pub aground: bool,
+    /// The water is shallower than the range of the shallow-water formulas, whose values at the end of the range are used.
+    pub held: bool,
+    /// Faults.
+    pub faults: Faults,
+}
+
+/// Heave, roll and pitch of a hull, squat and first-order wave motion included.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct HullMotion {
+    /// Positive down (m).
+    pub heave_m: f64,
+    /// Positive to starboard (rad).
+    pub roll_rad: f64,
+    /// Positive bow up (rad).
+    pub pitch_rad: f64,
+}
+
+impl HullMotion {
+    /// How much lower a place on the hull is than at rest (m), for small angles.
+    pub fn sinkage_m(&self, place_m: Vec2) -> f64 {
+        self.heave_m - place_m.x * self.pitch_rad + place_m.y * self.roll_rad
+    }
+}
+
+/// The forces on a vessel by source, in her axes about midship.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct VesselForces {
+    /// Hull, with the effect of current.
+    pub hull: Force,
+    /// Propeller.
+    pub propeller: Force,
+    /// Rudder.
+    pub rudder: Force,
+    /// Thrusters, azimuth units among them.
+    pub thrusters: Force,
+    /// Wind.
+    pub wind: Force,
+    /// Mean wave drift; with hydrodynamic data also slow drift.
+    pub waves: Force,
+    /// Exciting force of the waves on a vessel with hydrodynamic data.
+    pub excitation: Force,
+    /// The water's answer to the motion of a vessel with hydrodynamic data, and what heave, roll and pitch do to her motion in the
+    /// plane: the difference to a body with the engine's constant mass.
+    pub radiation: Force,
+    /// Banks: unvalidated.
+    pub banks: Force,
+    /// The flow of ships that pass, and of other vessels.
+    pub passing: Force,
+    /// The bottom, where she is aground.
+    pub bottom: Force,
+}
+
+/// Forces by the inertia of the water, besides those of [`VesselForces`].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct WaterInertia {
+    /// Minus the Coriolis terms of the added mass in the hull's force: about midship, in her axes. The integrators apply these
+    /// terms themselves.
+    pub coriolis: Force,
+    /// Velocity of the current at her place (m/s).
+    pub current_mps: Vec2,
+    /// Wrench by the acceleration of the water: about her centre of gravity, earth-fixed.
+    pub acceleration: Wrench,
+}
+
+impl VesselForces {
+    /// Disturbance that her pilots compensate: hull, wind and waves.
+    pub fn disturbance(&self) -> Force {
+        self.hull + self.wind + self.waves
+    }
+
+    /// The sum without excitation and radiation, which `world/seaway.rs` adds.
+    pub fn sum(&self) -> Force {
+        self.hull
+            + self.propeller
+            + self.rudder
+            + self.thrusters
+            + self.wind
+            + self.waves
+            + self.banks
+            + self.passing
+            + self.bottom
+    }
+}
+
+impl VesselState {
+    /// Becomes a copy of another state, without allocation where both are of one vessel.
+    pub fn copy_from(&mut self, other: &VesselState) {
+        let (mut orders, mut thrusters, mut azimuths, mut seaway) = (
+            std::mem::take(&mut self.orders),
+            std::mem::take(&mut self.thrusters),
+            std::mem::take(&mut self.azimuths),
+            std::mem::take(&mut self.seaway),
+        );
+        match (&mut seaway, &other.seaway) {
+            (Some(own), Some(other)) => own.copy_from(other),
+            (own, other) => own.clone_from(other),
+        }
+        orders.copy_from(&other.orders);
+        thrusters.clone_from(&other.thrusters);
+        azimuths.clone_from(&other.azimuths);
+        *self = VesselState { orders, thrusters, azimuths, seaway, ..*other };
+    }
+
+    /// The state at the start of a run.
+    pub fn new(setup: &VesselSetup) -> VesselState {
+        VesselState {
+            orders: VesselOrders {
+                rudder_rad: setup.rudder.value,
+                shaft: setup.shaft.value / setup.shaft.stop,
+                thrusters: vec![0.0; setup.thrusters.len()],
+                azimuths: vec![AzimuthOrder::default(); setup.azimuths.len()],
+            },
+            rudder: setup.rudder,
+            shaft: setup.shaft,
+            thrusters: setup
+                .thrusters
+                .iter()
+                .map(|thruster| Lag { value: 0.0, time_constant_s: thruster.lag_s })
+                .collect(),
+            azimuths: setup.azimuths.iter().map(AzimuthState::new).collect(),
+            pilots: Pilots::default(),
+            attitude: Attitude::default(),
+            wave_motion: FirstOrderMotion::default(),
+            seaway: None,
+            squat_m: 0.0,
+            under_keel_m: None,
+            aground: false,
+            held: false,
+            faults: Faults::default(),
+        }
+    }
+
+    /// Her heave, roll and pitch some time after the state (s), by their present rates.
+    pub fn motion_after(&self, seconds: f64) -> HullMotion {
+        let Attitude { heave, roll, pitch } = self.attitude;
+        let FirstOrderMotion { motion, rate } = self.wave_motion;
+        let at = |own: Motion, k: usize| (own.value + motion[k]) + (own.rate + rate[k]) * seconds;
+        HullMotion {
+            heave_m: at(heave, 2) + self.squat_m,
+            roll_rad: at(roll, 3),
+            pitch_rad: at(pitch, 4),
+        }
+    }
+
+    /// Moves rudder, shaft and thrusters towards their orders, except those that have failed. Returns true if an order was
+    /// limited.
+    pub fn act(&mut self, step_s: f64) -> bool {
+        let faults = self.faults;
+        let order_rad = self.orders.rudder_rad;
+        let rudder_rad = if faults.steering_failed() || faults.follow_up_lost && order_rad == 0.0 {
+            self.rudder.value
+        } else if faults.follow_up_lost {
+            self.rudder.stop.copysign(order_rad)
+        } else {
+            order_rad
+        };
+        let mut clamped = self.rudder.step(rudder_rad, step_s) == Order::Clamped;
+        let shaft_rps =
+            if faults.engine_failed() { 0.0 } else { self.orders.shaft * self.shaft.stop };
+        clamped |= self.shaft.step(shaft_rps, step_s) == Order::Clamped;
+        let tunnels = self.thrusters.len();
+        for (unit, (lag, &order)) in
+            self.thrusters.iter_mut().zip(&self.orders.thrusters).enumerate()
+        {
+            let failed = faults.thrusters_failed() || faults.tripped.has(unit);
+            let order = if failed { 0.0 } else { order };
+            let within = if order.is_nan() { lag.value } else { bounded(order, -1.0, 1.0) };
+            clamped |= within != order;
+            lag.step(within, step_s);
+        }
+        let units = self.azimuths.iter_mut().zip(&self.orders.azimuths);
+        for (number, (unit, order)) in units.enumerate() {
+            let mut order = *order;
+            if faults.engine_failed() || faults.tripped.has(tunnels + number) {
+                order.power = 0.0;
+            }
+            if faults.steering_failed() {
+                order.direction_rad = unit.direction.angle_rad;
+            }
+            clamped |= unit.act(&order, step_s);
+        }
+        clamped
+    }
+}
+
+impl VesselSetup {
+    /// Thrust of all azimuth units at rest and full power (N).
+    #[must_use]
+    pub fn bollard_pull_n(&self) -> f64 {
+        self.azimuths.iter().map(|azimuth| azimuth.bollard_n).sum()
+    }
+
+    /// The names of her thrusters, then of her azimuth units: the numbers of [`crate::world::Tripped`].
+    pub fn unit_names(&self) -> impl Iterator<Item = &str> + Clone {
+        let thrusters = self.thrusters.iter().map(|thruster| thruster.name.as_str());
+        thrusters.chain(self.azimuths.iter().map(|azimuth| azimuth.name.as_str()))
+    }
+
+    /// True if azimuth units alone propel and steer her: she has no propeller and rudder.
+    #[must_use]
+    pub fn steers_with_azimuths(&self) -> bool {
+        self.ship.propulsion.is_none() && !self.azimuths.is_empty()
+    }
+
+    /// The forces in a step from a state. `velocity` is that through the water; velocities belong to `velocity_t_s`, positions to
+    /// `t_s`; `gusts` are those of the environment over her. Stores the force of each azimuth unit in the unit.
+    pub fn forces(
+        &self,
+        vessel: &mut VesselState,
+        (state, velocity): (&BodyState, &Velocity),
+        (environment, gusts): (&Environment, Option<&ShipGusts>),
+        (t_s, velocity_t_s, step_s): (f64, f64, f64),
+    ) -> VesselForces {
+        let water = environment.density();
+        let controls = Controls { shaft_rps: vessel.shaft.value, rudder_rad: vessel.rudder.value };
+        let ship = self.ship_now(environment, t_s);
+        let mut parts = ship.parts(velocity, &controls, water);
+        if let Some(table) = &self.current_table {
+            let draught_m = ship.particulars.draught_m;
+            let ratio = environment.still_depth_at_m(t_s).map(|depth_m| depth_m / draught_m);
+            parts.hull = table.hull((&ship, parts.hull), velocity, water, ratio);
+        }
+        let mut thrusters = Force::default();
+        for (thruster, lag) in self.thrusters.iter().zip(&vessel.thrusters) {
+            thrusters = thrusters + thruster.tunnel.force(lag.value, velocity);
+        }
+        for (azimuth, now) in self.azimuths.iter().zip(&mut vessel.azimuths) {
+            thrusters = thrusters + now.compute_force(azimuth, velocity, water);
+        }
+        VesselForces {
+            hull: parts.hull,
+            propeller: parts.propeller,
+            rudder: parts.rudder,
+            thrusters,
+            wind: self.wind(state, environment, gusts, t_s),
+            waves: self.drift(state, environment, velocity_t_s),
+            excitation: Force::default(),
+            radiation: Force::default(),
+            banks: self.banks(state, velocity, environment, t_s),
+            passing: Force::default(),
+            bottom: self.bottom(vessel, state, environment, step_s),
+        }
+    }
+
+    /// Hull, propeller and rudder in the depth at a time. Its added mass is that of this depth and gives the Coriolis terms in the
+    /// hull's force; the mass with which she moves stays that of the start.
+    fn ship_now(&self, environment: &Environment, t_s: f64) -> Mmg {
+        match (&environment.tide, environment.still_depth_at_m(t_s)) {
+            (Tide::Level(_), _) | (_, None) => self.ship,
+            (_, Some(depth_m)) => self.deep.at_depth(depth_m),
+        }
+    }
+
+    /// True if the water is shallower than the range of the shallow-water formulas.
+    pub fn is_held(&self, environment: &Environment, t_s: f64) -> bool {
+        let least_m = SHALLOWEST_RATIO * self.ship.particulars.draught_m;
+        environment.depth_at_m(t_s).is_some_and(|depth_m| depth_m < least_m)
+    }
+
+    /// Velocity through the water at midship.
+    #[must_use]
+    pub fn velocity(&self, state: &BodyState, environment: &Environment, t_s: f64) -> Velocity {
+        let draught_m = self.ship.particulars.draught_m;
+        let current = environment.current(state.position_m, t_s, draught_m);
+        let own =
+            Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps - current);
+        let yaw_radps = state.yaw_rate_radps;
+        let sway_mps = own.y - self.ship.particulars.centre_of_gravity_m * yaw_radps;
+        Velocity { surge_mps: own.x, sway_mps, yaw_radps }
+    }
+
+    fn drift(&self, state: &BodyState, environment: &Environment, t_s: f64) -> Force {
+        if self.seakeeping.is_some() {
+            return Force::default();
+        }
+        let (Some(sea), Some(hull)) = (&environment.sea, &self.drift) else {
+            return Force::default();
+        };
+        let density = environment.water_density_kgpm3;
+        let draught_m = self.ship.particulars.draught_m;
+        let stream_mps = environment.current(state.position_m, t_s, draught_m);
+        let going = (state.heading_rad, state.velocity_mps - stream_mps);
+        let [surge_n, sway_n, yaw_nm] = mean_drift(sea, hull, going, density);
+        Force { surge_n, sway_n, yaw_nm }
+    }
+
+    /// Force and moment of all banks by Norrbin's formulas.
+    fn banks(
+        &self,
+        state: &BodyState,
+        velocity: &Velocity,
+        environment: &Environment,
+        t_s: f64,
+    ) -> Force {
+        let mut banks =
+            environment.banks.iter().filter(|bank| bank.method() == BankMethod::Norrbin).peekable();
+        if banks.peek().is_none() {
+            return Force::default();
+        }
+        let hull = &self.ship.particulars;
+        let ship = ShipAtBank {
+            length_m: hull.length_m,
+            beam_m: hull.beam_m,
+            draught_m: hull.draught_m,
+            position_m: state.pose().apply(vec2(-hull.centre_of_gravity_m, 0.0)),
+            heading_rad: state.heading_rad,
+            surge_mps: velocity.surge_mps,
+        };
+        let water = BankWater {
+            density_kgpm3: environment.water_density_kgpm3,
+            depth_m: environment.depth_at_m(t_s),
+        };
+        banks.fold(Force::default(), |sum, bank| {
+            let [surge_n, sway_n, yaw_nm] = bank.force(&ship, &water);
+            sum + Force { surge_n, sway_n, yaw_nm }
+        })
+    }
+
+    /// Her squat (m); 0 in deep water.
+    pub fn squat_m(&self, state: &BodyState, environment: &Environment, t_s: f64) -> f64 {
+        let (Some(squat), Some(depth_m)) = (environment.squat, environment.depth_at_m(t_s)) else {
+            return 0.0;
+        };
+        let surge_mps = self.velocity(state, environment, t_s).surge_mps;
+        squat.sinkage_m(&self.ship.particulars, depth_m, surge_mps)
+    }
+
+    /// Under-keel clearance with a squat (m); `None` in deep water.
+    pub fn under_keel_m(&self, squat_m: f64, environment: &Environment, t_s: f64) -> Option<f64> {
+        let draught_m = self.ship.particulars.draught_m;
+        environment.depth_at_m(t_s).map(|depth_m| depth_m - draught_m - squat_m)
+    }
+
+    /// True if she is aground. A ship that was aground needs a clearance of `REFLOATED_M` to be afloat again, so that one whose
+    /// squat takes her to the bottom does not change between both in every step.
+    pub fn is_aground(vessel: &VesselState) -> bool {
+        let least_m = if vessel.aground { REFLOATED_M } else { 0.0 };
+        vessel.under_keel_m.is_some_and(|clearance_m| clearance_m <= least_m)
+    }
+
+    /// The drag of the bottom on a ship aground. The bottom carries the weight that the water no longer carries, with Coulomb's
+    /// friction of 0.4 (recalled, for sand). The drag is against her motion and fades out below 0.01 m/s, so that it never
+    /// drives her.
+    fn bottom(
+        &self,
+        vessel: &VesselState,
+        state: &BodyState,
+        environment: &Environment,
+        step_s: f64,
+    ) -> Force {
+        let sunk_m = vessel.under_keel_m.map(|clearance_m| -clearance_m);
+        let Some(sunk_m) = sunk_m.filter(|&sunk_m| sunk_m > 0.0) else {
+            return Force::default();
+        };
+        let ship = &self.ship.particulars;
+        let specific_npm3 = environment.water_density_kgpm3 * STANDARD_GRAVITY_MPS2;
+        let waterplane_m2 = ship.block_coefficient() * ship.length_m * ship.beam_m;
+        let weight_n = specific_npm3 * waterplane_m2 * sunk_m;
+        let own = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps);
+        let ends_mps = 0.25 * ship.length_m * state.yaw_rate_radps;
+        let speed_mps = libm::sqrt(own.length_squared() + ends_mps * ends_mps);
+        let per_speed = 0.4 * weight_n / (speed_mps + 0.01);
+        // Implicit: the drag at the end of the step, from the mass that it decelerates. So a step cannot reverse her motion.
+        let [[surge_kg, ..], [_, sway_kg, _], [.., yaw_kgm2]] =
+            mass_matrix(&self.ship, environment.water_density_kgpm3);
+        let braked = |drag: f64, inertia: f64| drag / (1.0 + drag * step_s / inertia);
+        let arm_m = 0.25 * ship.length_m;
+        Force {
+            surge_n: -braked(per_speed, surge_kg) * own.x,
+            sway_n: -braked(per_speed, sway_kg) * own.y,
+            yaw_nm: -braked(per_speed * arm_m * arm_m, yaw_kgm2) * state.yaw_rate_radps,
+        }
+    }
+
+    /// First-order motion at the end of a step.
+    pub fn wave_motion(
+        &self,
+        state: &BodyState,
+        environment: &Environment,
+        t_s: f64,
+    ) -> FirstOrderMotion {
+        let (Some(sea), Some(response)) = (&environment.sea, &self.response) else {
+            return FirstOrderMotion::default();
+        };
+        let ahead_m = self.ship.particulars.centre_of_gravity_m;
+        let place = ShipInWaves {
+            position_m: state.pose().apply(vec2(-ahead_m, 0.0)),
+            velocity_mps: state.velocity_mps,
+            heading_rad: state.heading_rad,
+        };
+        first_order_motion(sea, response, &place, t_s)
+    }
+
+    /// The gusts of a wind over her; `None` where there are none, or no wind acts on her.
+    pub fn gusts(&self, environment: &Environment) -> Option<ShipGusts> {
+        let gusts = environment.wind.as_ref()?.gusts()?;
+        self.windage.as_ref().map(|windage| ShipGusts::new(gusts, windage))
+    }
+
+    fn wind(
+        &self,
+        state: &BodyState,
+        environment: &Environment,
+        gusts: Option<&ShipGusts>,
+        t_s: f64,
+    ) -> Force {
+        let (Some(windage), Some(wind)) = (&self.windage, &environment.wind) else {
+            return Force::default();
+        };
+        // Gusts act as their mean over the front that she turns to the mean wind.
+        let (_, from_rad) = wind.mean_at(t_s);
+        let gust = |gusts: &ShipGusts| {
+            gusts.speed_over_mps(&windage.front(from_rad - state.heading_rad), t_s)
+        };
+        let height_m = windage.reference_height_m();
+        let air = wind.velocity_in(gusts.map_or(0.0, gust), height_m, t_s);
+        let relative = RelativeWind::of(air, state.velocity_mps, state.heading_rad);
+        let [surge_n, sway_n, yaw_nm] = windage.force(&relative, environment.air_density_kgpm3);
+        Force { surge_n, sway_n, yaw_nm }
+    }
+
+    /// Forces by the inertia of the water. With [`VesselForces`] and the Coriolis terms of the integrators
+    /// ([`crate::turning`]) they give the equations of motion of the MMG method.
+    ///
+    /// The hull's force about midship contains the Coriolis terms of the added mass, (m_y v r, −m_x u r), and Munk's moment
+    /// (m_x − m_y) u v within N_v. The integrators apply the Coriolis terms of ship and added mass themselves, about the
+    /// centre of gravity, so these terms are subtracted here. Together they do no work.
+    ///
+    /// Accelerating water accelerates her: M (v̇ − DU/Dt) = W, by the pressure gradient on the displaced water and the added
+    /// mass in the relative acceleration (Auton, Hunt & Prud'homme 1988, recalled, for a body that is small compared with the
+    /// scale of the current). So M·DU/Dt is added, with the `mass` that the engine moves; it is zero in a steady uniform current.
+    pub fn water_inertia(
+        &self,
+        (state, velocity): (&BodyState, &Velocity),
+        environment: &Environment,
+        mass: &[[f64; 3]; 3],
+        (t_s, step_s): (f64, f64),
+    ) -> WaterInertia {
+        let &Velocity { surge_mps: u, sway_mps: v, yaw_radps: r } = velocity;
+        let density = environment.density().density_kgpm3;
+        let added = &self.ship.added_mass;
+        let (surge_kg, sway_kg) = (density * added.surge_m3, density * added.sway_m3);
+        let coriolis = Force {
+            surge_n: -sway_kg * v * r,
+            sway_n: surge_kg * u * r,
+            yaw_nm: (sway_kg - surge_kg) * u * v,
+        };
+        let draught_m = self.ship.particulars.draught_m;
+        let acceleration =
+            environment.water_acceleration(state.position_m, (t_s, step_s), draught_m);
+        let attitude = Rotation::from_angle(state.heading_rad);
+        let own = attitude.apply_inverse(acceleration);
+        let [[surge_kg, ..], [_, sway_kg, _], [_, coupling_kgm, _]] = *mass;
+        WaterInertia {
+            coriolis,
+            current_mps: environment.current(state.position_m, t_s, draught_m),
+            acceleration: Wrench {
+                force_n: attitude.apply(vec2(surge_kg * own.x, sway_kg * own.y)),
+                moment_nm: coupling_kgm * own.y,
+            },
+        }
+    }
+
+    /// The sum as an earth-fixed wrench about the centre of gravity, without Coriolis terms.
+    pub fn wrench(
+        &self,
+        forces: &VesselForces,
+        water_inertia: &WaterInertia,
+        state: &BodyState,
+    ) -> Wrench {
+        let Force { surge_n, sway_n, yaw_nm } = forces.sum() + water_inertia.coriolis;
+        let ahead_m = self.ship.particulars.centre_of_gravity_m;
+        let attitude = Rotation::from_angle(state.heading_rad);
+        Wrench {
+            force_n: attitude.apply(vec2(surge_n, sway_n)) + water_inertia.acceleration.force_n,
+            moment_nm: yaw_nm - ahead_m * sway_n + water_inertia.acceleration.moment_nm,
+        }
+    }
+
+    /// The load on heave, roll and pitch: forces of hull and appendages at half the draught, of the wind at the height of the
+    /// centroid of her lateral area.
+    pub fn attitude_load(&self, forces: &VesselForces, float: &Float) -> AttitudeLoad {
+        let mut load = AttitudeLoad::default();
+        for (part, above_gravity_m) in self.forces_by_height(forces, float) {
+            load.add(part.surge_n, part.sway_n, above_gravity_m);
+        }
+        load
+    }
+
+    /// Her own forces, each with its height above the centre of gravity (m): those of hull and appendages at half the draught, that of
+    /// the bottom at the keel, that of the wind at the height of the centroid of her lateral area.
+    pub fn forces_by_height(
+        &self,
+        forces: &VesselForces,
+        float: &Float,
+    ) -> impl Iterator<Item = (Force, f64)> {
+        let gravity_m = float.gravity_above_water_m;
+        let water_m = -0.5 * float.draught_m - gravity_m;
+        let below = [
+            forces.hull,
+            forces.propeller,
+            forces.rudder,
+            forces.thrusters,
+            forces.waves,
+            forces.banks,
+            forces.passing,
+        ];
+        let air_m = self.windage.as_ref().map_or(0.0, |w| w.centroid_height_m) - gravity_m;
+        let keel_m = -float.draught_m - gravity_m;
+        let ends = [(forces.bottom, keel_m), (forces.wind, air_m)];
+        below.into_iter().map(move |part| (part, water_m)).chain(ends)
+    }
+}
+
+/// Mass matrix over surge, sway and yaw about the centre of gravity (kg, kg·m, kg·m²).
+#[must_use]
+pub fn mass_matrix(ship: &Mmg, density_kgpm3: f64) -> [[f64; 3]; 3] {
+    let hull = &ship.particulars;
+    let mass_kg = density_kgpm3 * hull.volume_m3;
+    let added = &ship.added_mass;
+    let (surge_kg, sway_kg) = (density_kgpm3 * added.surge_m3, density_kgpm3 * added.sway_m3);
+    let ahead_m = hull.centre_of_gravity_m;
+    let coupling = -sway_kg * ahead_m;
+    let yaw = density_kgpm3 * (hull.yaw_inertia_m5() + added.yaw_m5) + sway_kg * ahead_m * ahead_m;
+    [[mass_kg + surge_kg, 0.0, 0.0], [0.0, mass_kg + sway_kg, coupling], [0.0, coupling, yaw]]
+}
