@@ -178,19 +178,33 @@ CASES = {
 }
 
 
-def at_wall(mesh, lid, centre, y_wall):
-    """Hull and image as one body. Capytaine's y is to port, so the wall is at a negative one."""
-    image, image_lid = (part.mirrored("xOz").translated_y(2 * y_wall) for part in (mesh, lid))
+def symmetric(mesh, lid, wall):
+    """Hull and lid as a quarter and its images, which take a quarter of the time: fore and aft, and to both sides. At a wall, which is then at
+    y = 0, the second image is that of the whole hull."""
+    halves = []
+    # Panels of the lid lie across the middle lines, those of the hull do not.
+    lid = lid.clipped(normal=(-1, 0, 0), origin=(0, 0, 0))
+    lid = lid.clipped(normal=(0, -1, 0), origin=(0, 0, 0)) if wall is None else lid
+    x, y, _ = mesh.faces_centers.T
+    kept = (x > 0) & ((y > 0) | (wall is not None))
+    for part in (mesh.extract_faces(np.flatnonzero(kept)), lid):
+        part = part if wall is None else part.translated_y(wall)
+        halves.append(cpt.ReflectionSymmetricMesh(half=cpt.ReflectionSymmetricMesh(half=part, plane="yOz"), plane="xOz"))
+    return halves
+
+
+def at_wall(mesh, lid, height, wall):
+    """Hull and image as one body. Capytaine's y is to port, so the hull is at a positive one from the wall."""
     dofs = {}
     for index, dof in enumerate(DOFS):
         fields = []
-        for part, place, sign in ((mesh, centre, 1), (image, (0, 2 * y_wall, centre[2]), IMAGE[index])):
-            r = part.faces_centers - np.array(place)
+        for part, y, sign in ((mesh.half, wall, 1), (mesh.other_half, -wall, IMAGE[index])):
+            r = part.faces_centers - np.array((0, y, height))
             axis = np.eye(3)[index % 3]
             field = np.tile(axis, (len(r), 1)) if index < 3 else np.cross(axis, r)
             fields.append(sign * field)
         dofs[dof] = np.concatenate(fields)
-    return cpt.FloatingBody(mesh=mesh.join_meshes(image), lid_mesh=lid.join_meshes(image_lid), dofs=dofs)
+    return cpt.FloatingBody(mesh=mesh, lid_mesh=lid, dofs=dofs)
 
 
 def drift(results, data, size, volume):
@@ -198,13 +212,13 @@ def drift(results, data, size, volume):
     theta = 2 * np.pi * np.arange(-12, 373) / 360  # beyond a turn at both ends, as the derivative needs
     finite = [result for result in results if np.isfinite(float(result.omega))]
     omegas = np.array(sorted({result.omega for result in finite}))
-    headings = np.array(sorted({result.wave_direction for result in finite if hasattr(result, "wave_direction")}))
+    headings = np.array(sorted({result.wave_direction for result in finite if not hasattr(result, "radiating_dof")}))
     place = {omega: index for index, omega in enumerate(omegas)}
     radiated = np.zeros((len(omegas), len(DOFS), len(theta)), complex)
     diffracted = np.zeros((len(omegas), len(headings), len(theta)), complex)
     for result in finite:
         kochin = cpt.post_pro.kochin.compute_kochin(result, theta)
-        if hasattr(result, "wave_direction"):
+        if not hasattr(result, "radiating_dof"):
             diffracted[place[result.omega], np.searchsorted(headings, result.wave_direction)] = kochin
         else:
             radiated[place[result.omega], DOFS.index(result.radiating_dof)] = kochin
@@ -250,13 +264,16 @@ def solve(name, omegas, headings, drifts=True):
     centre = (0.0, 0.0, size["above_keel"] - size["draught"])
     mesh = mesh_of(of["hull"](), name)
     lid = mesh.generate_lid()
-    body = cpt.FloatingBody(mesh=mesh, lid_mesh=lid, dofs=cpt.rigid_body_dofs(rotation_center=centre), center_of_mass=centre, name=name)
+    dofs = cpt.rigid_body_dofs(rotation_center=centre)
+    body = cpt.FloatingBody(mesh=mesh, dofs=dofs, center_of_mass=centre, name=name)
     volume = body.disp_mass(rho=WATER_KGPM3) / WATER_KGPM3
     stiffness = body.compute_hydrostatic_stiffness(rho=WATER_KGPM3)
-    factor = 1.0
-    if wall is not None:
-        body = at_wall(mesh, lid, centre, -wall)
-        factor = 0.5
+    alike, lid = symmetric(mesh, lid, wall)
+    assert alike.nb_faces == mesh.nb_faces * (1 if wall is None else 2)
+    if wall is None:
+        factor, body = 1.0, cpt.FloatingBody(mesh=alike, lid_mesh=lid, dofs=dofs, name=name)
+    else:
+        factor, body = 0.5, at_wall(alike, lid, centre[2], wall)
     solver = cpt.BEMSolver(green_function=ShallowWater())
     water = {"body": body, "water_depth": of["depth"], "rho": WATER_KGPM3, "g": GRAVITY_MPS2}
     results = []
@@ -270,6 +287,11 @@ def solve(name, omegas, headings, drifts=True):
     if "excitation_force" not in data:
         data["excitation_force"] = data["Froude_Krylov_force"] + data["diffraction_force"]
     data = data[["added_mass", "radiation_damping", "excitation_force"]]
+    if wall is not None:
+        # The crest at the hull, not at the wall.
+        numbers = {float(result.omega): float(result.wavenumber) for result in results if np.isfinite(float(result.omega))}
+        number = xr.DataArray([numbers.get(float(omega), 0.0) for omega in data.omega.values], coords=[("omega", data.omega.values)])
+        data["excitation_force"] = data["excitation_force"] * np.exp(-1j * number * wall * np.sin(data.wave_direction))
     for key in ["added_mass", "radiation_damping"]:
         data[key] = factor * data[key]
     data["hydrostatic_stiffness"] = stiffness
