@@ -64,7 +64,7 @@ def motions(hulls, name):
 
     case = hulls.CASES[name]
     frequencies, headings = drawn(name, case)
-    data, *_, volume, _ = hulls.solve(name, [*frequencies, np.inf], np.radians([-heading for heading in headings]))
+    data, *_, volume, _ = hulls.solve(name, [*frequencies, np.inf], np.radians([-heading % 360 for heading in headings]))
     mass, size = hulls.WATER_KGPM3 * volume, case["size"]
     ship = hulls.converters().from_capytaine(
         data, gravity_above_water_m=0.0, gyradii_m=size["gyradii"], mass_kg=mass, fold=False, source=name
@@ -73,7 +73,7 @@ def motions(hulls, name):
     restoring = np.zeros((6, 6))
     restoring[2:5, 2:5] = ship.restoring
     # Couplings of the hull, as the file has them: others are rounding.
-    matters = sys.modules["hydrodynamics"]._matters
+    matters = sys.modules["fenderline.hydrodynamics._data"]._matters
     tables = [list(ship.added_mass.values()), [table for omega, table in ship.damping.items() if math.isfinite(omega)]]
     coupled = np.array([[any(matters(i, j, table) for table in tables) for j in range(6)] for i in range(6)])
     for (omega, heading), force in sorted(ship.excitation.items()):

@@ -152,3 +152,20 @@ fn the_memory_has_the_damping_of_each_file() {
         assert!(off.iter().all(|off| *off < most), "{name}: {off:?}");
     }
 }
+
+/// A free ship follows a wave much longer than her beam and throws nothing back: next to no drift abeam, over that of a wall of her length. The waves
+/// that she makes by moving cancel those that she throws back; without them a fifth of a wall's drift was left at 0.3 rad/s.
+#[test]
+fn a_ship_that_follows_a_long_beam_wave_has_no_drift() {
+    for (name, text) in files().iter().filter(|(name, _)| !name.ends_with("quay")) {
+        let scenario = scenario(name, text);
+        let data = scenario.setup.world.vessels[0].seakeeping.clone().expect("data").data;
+        let length_m = if name.starts_with("barge") { 80.0 } else { 285.0 };
+        let wall_npm2 = 0.5 * 1025.0 * 9.81 * length_m;
+        for w in [data.wave_range_radps()[0], 0.2, 0.3] {
+            let [_, sway, _] = data.drift_towards(w, std::f64::consts::FRAC_PI_2).expect("drift");
+            println!("{name}, {w} rad/s: {:.5} of a wall's drift", sway / wall_npm2);
+            assert!(sway.abs() < 0.01 * wall_npm2, "{name}, {w} rad/s: {sway}");
+        }
+    }
+}
