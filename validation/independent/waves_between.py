@@ -3,7 +3,7 @@
     python3 validation/independent/waves_between.py [CASE...]
 
 It needs what hydrodynamics/capytaine_hulls.py needs. For each file of hydrodynamics/ it draws five frequencies and five headings that are not
-in the file (seeded), runs Capytaine there, solves (−ω²(M + A) + iωB + C) ξ = F with 5 % of the critical damping in roll, and writes
+in the file and that it resolves (seeded), runs Capytaine there, solves (−ω²(M + A) + iωB + C) ξ = F with 5 % of the critical damping in roll, and writes
 validation/independent/waves_between.csv: complex amplitudes over that of the wave, and in open water the mean drift over the square of it (N/m², and N/m
 in yaw). crates/scenario/tests/waves_between.rs moves the hulls by the shipped files in the same waves and compares.
 """
@@ -22,6 +22,8 @@ DRIFT = ["drift_surge", "drift_sway", "drift_yaw"]
 SEED = 36
 # Beyond this kLΔμ the reader tells that the headings do not resolve a wave: in open water, and with headings all round.
 RESOLVED = (4.0, 3.0)
+# Beyond this LΔk it tells that the frequencies do not.
+RESOLVED_STEP = 2.5
 
 
 def module(path):
@@ -50,7 +52,11 @@ def drawn(name, case):
     draw = random.Random(f"{SEED} {name}")
     omegas, length = case["omegas"], case["size"]["length"]
     step = math.radians(360 / len(case["headings"]) if case["wall"] else 180 / (len(case["headings"]) - 1))
-    last = max(w for w in omegas if wave_number(w, case["depth"]) * length * step <= RESOLVED[case["wall"] is not None])
+    numbers = [wave_number(w, case["depth"]) for w in omegas]
+    steps = [0.0] + [(after - before) * length for before, after in zip(numbers, numbers[1:])]
+    # Rows are of waves that the data resolve, by the reader's two criteria.
+    too_coarse = [n for n in range(len(omegas)) if numbers[n] * length * step > RESOLVED[case["wall"] is not None] or steps[n] > RESOLVED_STEP]
+    last = omegas[min(too_coarse, default=len(omegas)) - 1]
     first = omegas[0]
     frequencies = [round(first + (k + draw.random()) / 5 * (last - first), 3) for k in range(5)]
     low, high = (-180, 180) if case["wall"] else (0, 180)

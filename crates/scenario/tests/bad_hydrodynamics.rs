@@ -76,6 +76,11 @@ fn a_step_beyond_her_own_periods_is_refused() {
     assert!(read(&text, STEP_S).is_ok());
 }
 
+/// Periods on the springs (s), longer than that of the slowest wave of the data. On springs of 60 s the barge in surge, with her added mass of slow
+/// waves, swings at 0.1002 rad/s, and the first frequency of the data is 0.1: with next to no damping there she gathers energy that the waves do
+/// give, for hours, as the square of the time.
+const SLOW_S: f64 = 90.0;
+
 /// A ship on linear springs, stepped by hand around [`Motion`] without drag and viscous damping.
 struct Moored {
     motion: Motion,
@@ -90,7 +95,7 @@ impl Moored {
     fn new(ship: &Seakeeping) -> Moored {
         let ship = Seakeeping { data: ship.data.clone(), roll_damping: 0.0 };
         let motion = Motion::new(&ship, STEP_S);
-        let soft = |k: usize| motion.mass()[k][k] * (TAU / 60.0) * (TAU / 60.0);
+        let soft = |k: usize| motion.mass()[k][k] * (TAU / SLOW_S) * (TAU / SLOW_S);
         let springs = [soft(0), soft(1), 0.0, 0.0, 0.0, soft(5)];
         Moored { motion, springs, place: [0.0; 6], velocity: [0.0; 6], given_j: 0.0 }
     }
@@ -209,8 +214,9 @@ fn in_waves_a_moored_ship_never_has_more_energy_than_they_gave() {
                 }
             });
             println!(
-                "{name}, heading {towards_deg}: over {:.2e}, most {most_j:.3e} J",
-                over_j / most_j
+                "{name}, heading {towards_deg}: over {:.2e}, most {most_j:.3e} J, {:.3} of the first half",
+                over_j / most_j,
+                most_j / first_half_j
             );
             assert!(over_j <= 0.01 * most_j, "{name}: {over_j} J more than were given");
             assert!(most_j <= 3.0 * first_half_j, "{name}: {most_j} J after {first_half_j} J");

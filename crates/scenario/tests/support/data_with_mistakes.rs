@@ -223,8 +223,8 @@ pub(crate) const MISTAKES: &[Mistake] = &[
     ),
     // Too coarse, too late.
     mistake!(
-        "every fifth frequency",
-        |text| edited(text, "radiation", |row| if row.index % 5 != 0 {
+        "every seventh frequency",
+        |text| edited(text, "radiation", |row| if row.index % 7 != 0 {
             row.leave_out()
         }),
         Refused(&["8 frequencies"])
