@@ -230,11 +230,11 @@ pub(crate) const MISTAKES: &[Mistake] = &[
         Refused(&["8 frequencies"])
     ),
     mistake!(
-        "every third frequency",
-        |text| edited(text, "radiation", |row| if row.index % 3 != 1 {
+        "every sixth frequency",
+        |text| edited(text, "radiation", |row| if row.index % 6 != 0 {
             row.leave_out()
         }),
-        Refused(&["yaw", "too far apart"])
+        Refused(&["too far apart"])
     ),
     mistake!(
         "every second frequency",

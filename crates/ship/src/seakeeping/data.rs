@@ -121,6 +121,8 @@ impl Hydrodynamics {
         let effective = effective_infinite(&data, &retardation);
         let given = core::mem::replace(&mut data.infinite, effective);
         data.check_consistency(&retardation, &given)?;
+        // Of the matrix that the file gives too: an effective one of couplings without damping is a median, which hides a wrong unit.
+        check_total_mass(&plus(&data.mass, 1.0, &given))?;
         check_total_mass(&data.total_mass())?;
         Ok(data)
     }
